@@ -1,0 +1,40 @@
+#pragma once
+// Generalized coordinates q place a tool's frame in space: x = origin(q) + R(q) xhat.
+#include "base/types.hpp"
+#include <string>
+#include <vector>
+
+namespace burnish {
+
+/// Pose of a tool frame with first and second derivatives by the generalized coordinates.
+template <int Dim> struct Pose {
+  Vector<Dim> origin;                              ///< [length]
+  Tensor<Dim> R;                                   ///< rotation of the tool frame
+  std::vector<Vector<Dim>> origin_q;               ///< [k]
+  std::vector<Tensor<Dim>> R_q;                    ///< [k]
+  std::vector<std::vector<Vector<Dim>>> origin_qq; ///< [k][l], symmetric
+  std::vector<std::vector<Tensor<Dim>>> R_qq;      ///< [k][l], symmetric
+};
+
+/// Rigid motion x -> R x + d.
+template <int Dim> struct RigidMotion {
+  Tensor<Dim> R = Tensor<Dim>::Identity();
+  Vector<Dim> d = Vector<Dim>::Zero();
+  Vector<Dim> operator()(const Vector<Dim>& x) const { return R * x + d; }
+  RigidMotion inverse() const { return {R.transpose(), -R.transpose() * d}; }
+};
+
+template <int Dim> class Coordinates {
+public:
+  virtual ~Coordinates() = default;
+  virtual const std::vector<std::string>& names() const = 0; ///< e.g. {"r","phi","theta"}
+  int size() const { return static_cast<int>(names().size()); }
+  /// Pose and its derivatives at q (size()); lengths in the user's length unit, angles in radians.
+  virtual Pose<Dim> pose(const Eigen::VectorXd& q) const = 0;
+  /// Rigid motion of the carrier of the tool from q_from to q_to: what moves with the tool's path but does
+  /// not spin with the tool. Polar: the turn about the pivot; otherwise the translation of the origin.
+  /// Used to carry the last step along with the tool as a predictor.
+  virtual RigidMotion<Dim> carrier(const Eigen::VectorXd& q_from, const Eigen::VectorXd& q_to) const = 0;
+};
+
+} // namespace burnish

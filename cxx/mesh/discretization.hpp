@@ -1,0 +1,35 @@
+#pragma once
+// The finite-element space of the workpiece as plain arrays: reference nodes, elements, quadrature.
+#include "base/types.hpp"
+#include <vector>
+
+namespace burnish {
+
+/// Everything refers to the reference configuration; integration happens there (method.md section 1).
+template <int Dim> struct Discretization {
+  int num_nodes = 0, nodes_per_element = 0, points_per_element = 0, num_elements = 0;
+  std::vector<double> X;          ///< reference node coordinates, num_nodes x Dim [length]
+  std::vector<int> connectivity;  ///< num_elements x nodes_per_element; the Dim+1 vertices come first
+  std::vector<double> weight;     ///< num_points: quadrature weight times element volume [length^Dim]
+  std::vector<double> shape_grad; ///< num_points x nodes_per_element x Dim: dN_a/dX_j [1/length]
+  std::vector<double> point;      ///< num_points x Dim: reference position of the quadrature points [length]
+
+  int num_points() const { return num_elements * points_per_element; }
+  int num_dofs() const { return Dim * num_nodes; }
+  Vector<Dim> node(int a) const { return Eigen::Map<const Vector<Dim>>(X.data() + Dim * a); }
+  const int* element(int e) const { return connectivity.data() + static_cast<std::size_t>(e) * nodes_per_element; }
+  /// dN_a/dX at point p (global point number), nodes_per_element x Dim, row-major.
+  const double* gradients(int p) const {
+    return shape_grad.data() + static_cast<std::size_t>(p) * nodes_per_element * Dim;
+  }
+};
+
+/// Straight triangles: P1 (3 nodes, 1 point) or P2 (6 nodes, vertices then mid-edge node opposite vertex 0,1,2;
+/// 3 points, point q = middle of the edge opposite vertex q, as FreeFEM's FEQF2).
+/// @param X            node coordinates, num_nodes x 2
+/// @param connectivity num_elements x (3 or 6)
+/// @throws std::invalid_argument for a bad size, an index out of range, a non-finite coordinate, or an inverted
+///         element (names its number and area)
+Discretization<2> triangles(int nodes_per_element, std::vector<double> X, std::vector<int> connectivity);
+
+} // namespace burnish
