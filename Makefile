@@ -1,0 +1,157 @@
+# Burnish: builds the core (cxx/), the FreeFEM plugin (plugins/) and the tests, and runs the cases.
+#   make                  same as make build                make help    every target in a line
+#   make case-rolling OPTIONS="-element P1 -mu 0.1"         make run OPTIONS=...
+#   make NO_INSTALL=1 run    names missing Debian packages instead of installing them
+#   make PACKAGES=true run   does not look for packages (another system than Debian)
+# All products go to $(BUILD); two runs of make in one tree wait for each other.
+BUILD    ?= build
+FREEFEM  ?= FreeFem++
+PYTHON   ?= /usr/bin/python3
+PACKAGES ?= .ci/packages
+OPTIMIZE ?= -O2
+JOBS     ?= $(shell nproc)
+OPTIONS  ?=
+
+# Where FreeFEM, Eigen and SuiteSparse are (Debian's places)
+FREEFEM_LOAD    ?= /usr/lib/freefem++
+FREEFEM_IDP     ?= /usr/include/freefem++/idp
+FREEFEM_INCLUDE ?= /usr/include/freefem++
+EIGEN_INCLUDE   ?= /usr/include/eigen3
+SPARSE_INCLUDE  ?= /usr/include/suitesparse
+# BLAS and LAPACK by their run-time names: whatever the system's alternatives select counts
+LIBRARIES ?= -lcholmod -lumfpack -lginac -lcln -lgmsh -l:liblapack.so.3 -l:libblas.so.3
+
+FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -Wall -Wextra -Icxx \
+        -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)
+PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
+
+# --- sources and products ----------------------------------------------------------------------------------
+sources   = $(sort $(shell find $(wildcard $(1)) -name '*.cpp' 2>/dev/null </dev/null))
+objects   = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
+SUITES   := unit plugin verification regression long
+PROGRAMS := unit verification long benchmark
+CORE     := $(BUILD)/libburnish.a
+PLUGIN   := $(BUILD)/plugins/rigidcontact.so
+WRAPPER  := $(BUILD)/burnish
+CXX_SOURCES    := $(call sources,cxx)
+PLUGIN_SOURCES := $(sort $(wildcard plugins/*.cpp))
+$(foreach p,$(PROGRAMS),$(eval SOURCES_$(p) := $(if $(wildcard tests/$(p)),$(call sources,tests/$(p)))))
+ALL_SOURCES := $(CXX_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
+
+# What a suite runs: its GoogleTest program, and every .edp, .sh and .py of its folders (helpers: tests/support)
+folders   = $(wildcard $(patsubst %,tests/%,$(if $(filter plugin,$(1)),plugin errors shell,$(1))))
+scripts   = $(if $(call folders,$(1)),$(sort $(shell find $(call folders,$(1)) -name '*.edp' -o -name '*.sh' -o -name '*.py')))
+program   = $(if $(SOURCES_$(1)),$(BUILD)/tests/$(1))
+suite     = $(foreach s,$(1),$(call program,$(s)) $(call scripts,$(s)))
+
+# --- environment of every script: our folders first, then FreeFEM's ------------------------------------------
+LOAD    := $(abspath $(BUILD)/plugins);$(FREEFEM_LOAD)
+INCLUDE := $(CURDIR)/edp;$(FREEFEM_IDP)
+export FF_LOADPATH    := $(LOAD)
+export FF_INCLUDEPATH := $(INCLUDE)
+export PYTHON
+export OPENBLAS_NUM_THREADS ?= 1
+
+define WRAPPER_TEXT
+#!/bin/sh
+# $(notdir $(WRAPPER)) SCRIPT.edp [OPTIONS]: runs a FreeFEM script with Burnish's folders set. Made by make.
+export FF_LOADPATH="$(LOAD)$${FF_LOADPATH:+;$$FF_LOADPATH}"
+export FF_INCLUDEPATH="$(INCLUDE)$${FF_INCLUDEPATH:+;$$FF_INCLUDEPATH}"
+export BURNISH_TOP="$(CURDIR)" PYTHON="$${PYTHON:-$(PYTHON)}" OPENBLAS_NUM_THREADS="$${OPENBLAS_NUM_THREADS:-1}"
+exec $(FREEFEM) -nw -v 0 "$$@"
+endef
+export WRAPPER_TEXT
+
+# --- commands --------------------------------------------------------------------------------------------------
+# Recursion with all cores, unless the user said -j; the lock keeps two makes out of one folder.
+COMPILE = @mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
+TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
+
+.PHONY: build run run-fine figures test $(SUITES:%=test-%) bench packages format clean help FORCE
+.PHONY: compile programs
+.DELETE_ON_ERROR:
+.SUFFIXES:
+
+build: packages ## build the core, the plugin and the wrapper build/burnish (also plain make)
+	$(COMPILE) compile
+
+run: case-rolling ## example 1 of the article with default options; results in out/rolling
+
+run-fine: OPTIONS := -element P1 -inner 40 -outer 1200 -sides 80 $(OPTIONS)
+run-fine: case-rolling ## the same on the article's mesh, P1 with 40/1200/80 divisions
+
+case-%: build ## run cases/NAME/NAME.edp, options in OPTIONS="..."
+	@$(WRAPPER) cases/$*/$*.edp $(OPTIONS)
+
+figures: packages ## draw the pictures of out/rolling again
+	$(PYTHON) cases/rolling/plot.py out/rolling
+
+test: packages ## all quick tests: unit, plugin, verification, regression (under ten minutes)
+	$(COMPILE) compile $(call program,unit) $(call program,verification)
+	@$(TEST) $(call suite,unit plugin verification regression)
+
+test-unit: ## GoogleTest programs of the core, tests/unit
+test-plugin: ## the plugin through scripts, and every error message: tests/plugin, tests/errors, tests/shell
+test-verification: ## problems with known answers, tests/verification
+test-regression: ## coarse cases against stored numbers, tests/regression
+test-long: ## slow tests, tests/long
+$(SUITES:%=test-%): test-%: packages
+	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
+	@$(TEST) $(call suite,$*)
+
+bench: ## time the core's kernels (Google Benchmark, tests/benchmark); nothing passes or fails
+	@$(PACKAGES) bench
+	$(COMPILE) $(or $(call program,benchmark),$(error no programs in tests/benchmark))
+	@$(call program,benchmark) $(OPTIONS)
+
+packages: ## look for the Debian packages needed and install what is missing
+	@$(PACKAGES)
+
+format: ## clang-format on all C++ files
+	@$(PACKAGES) format
+	find cxx plugins tests -name '*.[ch]pp' -exec clang-format -i {} +
+
+clean: ## remove everything built (results in out/ stay)
+	rm -rf $(BUILD)
+
+help: ## this list
+	@awk -F':.*## ' '/^[a-z%-]+:.*## / {sub("%", "NAME", $$1); printf "make %-18s %s\n", $$1, $$2}' Makefile
+
+# --- rules of compilation ----------------------------------------------------------------------------------------
+compile: $(CORE) $(WRAPPER) $(if $(PLUGIN_SOURCES),$(PLUGIN))
+
+# $(call keep,TEXT): write TEXT to the target only if it changed, so that only real changes rebuild
+keep = @mkdir -p $(@D) && { [ -f $@ ] && printf '%s\n' "$(1)" | cmp -s - $@ || printf '%s\n' "$(1)" >$@; }
+$(BUILD)/flags: FORCE
+	$(call keep,$(CXX) $(FLAGS) $(PLUGIN_FLAGS) $(LIBRARIES))
+$(BUILD)/sources: FORCE
+	$(call keep,$(ALL_SOURCES))
+$(WRAPPER): FORCE
+	$(call keep,$$WRAPPER_TEXT)
+	@[ -x $@ ] || chmod +x $@
+
+$(BUILD)/obj/plugins/%: GROUP_FLAGS = $(PLUGIN_FLAGS)
+$(BUILD)/obj/tests/%:   GROUP_FLAGS = -Itests
+$(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	@echo "compile $<"
+	@$(CXX) $(FLAGS) $(GROUP_FLAGS) -MMD -MP -c $< -o $@
+
+# Linked under another name and moved: a program that is running keeps the old file.
+$(CORE): $(call objects,$(CXX_SOURCES)) $(BUILD)/sources
+	@rm -f $@ && ar rcs $@ $(filter %.o,$^)
+$(PLUGIN): $(call objects,$(PLUGIN_SOURCES)) $(CORE)
+	@mkdir -p $(@D)
+	@echo "link    $@"
+	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
+
+define program_rule
+$(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(CORE)
+	@mkdir -p $$(@D)
+	@echo "link    $$@"
+	@$$(CXX) $$(LDFLAGS) $$(filter %.o,$$^) $$(CORE) $(2) -pthread -Wl,--as-needed $$(LIBRARIES) -o $$@.new && mv $$@.new $$@
+endef
+$(foreach p,unit verification long,$(eval $(call program_rule,$(p),-lgtest_main -lgtest)))
+$(eval $(call program_rule,benchmark,-lbenchmark_main -lbenchmark))
+
+-include $(patsubst %.o,%.d,$(call objects,$(ALL_SOURCES)))
