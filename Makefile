@@ -9,8 +9,9 @@ FREEFEM  ?= FreeFem++
 PYTHON   ?= /usr/bin/python3
 PACKAGES ?= .ci/packages
 OPTIMIZE ?= -O2
-JOBS     ?= $(shell nproc)
+JOBS     ?= $(shell nproc 2>&1)
 OPTIONS  ?=
+export PATH := $(or $(PATH),/usr/local/bin:/usr/bin:/bin)
 
 # Where FreeFEM, Eigen and SuiteSparse are (Debian's places)
 FREEFEM_LOAD    ?= /usr/lib/freefem++
