@@ -1,0 +1,248 @@
+#include "stepping/corrector.hpp"
+#include "base/error.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+
+template <int Dim>
+Corrector<Dim>::Corrector(ContactModel<Dim> model, Eigen::VectorXd X, std::vector<char> fixed, StepOptions options)
+    : m_model(std::move(model)), m_options(options), m_mixer(options.anderson_memory) {
+  require(!m_model.candidates.empty(), "contact", "number of candidate nodes", 0, "at least one node on the label");
+  require(!m_model.tools.empty(), "contact", "number of tools", 0, "at least one tool");
+  require(X.size() == static_cast<Eigen::Index>(fixed.size()), "contact", "number of fixed flags", fixed.size(),
+          "one per degree of freedom");
+  if (!X.allFinite()) fail("contact", "a node coordinate is not finite");
+  m_body.X = std::move(X);
+  m_body.fixed = std::move(fixed);
+  m_body.spacing = candidate_spacing(m_body.X, Dim, m_model.candidates);
+  if (m_body.spacing == 0) m_body.spacing = m_model.tools[0]->profile().length_scale() * 1e-2;
+  m_state.nodes.resize(m_model.candidates.size());
+  m_state.q = Eigen::VectorXd::Zero(m_model.num_coordinates());
+}
+
+template <int Dim>
+void Corrector<Dim>::begin(const Program& program, const ContactState<Dim>& predicted,
+                           std::vector<ContactNode<Dim>> entry, bool adapt) {
+  m_program = program;
+  m_state = predicted;
+  m_entry = std::move(entry);
+  m_adapt = adapt;
+  m_iteration = m_halvings = 0;
+  m_last_residual = m_best_residual = -1;
+  m_mixer = AndersonMixer(m_options.anderson_memory);
+  m_fresh.assign(m_state.nodes.size(), 0);
+  m_reason.clear();
+}
+
+template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+  require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(), "number of dofs");
+  if (!R.allFinite()) fail("contact.check", "the force array holds NaN or Inf");
+  const double h = m_body.spacing;
+  double scale = m_load_scale;
+  for (int pass = 0; pass < 2; ++pass) { // the load of this state counts in its own tolerance
+    m_balance = balance(m_model, m_body, m_state, m_program, u, R, m_options.tolerance * scale,
+                        m_options.gap_tolerance * h, m_options.offset_tolerance * h);
+    if (m_balance.load <= scale) break;
+    scale = m_balance.load;
+  }
+  const double res = m_balance.residual;
+  if (!std::isfinite(res)) {
+    m_reason = "the residual is not finite";
+    return StepStatus::FAILED;
+  }
+  if (m_iteration > 0 && res <= m_options.tolerance * scale && m_balance.inconsistent == 0) {
+    m_load_scale = scale;
+    return StepStatus::CONVERGED;
+  }
+  if (m_iteration >= m_options.max_iterations) {
+    std::ostringstream text;
+    text << "no convergence in " << m_iteration << " iterations: residual " << res << ", allowed "
+         << m_options.tolerance * scale << ", " << m_balance.inconsistent << " inconsistent contact states";
+    m_reason = text.str();
+    return StepStatus::FAILED;
+  }
+  const bool slow = m_last_residual >= 0 && res > m_options.slow * m_last_residual;
+  if (slow && m_iteration >= 2 && m_halvings < m_options.max_halvings && m_u_before.size() == u.size()) {
+    ++m_halvings;
+    ++m_counts.halvings;
+    u = 0.5 * (u + m_u_before);
+    m_state.q = 0.5 * (m_state.q + m_q_before);
+    project(u, true);
+    m_u_before.resize(0);
+    m_mixer.clear();
+    return StepStatus::HALVED;
+  }
+  m_last_residual = res;
+  if (m_best_residual < 0 || res < m_best_residual) m_best_residual = res;
+  const bool covered = window_covers(u);
+  return !m_has_factor || m_iteration == 0 || (slow && res > m_options.tolerance * scale) || !covered
+             ? StepStatus::REFACTORIZE
+             : StepStatus::ITERATE;
+}
+
+template <int Dim> FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
+  require(K.size() == m_body.X.size(), "contact.factorize", "size of K", K.size(), "number of dofs");
+  if (!window_covers(u) || m_window.empty()) choose_window(u);
+  std::vector<int> nodes;
+  for (const int i : m_window) nodes.push_back(m_model.candidates[i]);
+  m_factor.analyze(K, m_body.fixed, nodes);
+  m_has_factor = m_factor.factorize(K) == FactorStatus::OK;
+  ++m_counts.factorizations;
+  m_counts.analyses = m_factor.analyses();
+  m_mixer.clear();
+  if (!m_has_factor) return FactorStatus::NOT_POSITIVE_DEFINITE;
+  m_flexibility = m_factor.candidate_flexibility();
+  const double mean = m_flexibility.diagonal().mean();
+  for (Eigen::Index d = 0; d < m_flexibility.rows(); ++d) // a dof held by the script gives way by nothing
+    if (m_flexibility(d, d) == 0) m_flexibility(d, d) = 1e-9 * mean;
+  return FactorStatus::OK;
+}
+
+template <int Dim>
+WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                                                  const Eigen::VectorXd& free_increment) const {
+  WindowProblem<Dim> problem;
+  problem.window = &m_window;
+  problem.flexibility = &m_flexibility;
+  problem.free_increment = on_window(free_increment);
+  problem.u = &u;
+  problem.R = &R;
+  problem.entry = &m_entry;
+  problem.force_tolerance = 0.1 * m_options.tolerance * std::max(m_load_scale, m_balance.load);
+  problem.gap_tolerance = 0.5 * m_options.gap_tolerance * m_body.spacing;
+  problem.adapt = m_adapt;
+  problem.max_passes = m_options.max_state_passes;
+  problem.terms = m_options.terms;
+  return problem;
+}
+
+template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+  if (!m_has_factor) fail("contact.correct", "no factor: call factorize first");
+  ++m_iteration;
+  ++m_counts.iterations;
+  const Eigen::VectorXd u0 = m_factor.solve(-R);
+  const auto solution = solve_window(m_model, m_body, m_program, m_state, window_problem(u, R, u0));
+  if (solution.singular) {
+    m_reason = "singular contact block";
+    if (solution.weakest_coordinate >= 0) {
+      std::ostringstream text;
+      text << "nothing resists coordinate number " << solution.weakest_coordinate << " under force control";
+      m_reason = text.str();
+    }
+    return StepStatus::FAILED;
+  }
+  const Eigen::VectorXd b = scatter_window(solution.F) - R;
+  m_counts.solves += 2;
+  const Eigen::VectorXd du = m_factor.solve(b);
+  const Eigen::Index n = u.size(), nq = m_state.q.size();
+  Eigen::VectorXd z(n + nq), g(n + nq);
+  z << u, m_state.q;
+  g << du, solution.state.q - m_state.q;
+  m_u_before = u;
+  m_q_before = m_state.q;
+  const Eigen::VectorXd step = m_mixer.mix(z, g, b);
+  m_fresh = solution.fresh;
+  m_state.nodes = solution.state.nodes;
+  u += step.head(n);
+  m_state.q += step.tail(nq);
+  project(u, m_mixer.mixed());
+  return StepStatus::ITERATE;
+}
+
+// Puts the contact nodes onto their tools: sliding nodes at the projection, sticking ones at their place. Nodes that
+// came into contact in this iteration keep an interpolated position (algorithms.md 5.6).
+template <int Dim> void Corrector<Dim>::project(Eigen::VectorXd& u, bool keep_fresh) {
+  const auto poses = m_model.poses(m_state.q);
+  for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
+    ContactNode<Dim>& node = m_state.nodes[i];
+    if (!in_contact(node.state)) continue;
+    const int mesh_node = m_model.candidates[i];
+    const Vector<Dim> x = m_body.position(u, mesh_node);
+    const auto& tool = *m_model.tools[node.tool];
+    node.s = holds(node.state) ? node.s_ref : tool.closest_point(poses[node.tool], x, node.s).s;
+    if (keep_fresh && m_fresh[i]) continue;
+    const Vector<Dim> target = tool.surface(poses[node.tool], node.s).x;
+    for (int c = 0; c < Dim; ++c)
+      if (!m_body.fixed[Dim * mesh_node + c]) u[Dim * mesh_node + c] += target[c] - x[c];
+  }
+}
+
+template <int Dim> double Corrector<Dim>::contact_width(const Eigen::VectorXd& u, int tool) const {
+  double width = 0;
+  std::vector<Vector<Dim>> x;
+  for (std::size_t i = 0; i < m_state.nodes.size(); ++i)
+    if (in_contact(m_state.nodes[i].state) && m_state.nodes[i].tool == tool)
+      x.push_back(m_body.position(u, m_model.candidates[i]));
+  for (const auto& a : x)
+    for (const auto& b : x) width = std::max(width, (a - b).norm());
+  return width;
+}
+
+// Candidates near a contact node, or near the closest free node when nothing is in contact.
+template <int Dim>
+std::vector<int> Corrector<Dim>::near_contact(const Eigen::VectorXd& u, double widths, double spacings) const {
+  std::vector<char> chosen(m_state.nodes.size(), 0);
+  const auto poses = m_model.poses(m_state.q);
+  for (std::size_t t = 0; t < m_model.tools.size(); ++t) {
+    std::vector<Vector<Dim>> centers;
+    double best = 0;
+    Vector<Dim> closest = Vector<Dim>::Zero();
+    for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
+      const Vector<Dim> x = m_body.position(u, m_model.candidates[i]);
+      if (in_contact(m_state.nodes[i].state)) {
+        if (m_state.nodes[i].tool == static_cast<int>(t)) centers.push_back(x);
+        continue;
+      }
+      const double gap = m_model.tools[t]->closest_point(poses[t], x, m_state.nodes[i].s).gap;
+      if (i == 0 || gap < best) {
+        best = gap;
+        closest = x;
+      }
+      if (gap < m_options.gap_tolerance * m_body.spacing) chosen[i] = 1;
+    }
+    if (centers.empty()) centers.push_back(closest);
+    const double reach = widths * contact_width(u, static_cast<int>(t)) + spacings * m_body.spacing;
+    for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
+      if (chosen[i]) continue;
+      const Vector<Dim> x = m_body.position(u, m_model.candidates[i]);
+      for (const auto& c : centers)
+        if ((x - c).squaredNorm() <= reach * reach) {
+          chosen[i] = 1;
+          break;
+        }
+    }
+  }
+  std::vector<int> list;
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    if (chosen[i]) list.push_back(static_cast<int>(i));
+  return list;
+}
+
+template <int Dim> bool Corrector<Dim>::window_covers(const Eigen::VectorXd& u) const {
+  const std::vector<int> needed =
+      near_contact(u, 0.3 * m_options.window_width, 0.3 * m_options.window_nodes);
+  return std::includes(m_window.begin(), m_window.end(), needed.begin(), needed.end());
+}
+
+template <int Dim> void Corrector<Dim>::choose_window(const Eigen::VectorXd& u) {
+  m_window = near_contact(u, m_options.window_width, m_options.window_nodes);
+}
+
+template <int Dim> Eigen::VectorXd Corrector<Dim>::on_window(const Eigen::VectorXd& full) const {
+  Eigen::VectorXd part(Dim * static_cast<Eigen::Index>(m_window.size()));
+  for (std::size_t w = 0; w < m_window.size(); ++w)
+    part.template segment<Dim>(Dim * w) = full.template segment<Dim>(Dim * m_model.candidates[m_window[w]]);
+  return part;
+}
+
+template <int Dim> Eigen::VectorXd Corrector<Dim>::scatter_window(const Eigen::VectorXd& window) const {
+  Eigen::VectorXd full = Eigen::VectorXd::Zero(m_body.X.size());
+  for (std::size_t w = 0; w < m_window.size(); ++w)
+    full.template segment<Dim>(Dim * m_model.candidates[m_window[w]]) += window.template segment<Dim>(Dim * w);
+  return full;
+}
+
+template class Corrector<2>;
+
+} // namespace burnish

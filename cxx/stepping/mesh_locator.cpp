@@ -1,0 +1,75 @@
+#include "stepping/predictor.hpp"
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace burnish {
+
+template <int Dim> MeshLocator<Dim>::MeshLocator(const Discretization<Dim>& d) : m_d(&d) {
+  m_neighbour.assign(static_cast<std::size_t>(d.num_elements) * (Dim + 1), -1);
+  m_any_element.assign(d.num_nodes, -1);
+  std::map<std::array<int, Dim>, int> open; // face vertices, sorted -> element * (Dim+1) + opposite vertex
+  for (int e = 0; e < d.num_elements; ++e) {
+    const int* nodes = d.element(e);
+    for (int a = 0; a < d.nodes_per_element; ++a) m_any_element[nodes[a]] = e;
+    for (int v = 0; v <= Dim; ++v) {
+      std::array<int, Dim> face;
+      for (int a = 0, k = 0; a <= Dim; ++a)
+        if (a != v) face[k++] = nodes[a];
+      std::sort(face.begin(), face.end());
+      const int here = e * (Dim + 1) + v;
+      const auto [it, fresh] = open.emplace(face, here);
+      if (fresh) continue;
+      m_neighbour[here] = it->second / (Dim + 1);
+      m_neighbour[it->second] = e;
+      open.erase(it);
+    }
+  }
+}
+
+template <int Dim>
+Eigen::Matrix<double, Dim + 1, 1> MeshLocator<Dim>::barycentric(int element, const Vector<Dim>& P) const {
+  const int* nodes = m_d->element(element);
+  Tensor<Dim> edges;
+  for (int c = 0; c < Dim; ++c) edges.col(c) = m_d->node(nodes[c + 1]) - m_d->node(nodes[0]);
+  const Vector<Dim> l = edges.inverse() * (P - m_d->node(nodes[0]));
+  Eigen::Matrix<double, Dim + 1, 1> result;
+  result[0] = 1 - l.sum();
+  result.template tail<Dim>() = l;
+  return result;
+}
+
+template <int Dim> int MeshLocator<Dim>::find(const Vector<Dim>& P, int near, double slack) const {
+  int element = m_any_element[near];
+  for (int walk = 0; element >= 0 && walk < m_d->num_elements; ++walk) {
+    Eigen::Matrix<double, Dim + 1, 1> l = barycentric(element, P);
+    int next = -1;
+    for (int tried = 0; tried <= Dim && next < 0; ++tried) { // leave through the most negative face that has a neighbour
+      Eigen::Index v;
+      if (l.minCoeff(&v) >= -1e-10) break;
+      next = m_neighbour[element * (Dim + 1) + static_cast<int>(v)];
+      if (next < 0) {
+        if (l[v] < -slack) return -1;
+        l[v] = 0;
+      }
+    }
+    if (next < 0) return element;
+    element = next;
+  }
+  return -1;
+}
+
+template <int Dim> void MeshLocator<Dim>::shape(int element, const Vector<Dim>& P, double* N) const {
+  const auto l = barycentric(element, P);
+  if (m_d->nodes_per_element == Dim + 1) {
+    for (int a = 0; a <= Dim; ++a) N[a] = l[a];
+    return;
+  }
+  for (int a = 0; a <= Dim; ++a) N[a] = l[a] * (2 * l[a] - 1);
+  if constexpr (Dim == 2) // mid-edge node opposite vertex v
+    for (int v = 0; v < 3; ++v) N[3 + v] = 4 * l[(v + 1) % 3] * l[(v + 2) % 3];
+}
+
+template class MeshLocator<2>;
+
+} // namespace burnish
