@@ -20,7 +20,7 @@ FREEFEM_INCLUDE ?= /usr/include/freefem++
 EIGEN_INCLUDE   ?= /usr/include/eigen3
 SPARSE_INCLUDE  ?= /usr/include/suitesparse
 # BLAS and LAPACK by their run-time names: whatever the system's alternatives select counts
-LIBRARIES ?= -lcholmod -lumfpack -lginac -lcln -lgmsh -l:liblapack.so.3 -l:libblas.so.3
+LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3
 
 FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -Wall -Wextra -Icxx \
         -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)
@@ -39,11 +39,14 @@ PLUGIN_SOURCES := $(sort $(wildcard plugins/*.cpp))
 $(foreach p,$(PROGRAMS),$(eval SOURCES_$(p) := $(if $(wildcard tests/$(p)),$(call sources,tests/$(p)))))
 ALL_SOURCES := $(CXX_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
 
-# What a suite runs: its GoogleTest program, and every .edp, .sh and .py of its folders (helpers: tests/support)
+# What a suite runs: its GoogleTest program (every .cpp of its folder), and every .edp and .sh of its folders.
+# Helpers are .idp, .hpp and .py files, or live in tests/support; stray is what would be skipped silently.
 folders   = $(wildcard $(patsubst %,tests/%,$(if $(filter plugin,$(1)),plugin errors shell,$(1))))
-scripts   = $(if $(call folders,$(1)),$(sort $(shell find $(call folders,$(1)) -name '*.edp' -o -name '*.sh' -o -name '*.py')))
+scripts   = $(if $(call folders,$(1)),$(sort $(shell find $(call folders,$(1)) -name '*.edp' -o -name '*.sh')))
 program   = $(if $(SOURCES_$(1)),$(BUILD)/tests/$(1))
-suite     = $(foreach s,$(1),$(call program,$(s)) $(call scripts,$(s)))
+suite     = $(foreach s,$(1),$(or $(strip $(call program,$(s)) $(call scripts,$(s))),$(error no tests in suite $(s))))
+stray     = $(filter-out tests/run_scripts.sh tests/support/% tests/benchmark/% $(ALL_SOURCES) $(foreach s,$(SUITES),$(call scripts,$(s))),\
+              $(shell find tests -name '*.cpp' -o -name '*.edp' -o -name '*.sh'))
 
 # --- environment of every script: our folders first, then FreeFEM's ------------------------------------------
 LOAD    := $(abspath $(BUILD)/plugins);$(FREEFEM_LOAD)
@@ -65,7 +68,7 @@ export WRAPPER_TEXT
 
 # --- commands --------------------------------------------------------------------------------------------------
 # Recursion with all cores, unless the user said -j; the lock keeps two makes out of one folder.
-COMPILE = @mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
+COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
 .PHONY: build run run-fine figures test $(SUITES:%=test-%) bench packages format clean help FORCE
@@ -88,8 +91,9 @@ figures: packages ## draw the pictures of out/rolling again
 	$(PYTHON) cases/rolling/plot.py out/rolling
 
 test: packages ## all quick tests: unit, plugin, verification, regression (under ten minutes)
+	$(if $(stray),$(error in no suite: $(stray)))
 	$(COMPILE) compile $(call program,unit) $(call program,verification)
-	@$(TEST) $(call suite,unit plugin verification regression)
+	@$(TEST) $(call suite,regression verification plugin unit)
 
 test-unit: ## GoogleTest programs of the core, tests/unit
 test-plugin: ## the plugin through scripts, and every error message: tests/plugin, tests/errors, tests/shell

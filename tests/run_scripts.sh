@@ -4,17 +4,17 @@
 #            // expect exit: 20            the exit code it must end with
 #            // expect text: some words    words its output must hold (may be repeated)
 #            // options: -n 4              command line options of the script
-#   .sh .py  a script              passes when it exits 0
+#   .sh    a shell script          passes when it exits 0
 #   else   a GoogleTest program    every test in it counts
-# Runs $JOBS tests at a time from the top folder. Each test finds a folder of its own, empty, in $SCRATCH,
-# and the command that runs FreeFEM scripts in $BURNISH. Exit status 0 only if at least one test ran and all passed.
+# Runs $JOBS tests at a time from the top folder. Each test finds an empty folder of its own in $SCRATCH and the
+# command that runs FreeFEM scripts in $BURNISH. Exit status 0 only if at least one test ran and all passed.
 set -u
 if [ "${1-}" != --one ]; then
   cd "$(dirname "$0")/.." || exit 1
   [ $# -gt 0 ] || { echo "error: no tests found in the folders of this suite" >&2; exit 1; }
   export BUILD="${BUILD:-$PWD/build}" PYTHON="${PYTHON:-/usr/bin/python3}" BURNISH_TOP="$PWD"
-  export BURNISH="${BURNISH:-$BUILD/burnish}" RESULTS="$BUILD/results" TIMEOUT="${TIMEOUT:-900}"
-  rm -rf "$RESULTS" && mkdir -p "$RESULTS" || exit 1
+  export BURNISH="${BURNISH:-$BUILD/burnish}" TIMEOUT="${TIMEOUT:-600}" RESULTS
+  mkdir -p "$BUILD/results" && RESULTS=$(mktemp -d "$BUILD/results/XXXXXX") || exit 1
   printf '%s\0' "$@" | xargs -0 -n 1 -P "${JOBS:-1}" "$0" --one
   # counted against the list, so that a test which left no result has failed
   passed=0 failed=0
@@ -22,7 +22,10 @@ if [ "${1-}" != --one ]; then
     read -r p f <"$RESULTS/${test//\//_}.count" || { p=0 f=1; }
     passed=$((passed + p)) failed=$((failed + f))
   done 2>/dev/null
-  [ "$failed" = 0 ] || { echo "failed:"; cat "$RESULTS"/*.failed; }
+  if [ "$failed" = 0 ]; then rm -rf "$RESULTS"; else
+    echo "failed (logs in $RESULTS):"
+    cat "$RESULTS"/*.failed
+  fi
   echo "$passed passed, $failed failed"
   [ "$failed" = 0 ] && [ "$passed" -gt 0 ]; exit
 fi
@@ -36,11 +39,12 @@ start=$(date +%s.%N)
 passed=0 failed=0 why=
 case $test in
   *.edp) read -ra options <<<"$(note options)"
-         timeout "$TIMEOUT" "$BURNISH" "$test" "${options[@]}" >"$log" 2>&1 </dev/null ;;
-  *.sh)  timeout "$TIMEOUT" bash "$test" >"$log" 2>&1 </dev/null ;;
-  *.py)  timeout "$TIMEOUT" "$PYTHON" "$test" >"$log" 2>&1 </dev/null ;;
-  *)     timeout "$TIMEOUT" "$test" --gtest_brief=1 --gtest_output="xml:$xml" >"$log" 2>&1 </dev/null ;;
+         command=("$BURNISH" "$test" "${options[@]}") ;;
+  *.sh)  command=(bash "$test") ;;
+  *)     command=("$test" "--gtest_output=xml:$xml") ;;
 esac
+# the braces catch what bash itself says of a crash; --foreground lets Ctrl-C reach the test
+{ timeout --foreground -k 10 "$TIMEOUT" "${command[@]}" >"$log" 2>&1 </dev/null; } 2>/dev/null
 status=$?
 wanted=0
 case $test in
@@ -67,6 +71,7 @@ if [ "$failed" = 0 ]; then
   printf 'PASS %7s s  %s%s\n' "$seconds" "${test#"$PWD"/}" "$count"
 else
   echo "  $test: $why" >"$RESULTS/$name.failed"
-  tail=$(tail -n 40 "$log" | sed 's/^/    | /')
-  printf 'FAIL %7s s  %s: %s; %s\n%s\n' "$seconds" "${test#"$PWD"/}" "$why" "its log ends:" "$tail"
+  [ ! -f "$xml" ] || sed -i '/^\[ *\(RUN\|OK\|-*\) *\]/d' "$log" # a crash shows the test it happened in
+  tail=$(tail -n 60 "$log" | sed 's/^/    | /')
+  printf 'FAIL %7s s  %s: %s; its log ends:\n%s\n' "$seconds" "${test#"$PWD"/}" "$why" "$tail"
 fi
