@@ -33,8 +33,35 @@ public:
   virtual Pose<Dim> pose(const Eigen::VectorXd& q) const = 0;
   /// Rigid motion of the carrier of the tool from q_from to q_to: what moves with the tool's path but does
   /// not spin with the tool. Polar: the turn about the pivot; otherwise the translation of the origin.
-  /// Used to carry the last step along with the tool as a predictor.
-  virtual RigidMotion<Dim> carrier(const Eigen::VectorXd& q_from, const Eigen::VectorXd& q_to) const = 0;
+  /// Used to carry the last step along with the tool as a predictor. Default: the translation.
+  virtual RigidMotion<Dim> carrier(const Eigen::VectorXd& q_from, const Eigen::VectorXd& q_to) const {
+    RigidMotion<Dim> translation;
+    translation.d = pose(q_to).origin - pose(q_from).origin;
+    return translation;
+  }
 };
+
+/// Pose with R = I, the origin at zero and all derivatives zero, for `size` coordinates: a start to fill in.
+template <int Dim> Pose<Dim> blank_pose(int size) {
+  const auto n = static_cast<std::size_t>(size);
+  const std::vector<Vector<Dim>> vectors(n, Vector<Dim>::Zero());
+  const std::vector<Tensor<Dim>> tensors(n, Tensor<Dim>::Zero());
+  Pose<Dim> pose;
+  pose.origin.setZero();
+  pose.R.setIdentity();
+  pose.origin_q = vectors;
+  pose.R_q = tensors;
+  pose.origin_qq.assign(n, vectors);
+  pose.R_qq.assign(n, tensors);
+  return pose;
+}
+
+/// Checks a vector of generalized coordinates.
+/// @throws std::invalid_argument "where: ..." unless q has one finite number per name (says which one is not)
+void require_coordinates(const std::string& where, const std::vector<std::string>& names,
+                         const Eigen::VectorXd& q);
+
+/// "a, b, c", for messages.
+std::string joined(const std::vector<std::string>& names);
 
 } // namespace burnish

@@ -1,0 +1,229 @@
+// The composition X(q,s): all derivatives for every pair of profile and coordinates.
+#include "geometry/circle.hpp"
+#include "geometry/plane.hpp"
+#include "geometry/segment.hpp"
+#include "kinematics/cartesian.hpp"
+#include "kinematics/polar.hpp"
+#include "kinematics/tool.hpp"
+#include "unit/finite_difference.hpp"
+#include <cmath>
+
+using namespace burnish;
+using namespace burnish::test;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+/// A tool with lengths in units of `unit`, its scales, poses and parameters to test at.
+struct Sample {
+  Tool<2> tool;
+  double length;              ///< natural length
+  double param_scale;         ///< natural change of s
+  Vector3d coordinate_scales; ///< natural change of each coordinate
+};
+
+std::shared_ptr<const Coordinates<2>> cartesian() { return std::make_shared<Cartesian>(); }
+std::shared_ptr<const Coordinates<2>> polar(double unit) {
+  return std::make_shared<Polar>(unit * Vector<2>(3, -2));
+}
+std::shared_ptr<const Profile<2>> circle(double unit, bool inside = false) {
+  return std::make_shared<Circle>(15 * unit, inside);
+}
+std::shared_ptr<const Profile<2>> segment(double unit) {
+  return std::make_shared<Segment>(unit * Vector<2>(-9, 1), unit * Vector<2>(11, 6));
+}
+
+std::vector<Sample> samples(double unit) {
+  const double length = 15 * unit;
+  std::vector<Sample> all;
+  for (const auto& [name, coordinates, scales] :
+       {std::make_tuple("cartesian", cartesian(), Vector3d(length, length, 1)),
+        std::make_tuple("polar", polar(unit), Vector3d(length, 1, 1))}) {
+    const std::string suffix = std::string(" ") + name;
+    all.push_back({{"circle" + suffix, circle(unit), coordinates}, length, 1, scales});
+    all.push_back({{"inside circle" + suffix, circle(unit, true), coordinates}, length, 1, scales});
+    all.push_back({{"segment" + suffix, segment(unit), coordinates}, length, length, scales});
+  }
+  return all;
+}
+
+/// Coordinates and parameter in units of the sample's scales.
+const Vector3d POSES[] = {{3, 0, 0}, {2.5, 1.2, -0.7}, {1, -2, 5}, {-0.5, 3, 2}};
+const double PARAMETERS[] = {-0.9, 0.0, 0.6, 1.3};
+
+void check_by_s(const Sample& sample, const VectorXd& q, double s) {
+  const SurfacePoint<2> point = sample.tool.surface(q, Param<2>(s));
+  const auto by_s = [&](const auto& member) {
+    const auto along = [&](double t) { return member(sample.tool.surface(q, Param<2>(t))); };
+    return finite_difference(along, s, 1e-3 * sample.param_scale);
+  };
+  const double L = sample.length, S = sample.param_scale, tolerance = 1e-9;
+  expect_close(point.x_s, by_s([](const SurfacePoint<2>& p) { return p.x; }), L / S, tolerance, "x_s");
+  expect_close(point.n_s, by_s([](const SurfacePoint<2>& p) { return p.n; }), 1 / S, tolerance, "n_s");
+  expect_close(point.x_ss[0], by_s([](const SurfacePoint<2>& p) { return p.x_s; }), L / S / S, tolerance,
+               "x_ss");
+  // mixed derivative in the other order
+  expect_close(point.x_qs[0] * sample.coordinate_scales.asDiagonal(),
+               by_s([](const SurfacePoint<2>& p) { return p.x_q; }) * sample.coordinate_scales.asDiagonal(),
+               L / S, tolerance, "x_qs");
+}
+
+void check_by_q(const Sample& sample, const VectorXd& q, double s, int k) {
+  const SurfacePoint<2> point = sample.tool.surface(q, Param<2>(s));
+  const Vector3d& scales = sample.coordinate_scales;
+  const auto by_q = [&](const auto& member) {
+    const auto along = [&](double t) {
+      VectorXd moved = q;
+      moved(k) = t;
+      return member(sample.tool.surface(moved, Param<2>(s)));
+    };
+    return finite_difference(along, q(k), 1e-3 * scales(k));
+  };
+  const double L = sample.length / scales(k), S = sample.param_scale, tolerance = 1e-9;
+  expect_close(point.x_q.col(k), by_q([](const SurfacePoint<2>& p) { return p.x; }), L, tolerance, "x_q");
+  expect_close(point.n_q.col(k), by_q([](const SurfacePoint<2>& p) { return p.n; }), 1 / scales(k), tolerance,
+               "n_q");
+  expect_close(point.x_qs[0].col(k), by_q([](const SurfacePoint<2>& p) { return p.x_s; }), L / S, tolerance,
+               "x_qs");
+  const auto x_qq = by_q([](const SurfacePoint<2>& p) { return p.x_q; });
+  expect_close(point.x_qq[k] * scales.asDiagonal(), x_qq * scales.asDiagonal(), L, tolerance, "x_qq");
+  for (int l = 0; l < 3; ++l)
+    expect_close(point.x_qq[k].col(l), point.x_qq[l].col(k), 1, 0, "symmetry of x_qq");
+}
+} // namespace
+
+TEST(Tool, DerivativesAgainstFiniteDifferences) {
+  for (double unit : {1e-3, 1.0})
+    for (const Sample& sample : samples(unit))
+      for (const Vector3d& pose : POSES)
+        for (double parameter : PARAMETERS) {
+          SCOPED_TRACE(sample.tool.name() + ", unit " + std::to_string(unit));
+          const VectorXd q = pose.cwiseProduct(sample.coordinate_scales);
+          const double s = parameter * sample.param_scale;
+          check_by_s(sample, q, s);
+          for (int k = 0; k < 3; ++k) check_by_q(sample, q, s, k);
+        }
+}
+
+TEST(Tool, WrittenFormulasOfThePolarCircle) { // method.md section 2
+  const double R = 15, r = 45, phi = 0.7, theta = -0.4, s = 2.1;
+  const SurfacePoint<2> point =
+      Tool<2>("roller", circle(1), polar(1)).surface(Vector3d(r, phi, theta), Param<2>(s));
+  const Vector<2> e = plane_direction(phi), e_phi = left_of(e), n = plane_direction(theta + s),
+                  t = left_of(n);
+  const Vector<2> zero = Vector<2>::Zero();
+  expect_close(point.x, Vector<2>(3, -2) + r * e + R * n, R, 1e-14, "X");
+  expect_close(point.n, n, 1, 1e-14, "n");
+  expect_close(point.x_s, R * t, R, 1e-14, "X_s");
+  expect_close(point.x_q.col(0), e, 1, 1e-14, "X_r");
+  expect_close(point.x_q.col(1), r * e_phi, r, 1e-14, "X_phi");
+  expect_close(point.x_q.col(2), point.x_s, R, 1e-14, "X_theta = X_s");
+  expect_close(point.x_qq[0].col(1), e_phi, 1, 1e-14, "X_r,phi");
+  expect_close(point.x_qq[1].col(1), -r * e, r, 1e-14, "X_phi,phi");
+  expect_close(point.x_qq[2].col(2), -R * n, R, 1e-14, "X_theta,theta");
+  expect_close(point.x_qs[0].col(2), -R * n, R, 1e-14, "X_theta,s");
+  expect_close(point.x_ss[0], -R * n, R, 1e-14, "X_ss");
+  for (const Vector<2> vanishing : {point.x_qq[0].col(0), point.x_qq[0].col(2), point.x_qq[1].col(2)})
+    expect_close(vanishing, zero, 1, 0, "other second derivatives");
+  expect_close(point.x_qs[0].leftCols(2), Tensor<2>::Zero(), 1, 0, "X_r,s and X_phi,s");
+}
+
+TEST(Tool,
+     GeneralizedForcesOfPolarCoordinates) { // signs and meaning of Q_k = X_k . F as documented in polar.hpp
+  const Vector<2> pivot(3, -2), F(2, 5);
+  const Vector3d q(45, 0.7, -0.4);
+  const SurfacePoint<2> point = Tool<2>("roller", circle(1), polar(1)).surface(q, Param<2>(2.1));
+  const Vector3d Q = point.x_q.transpose() * F;
+  const auto moment = [&](const Vector<2>& arm) { return left_of(arm).dot(F); };
+  const Vector<2> origin = Polar(pivot).pose(q).origin;
+  EXPECT_NEAR(Q(0), plane_direction(0.7).dot(F), 1e-12);
+  EXPECT_NEAR(Q(1), moment(origin - pivot), 1e-12);
+  EXPECT_NEAR(Q(2), moment(point.x - origin), 1e-12);
+  EXPECT_NEAR(Q(1) + Q(2), moment(point.x - pivot), 1e-12);
+}
+
+TEST(Tool, PolarAndCartesianGiveTheSamePoints) {
+  for (const auto& profile : {circle(1), circle(1, true), segment(1)})
+    for (const Vector3d& q_polar : {Vector3d(45, 0.7, -0.4), Vector3d(20, -3, 8)}) {
+      const Vector<2> e = plane_direction(q_polar(1)), origin = Vector<2>(3, -2) + q_polar(0) * e;
+      const Tool<2> a("a", profile, polar(1)), b("b", profile, cartesian());
+      const SurfacePoint<2> pa = a.surface(q_polar, Param<2>(1.3));
+      const SurfacePoint<2> pb = b.surface(Vector3d(origin.x(), origin.y(), q_polar(2)), Param<2>(1.3));
+      expect_close(pa.x, pb.x, 45, 1e-14, "x");
+      expect_close(pa.n, pb.n, 1, 1e-14, "n");
+      expect_close(pa.x_s, pb.x_s, 15, 1e-14, "x_s");
+      // chain rule of q_cartesian(q_polar)
+      Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
+      jacobian.topLeftCorner<2, 2>() << e, q_polar(0) * left_of(e);
+      expect_close(pa.x_q, pb.x_q * jacobian, 45, 1e-14, "x_q");
+    }
+}
+
+TEST(Tool, ClosestPointInSpace) {
+  for (const Sample& sample : samples(1e-3))
+    for (const Vector3d& scaled : POSES)
+      for (double distance : {-2e-3, 0.0, 2e-3}) {
+        SCOPED_TRACE(sample.tool.name());
+        const VectorXd q = scaled.cwiseProduct(sample.coordinate_scales);
+        const Pose<2> pose = sample.tool.coordinates().pose(q);
+        const double s = 0.6 * sample.param_scale;
+        const SurfacePoint<2> point = sample.tool.surface(pose, Param<2>(s));
+        const auto closest = sample.tool.closest_point(pose, point.x + distance * point.n, Param<2>(s));
+        EXPECT_FALSE(closest.on_end);
+        EXPECT_NEAR(closest.gap / sample.length, distance / sample.length, 1e-13);
+        EXPECT_NEAR(closest.s(0) / sample.param_scale, 0.6, 1e-13);
+      }
+}
+
+TEST(Tool, ClosestPointKeepsBranchAndEnds) {
+  const Tool<2> roller("roller", circle(1), cartesian()), plate("plate", segment(1), cartesian());
+  const Vector3d q(5, 6, 0.3);
+  const SurfacePoint<2> point = roller.surface(q, Param<2>(0.5));
+  const Pose<2> pose = roller.coordinates().pose(q);
+  EXPECT_NEAR(roller.closest_point(pose, point.x, Param<2>(0.4 + 6 * M_PI)).s(0), 0.5 + 6 * M_PI, 1e-13);
+  const Vector<2> beyond = plate.surface(q, Param<2>(30.0)).x;
+  const auto closest = plate.closest_point(pose, beyond, Param<2>(0.0));
+  EXPECT_TRUE(closest.on_end);
+  EXPECT_NEAR(closest.gap, 30 - plate.profile().length_scale(), 1e-13);
+}
+
+TEST(Tool, SameInMetersAndMillimeters) {
+  const auto meters = samples(1e-3), millimeters = samples(1);
+  for (std::size_t i = 0; i < meters.size(); ++i) {
+    SCOPED_TRACE(meters[i].tool.name());
+    const auto scales = meters[i].coordinate_scales, scales_mm = millimeters[i].coordinate_scales;
+    const VectorXd q = POSES[1].cwiseProduct(scales), q_mm = POSES[1].cwiseProduct(scales_mm);
+    const auto in_m = meters[i].tool.surface(q, Param<2>(0.6 * meters[i].param_scale));
+    const auto in_mm = millimeters[i].tool.surface(q_mm, Param<2>(0.6 * millimeters[i].param_scale));
+    expect_close(1000 * in_m.x, in_mm.x, 15, 1e-14, "x");
+    expect_close(in_m.n, in_mm.n, 1, 1e-14, "n");
+    expect_close(1000 * in_m.x_q * scales.asDiagonal(), in_mm.x_q * scales_mm.asDiagonal(), 45, 1e-14, "x_q");
+  }
+}
+
+TEST(Tool, KeepsItsParts) {
+  const auto profile = circle(1);
+  const auto coordinates = cartesian();
+  const Tool<2> tool("roller", profile, coordinates);
+  EXPECT_EQ(tool.name(), "roller");
+  EXPECT_EQ(&tool.profile(), profile.get());
+  EXPECT_EQ(&tool.coordinates(), coordinates.get());
+}
+
+TEST(Tool, RefusesBadInput) {
+  const double nan = std::nan("");
+  expect_invalid([] { Tool<2>("", circle(1), cartesian()); }, "Tool: the name is empty");
+  expect_invalid([] { Tool<2>("die", nullptr, cartesian()); },
+                 "Tool: tool \"die\" has no profile (null pointer)");
+  expect_invalid([] { Tool<2>("die", circle(1), nullptr); },
+                 "Tool: tool \"die\" has no coordinates (null pointer)");
+  const Tool<2> roller("roller", circle(1), polar(1));
+  const Param<2> s(0.0);
+  expect_invalid([&] { roller.surface(VectorXd::Zero(2), s); },
+                 "Tool::surface of \"roller\": size of q = 2, expected 3 (r, phi, theta)");
+  expect_invalid([&] { roller.surface(Vector3d(1, 0, nan), s); },
+                 "Tool::surface of \"roller\": theta = nan, expected a finite number");
+  expect_invalid([&] { roller.surface(Vector3d(1, 0, 0), Param<2>(nan)); }, "Circle::evaluate: s = nan");
+  const Pose<2> pose = roller.coordinates().pose(Vector3d(1, 0, 0));
+  expect_invalid([&] { roller.closest_point(pose, {nan, 0}, s); }, "Circle::closest_point: x = ");
+}
