@@ -17,19 +17,23 @@ template <int Dim> struct Discretization {
   int num_points() const { return num_elements * points_per_element; }
   int num_dofs() const { return Dim * num_nodes; }
   Vector<Dim> node(int a) const { return Eigen::Map<const Vector<Dim>>(X.data() + Dim * a); }
-  const int* element(int e) const { return connectivity.data() + static_cast<std::size_t>(e) * nodes_per_element; }
+  const int* element(int e) const {
+    return connectivity.data() + static_cast<std::size_t>(e) * nodes_per_element;
+  }
   /// dN_a/dX at point p (global point number), nodes_per_element x Dim, row-major.
   const double* gradients(int p) const {
     return shape_grad.data() + static_cast<std::size_t>(p) * nodes_per_element * Dim;
   }
 };
 
-/// Straight triangles: P1 (3 nodes, 1 point) or P2 (6 nodes, vertices then mid-edge node opposite vertex 0,1,2;
-/// 3 points, point q = middle of the edge opposite vertex q, as FreeFEM's FEQF2).
+/// Straight triangles: P1 (3 nodes, 1 point) or P2 (6 nodes, vertices then mid-edge node opposite vertex
+/// 0,1,2; 3 points, point q = middle of the edge opposite vertex q, as FreeFEM's FEQF2).
 /// @param X            node coordinates, num_nodes x 2
 /// @param connectivity num_elements x (3 or 6)
-/// @throws std::invalid_argument for a bad size, an index out of range, a non-finite coordinate, or an inverted
-///         element (names its number and area)
+/// Vertices counter-clockwise. The quadrature is exact for polynomials of degree 1 (P1), 2 (P2).
+/// @throws std::invalid_argument for a bad size, an index out of range, a non-finite coordinate, an inverted
+///         element (names its number and area), or a P2 mid-edge node that is not in the middle of its edge
+///         (names element and node)
 Discretization<2> triangles(int nodes_per_element, std::vector<double> X, std::vector<int> connectivity);
 
 } // namespace burnish

@@ -1,0 +1,89 @@
+#include "material/point_update.hpp"
+#include "material/rate_law.hpp"
+
+namespace burnish {
+namespace {
+
+// SINGLE is one substep of the straight path.
+template <int Dim>
+StrainPath<Dim> path_of(const J2Parameters& material, const PointScheme& scheme, const PointOld<Dim>& old,
+                        const StepKinematics<Dim>& kin, const Stress<Dim>& De,
+                        PathDerivative<Dim>* derivative) {
+  const bool straight = scheme.update == StressUpdate::SINGLE;
+  const PathHistory<Dim> history{old.strain_increment, straight ? 0 : scheme.ratio, scheme.path_limit};
+  return strain_path<Dim>(material, kin, De, history, derivative);
+}
+
+int substeps_of(const PointScheme& scheme) {
+  return scheme.update == StressUpdate::SINGLE ? 1 : scheme.substeps;
+}
+
+} // namespace
+
+template <int Dim>
+PointNew<Dim> updated_point(const J2Parameters& material, const PointScheme& scheme, const PointOld<Dim>& old,
+                            const StepKinematics<Dim>& kin, const ElasticTrial<Dim>& trial) {
+  PointNew<Dim> result{trial.s_old, old.plastic_strain_eq, false};
+  Stress<Dim>& s = result.stress;
+  const int substeps = substeps_of(scheme);
+  if (scheme.update == StressUpdate::FORWARD_EULER) {
+    result.plastic = forward_euler<Dim>(material, kin, trial.De, s, result.plastic_strain_eq) > 0;
+  } else if (substeps == 0) {
+    s += trial.De;
+  } else {
+    const StrainPath<Dim> path = path_of<Dim>(material, scheme, old, kin, trial.De, nullptr);
+    result.plastic = substepped_return<Dim>(material, path, substeps, s, result.plastic_strain_eq) > 0;
+  }
+  s.template head<3>().array() += trial.mean;
+  return result;
+}
+
+template <int Dim>
+StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const PointScheme& scheme,
+                                         const PointOld<Dim>& old, const StepKinematics<Dim>& kin,
+                                         const ElasticTrial<Dim>& trial) {
+  ReturnDerivative<Dim> derivative;
+  derivative.s.col(Dim * Dim - 1) = spin_rate(trial.s_old);
+  Stress<Dim> s = trial.s_old;
+  double plastic_strain_eq = old.plastic_strain_eq;
+  const int substeps = substeps_of(scheme);
+  if (scheme.update == StressUpdate::FORWARD_EULER) {
+    derivative.s = forward_euler_by_increment<Dim>(material, kin, s, derivative.s, plastic_strain_eq);
+  } else if (substeps == 0) {
+    derivative.s += deviatoric_moduli(material);
+  } else {
+    PathDerivative<Dim> path_derivative;
+    const StrainPath<Dim> path = path_of<Dim>(material, scheme, old, kin, trial.De, &path_derivative);
+    substepped_return<Dim>(material, path, path_derivative, substeps, s, plastic_strain_eq, derivative);
+  }
+  derivative.s.template topLeftCorner<3, Dim>().array() += material.K;
+  return derivative.s;
+}
+
+template <int Dim>
+PiolaTangent<Dim> consistent_tangent(const J2Parameters& material, const PointScheme& scheme,
+                                     const PointOld<Dim>& old, const Tensor<Dim>& F,
+                                     const Stress<Dim>& stress) {
+  const StepKinematics<Dim> kin = step_kinematics(old.F, F);
+  const ElasticTrial<Dim> trial = elastic_trial<Dim>(material, kin, old.stress);
+  const StressByIncrement<Dim> moduli = consistent_moduli<Dim>(material, scheme, old, kin, trial);
+  return piola_tangent(moduli * finite_increment_by_F(kin), stress, F.inverse());
+}
+
+template <int Dim>
+PiolaTangent<Dim> rate_tangent(const J2Parameters& material, const Stress<Dim>& stress, const Tensor<Dim>& F,
+                               bool plastic) {
+  const Tensor<Dim> F_inverse = F.inverse();
+  return piola_tangent(rate_moduli<Dim>(material, stress, plastic) * rate_by_F(F_inverse), stress, F_inverse);
+}
+
+template PointNew<2> updated_point<2>(const J2Parameters&, const PointScheme&, const PointOld<2>&,
+                                      const StepKinematics<2>&, const ElasticTrial<2>&);
+template StressByIncrement<2> consistent_moduli<2>(const J2Parameters&, const PointScheme&,
+                                                   const PointOld<2>&, const StepKinematics<2>&,
+                                                   const ElasticTrial<2>&);
+template PiolaTangent<2> consistent_tangent<2>(const J2Parameters&, const PointScheme&, const PointOld<2>&,
+                                               const Tensor<2>&, const Stress<2>&);
+template PiolaTangent<2> rate_tangent<2>(const J2Parameters&, const Stress<2>&, const Tensor<2>&, bool);
+
+} // namespace burnish

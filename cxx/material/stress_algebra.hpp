@@ -1,0 +1,53 @@
+#pragma once
+// Algebra of symmetric tensors kept as Stress<Dim> (tensor shear components): contraction, deviator,
+// rotation.
+#include "material/j2.hpp"
+#include <cmath>
+
+namespace burnish {
+
+/// Derivative of stress components with respect to the step's increments (see step_kinematics.hpp).
+template <int Dim> using StressByIncrement = Eigen::Matrix<double, num_stress<Dim>, Dim * Dim>;
+/// Derivative of a scalar with respect to them.
+template <int Dim> using ScalarByIncrement = Eigen::Matrix<double, 1, Dim * Dim>;
+
+/// Mean tr(t)/3.
+template <int Dim> double mean(const Stress<Dim>& t) { return (t[0] + t[1] + t[2]) / 3; }
+
+/// t - mean(t) I.
+template <int Dim> Stress<Dim> deviator(const Stress<Dim>& t) {
+  Stress<Dim> s = t;
+  s.template head<3>().array() -= mean<Dim>(t);
+  return s;
+}
+
+/// a:b, every shear entry counted twice.
+template <int Dim> double contract(const Stress<Dim>& a, const Stress<Dim>& b) {
+  double sum = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  for (int k = 3; k < num_stress<Dim>; ++k) sum += 2 * a[k] * b[k];
+  return sum;
+}
+
+/// Row r with r.b = a:b (shear entries doubled).
+template <int Dim> Eigen::Matrix<double, 1, num_stress<Dim>> contraction_row(const Stress<Dim>& a) {
+  Eigen::Matrix<double, 1, num_stress<Dim>> row = a.transpose();
+  for (int k = 3; k < num_stress<Dim>; ++k) row[k] *= 2;
+  return row;
+}
+
+/// q^2 = 3/2 s:s and q of a deviator s (von Mises stress).
+template <int Dim> double squared_equivalent(const Stress<Dim>& s) { return 1.5 * contract<Dim>(s, s); }
+template <int Dim> double equivalent(const Stress<Dim>& s) { return std::sqrt(squared_equivalent<Dim>(s)); }
+
+/// R t R' for a rotation by the angle alpha in the plane, counter-clockwise positive; zz does not change.
+/// @param cos_2alpha, sin_2alpha of twice the angle
+inline Stress<2> rotated(const Stress<2>& t, double cos_2alpha, double sin_2alpha) {
+  const double middle = 0.5 * (t[0] + t[1]), half = 0.5 * (t[0] - t[1]);
+  const double turned = cos_2alpha * half - sin_2alpha * t[3];
+  return {middle + turned, middle - turned, t[2], sin_2alpha * half + cos_2alpha * t[3]};
+}
+
+/// Rate of R t R' per unit of the angle: w t - t w with w_21 = 1.
+inline Stress<2> spin_rate(const Stress<2>& t) { return {-2 * t[3], 2 * t[3], 0, t[0] - t[1]}; }
+
+} // namespace burnish

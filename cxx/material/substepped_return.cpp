@@ -1,0 +1,51 @@
+#include "material/substepped_return.hpp"
+#include <algorithm>
+
+namespace burnish {
+
+template <int Dim>
+double substepped_return(const J2Parameters& material, const StrainPath<Dim>& path, int substeps,
+                         Stress<Dim>& s, double& plastic_strain_eq) {
+  const Stress<Dim> part = path.De / substeps;
+  double dep = 0;
+  for (int k = 0; k < substeps; ++k) {
+    s += part + bend_share(k, substeps) * path.bend;
+    dep += radial_return<Dim>(material, s, plastic_strain_eq);
+  }
+  return dep;
+}
+
+template <int Dim>
+double substepped_return(const J2Parameters& material, const StrainPath<Dim>& path,
+                         const PathDerivative<Dim>& path_derivative, int substeps, Stress<Dim>& s,
+                         double& plastic_strain_eq, ReturnDerivative<Dim>& derivative) {
+  const Stress<Dim> part = path.De / substeps;
+  const StressByIncrement<Dim> part_by = path_derivative.De / substeps;
+  double dep = 0;
+  for (int k = 0; k < substeps; ++k) {
+    const double share = bend_share(k, substeps);
+    s += part + share * path.bend;
+    derivative.s += part_by + share * path_derivative.bend;
+    dep += radial_return<Dim>(material, s, plastic_strain_eq, derivative);
+  }
+  return dep;
+}
+
+template <int Dim>
+int substeps_needed(const J2Parameters& material, const UpdateOptions& options,
+                    const ElasticTrial<Dim>& trial, double plastic_strain_eq, bool plastic) {
+  const double yield = yield_stress_at(material, plastic_strain_eq);
+  if (!plastic && squared_equivalent<Dim>(trial.s_old + trial.De) <= yield * yield) return 0;
+  const double wanted = std::ceil(equivalent<Dim>(trial.De) / (options.substep_strain * yield));
+  // compared as doubles: a huge step must not overflow an int
+  return static_cast<int>(
+      std::clamp<double>(wanted, options.min_substeps, std::max(options.min_substeps, options.max_substeps)));
+}
+
+template double substepped_return<2>(const J2Parameters&, const StrainPath<2>&, int, Stress<2>&, double&);
+template double substepped_return<2>(const J2Parameters&, const StrainPath<2>&, const PathDerivative<2>&, int,
+                                     Stress<2>&, double&, ReturnDerivative<2>&);
+template int substeps_needed<2>(const J2Parameters&, const UpdateOptions&, const ElasticTrial<2>&, double,
+                                bool);
+
+} // namespace burnish

@@ -1,0 +1,32 @@
+#pragma once
+// Radial return in equal substeps along a strain path (algorithms.md section 2).
+#include "material/radial_return.hpp"
+#include "material/strain_path.hpp"
+#include "material/update_options.hpp"
+
+namespace burnish {
+
+/// Runs the n substeps st = s + De/n + share_k bend, each returned radially; n = 1 is the single return.
+/// (algorithms.md writes st = s + wd De - wq Dp with wq = b share_k, wd = 1/n + wq: the same numbers.)
+/// @param s deviator R s_old R' in, deviator at the end of the step out [stress]
+/// @param plastic_strain_eq ep in and out [-]
+/// @return accumulated dep >= 0
+template <int Dim>
+double substepped_return(const J2Parameters& material, const StrainPath<Dim>& path, int substeps,
+                         Stress<Dim>& s, double& plastic_strain_eq);
+
+/// The same with the exact derivative; `derivative` enters as that of R s_old R' and of ep_old.
+template <int Dim>
+double substepped_return(const J2Parameters& material, const StrainPath<Dim>& path,
+                         const PathDerivative<Dim>& path_derivative, int substeps, Stress<Dim>& s,
+                         double& plastic_strain_eq, ReturnDerivative<Dim>& derivative);
+
+/// Number of substeps a step asks for: max(min_substeps, ceil(q(De)/(substep_strain sigma_y))), at most
+/// max_substeps; 0 if the step is elastic: trial on the straight path inside the surface and no flow last
+/// step.
+/// @param plastic_strain_eq, plastic  ep and plastic flag at the start of the step
+template <int Dim>
+int substeps_needed(const J2Parameters& material, const UpdateOptions& options,
+                    const ElasticTrial<Dim>& trial, double plastic_strain_eq, bool plastic);
+
+} // namespace burnish
