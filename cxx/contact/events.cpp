@@ -1,0 +1,225 @@
+#include "contact/events.hpp"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burnish {
+
+const char* name_of(EventKind kind) {
+  switch (kind) {
+  case EventKind::TOUCH: return "touch";
+  case EventKind::RELEASE: return "release";
+  case EventKind::SLIP_TO_STICK: return "slip-to-stick";
+  case EventKind::STICK_TO_SLIP: return "stick-to-slip";
+  case EventKind::NEXT_PIECE: return "next-piece";
+  case EventKind::YIELD: return "yield";
+  case EventKind::UNLOADING: return "unloading";
+  }
+  return "?";
+}
+
+namespace {
+
+constexpr double NEVER = std::numeric_limits<double>::infinity();
+
+// Fraction at which a quantity that is linear in the step falls through zero; 0 if it is already below.
+double crossing(double start, double end) {
+  if (end >= 0) return NEVER;
+  return start <= 0 ? 0 : start / (start - end);
+}
+
+template <int Dim> struct Forces {
+  double N, T, limit;
+};
+
+template <int Dim>
+Forces<Dim> forces(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses, const ContactNode<Dim>& node,
+                   const Vector<Dim>& F) {
+  const auto p = model.tools[node.tool]->surface(poses[node.tool], node.s);
+  const double N = F.dot(p.n);
+  return {N, F.dot(p.x_s.col(0)) / p.x_s.col(0).norm(), model.friction[node.tool]->limit(std::max(N, 0.))};
+}
+
+// Fraction at which a free node meets a tool, refined on the true gap by regula falsi.
+template <int Dim>
+double touch_fraction(const ContactModel<Dim>& model, const BodyView<Dim>& body, const StepEnds<Dim>& step,
+                      std::size_t i, double tolerance) {
+  const auto gap = [&](double f) {
+    const Eigen::VectorXd q = step.start->q + f * (step.end->q - step.start->q);
+    const int node = model.candidates[i];
+    const Vector<Dim> x = (1 - f) * body.position(*step.u_start, node) + f * body.position(*step.u_end, node);
+    return nearest_tool(model, model.poses(q), x, step.start->nodes[i]).foot.gap;
+  };
+  double a = 0, b = 1, ga = gap(0), gb = gap(1);
+  if (gb >= -tolerance) return NEVER;
+  if (ga <= 0) return 0;
+  double f = crossing(ga, gb);
+  for (int it = 0; it < 30; ++it) {
+    const double g = gap(f);
+    if (std::abs(g) <= 0.1 * tolerance) break;
+    (g > 0 ? a : b) = f;
+    (g > 0 ? ga : gb) = g;
+    f = a + (b - a) * crossing(ga, gb);
+  }
+  return f;
+}
+
+// Instant at which the slip rate changes sign: rates are means of steps, so they belong to the middles.
+template <int Dim>
+double stick_fraction(const ContactNode<Dim>& start, const ContactNode<Dim>& end, double length, double dt,
+                      double tolerance) {
+  const double slip = (end.s - start.s)[0] * start.slip_sign * length;
+  if (slip >= -tolerance) return NEVER;
+  const double before = start.slip_rate * start.slip_sign, now = slip / dt;
+  if (before <= 0) return 0;
+  return std::clamp(1.5 * before / (before - now) - 0.5, 0., 1.);
+}
+
+template <int Dim>
+ContactEvent<Dim> make_event(const BodyView<Dim>& body, const StepEnds<Dim>& step, const ContactModel<Dim>& model,
+                             std::size_t i, EventKind kind, double fraction, int tool) {
+  ContactEvent<Dim> event;
+  const int node = model.candidates[i];
+  event.fraction = fraction;
+  event.t = step.t_start + fraction * step.dt;
+  event.kind = kind;
+  event.candidate = static_cast<int>(i);
+  event.node = node;
+  event.tool = tool;
+  event.x = (1 - fraction) * body.position(*step.u_start, node) + fraction * body.position(*step.u_end, node);
+  return event;
+}
+
+// Earliest event of one candidate, fraction NEVER if none.
+template <int Dim>
+ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>& body, const StepEnds<Dim>& step,
+                             const std::vector<Pose<Dim>>& poses0, const std::vector<Pose<Dim>>& poses1, std::size_t i,
+                             const EventTolerance& tolerance) {
+  const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
+  const int node = model.candidates[i];
+  if (!in_contact(n0.state)) {
+    if (n0.state != NodeState::FREE) return make_event(body, step, model, i, EventKind::TOUCH, NEVER, -1);
+    const double f = touch_fraction(model, body, step, i, tolerance.gap);
+    return make_event(body, step, model, i, EventKind::TOUCH, f, n0.tool);
+  }
+  const Vector<Dim> F0 = step.R_start->template segment<Dim>(Dim * node);
+  const Vector<Dim> F1 = step.R_end->template segment<Dim>(Dim * node);
+  const auto a = forces(model, poses0, n0, F0), b = forces(model, poses1, n1, F1);
+  double release = b.N < -tolerance.force ? crossing(a.N, b.N) : NEVER;
+  double change = NEVER;
+  EventKind kind = EventKind::STICK_TO_SLIP;
+  const bool frictionless = model.friction[n0.tool]->frictionless();
+  if (n0.state == NodeState::SLIDING) {
+    const double length = model.tools[n0.tool]->surface(poses0[n0.tool], n0.s).x_s.col(0).norm();
+    kind = EventKind::SLIP_TO_STICK;
+    if (!frictionless) change = stick_fraction(n0, n1, length, step.dt, tolerance.gap);
+  } else {
+    const double over0 = a.limit - std::abs(a.T), over1 = b.limit - std::abs(b.T);
+    if (over1 < -tolerance.force) change = crossing(over0, over1);
+    if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released
+    release = NEVER;
+  }
+  if (release <= change) return make_event(body, step, model, i, EventKind::RELEASE, release, n0.tool);
+  return make_event(body, step, model, i, kind, change, n0.tool);
+}
+
+} // namespace
+
+template <int Dim>
+std::vector<ContactEvent<Dim>> earliest_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                               const StepEnds<Dim>& step, const EventTolerance& tolerance) {
+  const auto poses0 = model.poses(step.start->q), poses1 = model.poses(step.end->q);
+  std::vector<ContactEvent<Dim>> found;
+  double earliest = NEVER;
+  for (std::size_t i = 0; i < model.candidates.size(); ++i) {
+    const auto event = node_event(model, body, step, poses0, poses1, i, tolerance);
+    if (!(event.fraction <= 1)) continue;
+    earliest = std::min(earliest, event.fraction);
+    found.push_back(event);
+  }
+  std::vector<ContactEvent<Dim>> first;
+  for (const auto& event : found)
+    if (event.fraction <= earliest + tolerance.fraction) first.push_back(event);
+  return first;
+}
+
+template <int Dim>
+std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                             const StepEnds<Dim>& step) {
+  std::vector<ContactEvent<Dim>> changes;
+  const auto poses0 = model.poses(step.start->q), poses1 = model.poses(step.end->q);
+  for (std::size_t i = 0; i < model.candidates.size(); ++i) {
+    const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
+    const bool c0 = in_contact(n0.state), c1 = in_contact(n1.state);
+    const int node = model.candidates[i];
+    const auto add = [&](EventKind kind, double f, int tool) {
+      changes.push_back(make_event(body, step, model, i, kind, f > 1 ? 1 : f, tool));
+    };
+    if (!c0 && c1) {
+      const double g0 = nearest_tool(model, poses0, body.position(*step.u_start, node), n0).foot.gap;
+      const Vector<Dim> F1 = step.R_end->template segment<Dim>(Dim * node);
+      (void)F1;
+      add(EventKind::TOUCH, g0 <= 0 ? 0 : 0.5, n1.tool);
+    } else if (c0 && !c1) {
+      const Vector<Dim> F0 = step.R_start->template segment<Dim>(Dim * node);
+      add(EventKind::RELEASE, forces(model, poses0, n0, F0).N <= 0 ? 0 : 0.5, n0.tool);
+    } else if (c0 && c1 && holds(n0.state) != holds(n1.state)) {
+      add(holds(n1.state) ? EventKind::SLIP_TO_STICK : EventKind::STICK_TO_SLIP, 0.5, n1.tool);
+    }
+  }
+  return changes;
+}
+
+template <int Dim>
+void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body, const std::vector<ContactEvent<Dim>>& events,
+                  const Eigen::VectorXd& u, const Eigen::VectorXd& R, ContactState<Dim>& state) {
+  const auto poses = model.poses(state.q);
+  for (const auto& event : events) {
+    if (event.candidate < 0) continue;
+    ContactNode<Dim>& node = state.nodes[event.candidate];
+    const int mesh_node = model.candidates[event.candidate];
+    if (event.kind == EventKind::TOUCH) {
+      const auto nearest = nearest_tool(model, poses, body.position(u, mesh_node), node);
+      node.tool = nearest.tool;
+      node.s = nearest.foot.s;
+      node.state = model.friction[node.tool]->frictionless() ? NodeState::SLIDING : NodeState::TOUCHED;
+      node.slip_sign = 0;
+    } else if (event.kind == EventKind::RELEASE) {
+      node.state = NodeState::LEAVING;
+      node.slip_sign = 0;
+    } else if (event.kind == EventKind::SLIP_TO_STICK) {
+      node.state = NodeState::STICKING;
+      node.slip_sign = 0;
+    } else if (event.kind == EventKind::STICK_TO_SLIP) {
+      const auto f = forces(model, poses, node, Vector<Dim>(R.template segment<Dim>(Dim * mesh_node)));
+      node.state = NodeState::SLIDING;
+      node.slip_sign = f.T > 0 ? -1 : 1;
+    }
+    node.s_ref = node.s;
+    node.slip_rate = 0;
+  }
+}
+
+template <int Dim>
+void settle_released(const ContactModel<Dim>& model, const BodyView<Dim>& body, const Eigen::VectorXd& u, double gap,
+                     ContactState<Dim>& state) {
+  const auto poses = model.poses(state.q);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    ContactNode<Dim>& node = state.nodes[i];
+    if (node.state == NodeState::LEAVING) node.state = NodeState::RECEDING;
+    if (node.state != NodeState::RECEDING) continue;
+    const Vector<Dim> x = body.position(u, model.candidates[i]);
+    const double now = nearest_tool(model, poses, x, node).foot.gap;
+    if (now > gap || now < -gap) node.state = NodeState::FREE;
+  }
+}
+
+template std::vector<ContactEvent<2>> earliest_events<2>(const ContactModel<2>&, const BodyView<2>&, const StepEnds<2>&,
+                                                         const EventTolerance&);
+template std::vector<ContactEvent<2>> state_changes<2>(const ContactModel<2>&, const BodyView<2>&, const StepEnds<2>&);
+template void apply_events<2>(const ContactModel<2>&, const BodyView<2>&, const std::vector<ContactEvent<2>>&,
+                              const Eigen::VectorXd&, const Eigen::VectorXd&, ContactState<2>&);
+template void settle_released<2>(const ContactModel<2>&, const BodyView<2>&, const Eigen::VectorXd&, double,
+                                 ContactState<2>&);
+
+} // namespace burnish
