@@ -85,6 +85,7 @@ run-fine: OPTIONS := -element P1 -inner 40 -outer 1200 -sides 80 $(OPTIONS)
 run-fine: case-rolling ## the same on the article's mesh, P1 with 40/1200/80 divisions
 
 case-%: build ## run cases/NAME/NAME.edp, options in OPTIONS="..."
+	$(if $(wildcard cases/$*/$*.edp),,$(error no case $*; there are: $(notdir $(wildcard cases/*))))
 	@$(WRAPPER) cases/$*/$*.edp $(OPTIONS)
 
 figures: packages ## draw the pictures of out/rolling again
@@ -123,7 +124,7 @@ help: ## this list
 	@awk -F':.*## ' '/^[a-z%-]+:.*## / {sub("%", "NAME", $$1); printf "make %-18s %s\n", $$1, $$2}' Makefile
 
 # --- rules of compilation ----------------------------------------------------------------------------------------
-compile: $(CORE) $(WRAPPER) $(if $(PLUGIN_SOURCES),$(PLUGIN))
+compile: $(CORE) $(WRAPPER) $(PLUGIN)
 
 # $(call keep,TEXT): write TEXT to the target only if it changed, so that only real changes rebuild
 keep = @mkdir -p $(@D) && { [ -f $@ ] && printf '%s\n' "$(1)" | cmp -s - $@ || printf '%s\n' "$(1)" >$@; }
@@ -146,6 +147,7 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 $(CORE): $(call objects,$(CXX_SOURCES)) $(BUILD)/sources
 	@rm -f $@ && ar rcs $@ $(filter %.o,$^)
 $(PLUGIN): $(call objects,$(PLUGIN_SOURCES)) $(CORE)
+	$(if $(PLUGIN_SOURCES),,$(error no sources in plugins/))
 	@mkdir -p $(@D)
 	@echo "link    $@"
 	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
