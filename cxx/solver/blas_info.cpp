@@ -1,0 +1,32 @@
+#include "solver/blas_info.hpp"
+#include "base/error.hpp"
+#include <dlfcn.h>
+
+namespace burnish {
+
+namespace {
+
+/// Function of the process or of the libraries loaded with this one, null if there is none of that name.
+template <class Function> Function* find_function(const char* name) {
+  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
+}
+
+} // namespace
+
+std::string blas_name() {
+  auto* get_config = find_function<char*()>("openblas_get_config");
+  const char* config = get_config ? get_config() : nullptr;
+  return config ? config : "reference or unknown BLAS";
+}
+
+bool is_reference_blas() { return find_function<char*()>("openblas_get_config") == nullptr; }
+
+bool set_blas_threads(int count) {
+  require(count >= 1, "set_blas_threads", "count", count, "count >= 1");
+  auto* set_num_threads = find_function<void(int)>("openblas_set_num_threads");
+  if (!set_num_threads) return false;
+  set_num_threads(count);
+  return true;
+}
+
+} // namespace burnish

@@ -1,0 +1,20 @@
+#pragma once
+// Which BLAS the process runs on: the factorizations take two to five times longer on the reference BLAS.
+#include <string>
+
+namespace burnish {
+
+/// "OpenBLAS ..." with its version and build as OpenBLAS itself reports them, else "reference or unknown
+/// BLAS".
+std::string blas_name();
+
+/// True unless OpenBLAS is found in the process. Worth a notice to the user; another fast BLAS (MKL, BLIS) is
+/// not recognized and counts as reference.
+bool is_reference_blas();
+
+/// Number of threads of OpenBLAS from now on, in the whole process; 1 is best for matrices of this size.
+/// @return false if there is no OpenBLAS to set (nothing is done)
+/// @throws std::invalid_argument if count < 1
+bool set_blas_threads(int count);
+
+} // namespace burnish

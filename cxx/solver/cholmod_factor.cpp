@@ -1,0 +1,152 @@
+#include "solver/cholmod_factor.hpp"
+#include "solver/cholmod_common.hpp"
+#include "solver/openmp_guard.hpp"
+#include <algorithm>
+#include <utility>
+
+namespace burnish {
+
+struct CholmodFactor::Impl {
+  CholmodCommon common;
+  std::vector<int> col_start{0}, row;
+  std::vector<double> value;
+  cholmod_factor* factor = nullptr;
+  cholmod_dense* solution = nullptr;
+  cholmod_dense* work_y = nullptr;
+  cholmod_dense* work_e = nullptr;
+  bool analyzed = false;
+  bool factorized = false;
+
+  Impl() {
+    common->supernodal = CHOLMOD_SUPERNODAL;
+    common->method[0].ordering = CHOLMOD_NATURAL;
+    common->postorder = 0;
+    common->final_ll = 1;
+    common->quick_return_if_not_posdef = 1;
+  }
+  ~Impl() {
+    free_factor();
+    cholmod_free_dense(&solution, common.get());
+    cholmod_free_dense(&work_y, common.get());
+    cholmod_free_dense(&work_e, common.get());
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  int size() const { return static_cast<int>(col_start.size()) - 1; }
+  void free_factor() {
+    if (factor) cholmod_free_factor(&factor, common.get());
+    factorized = false;
+  }
+  /// The lower triangle as CHOLMOD sees it, a view of the vectors.
+  cholmod_sparse matrix() {
+    cholmod_sparse view{};
+    view.nrow = view.ncol = size();
+    view.nzmax = row.size();
+    view.p = col_start.data();
+    view.i = row.data();
+    view.x = value.data();
+    view.stype = -1;
+    view.itype = CHOLMOD_INT;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = 0;
+    view.packed = 1;
+    return view;
+  }
+  void require_factor(const char* where) const {
+    if (!factorized)
+      throw std::logic_error(std::string(where) + ": there is no factor, call factorize first");
+  }
+};
+
+CholmodFactor::CholmodFactor() : m_impl(std::make_unique<Impl>()) {}
+CholmodFactor::~CholmodFactor() = default;
+CholmodFactor::CholmodFactor(CholmodFactor&&) noexcept = default;
+CholmodFactor& CholmodFactor::operator=(CholmodFactor&&) noexcept = default;
+
+void CholmodFactor::analyze(std::vector<int> col_start, std::vector<int> row) {
+  Impl& impl = *m_impl;
+  impl.free_factor();
+  impl.analyzed = false;
+  impl.col_start = std::move(col_start);
+  impl.row = std::move(row);
+  impl.value.assign(impl.row.size(), 0.);
+  if (impl.size() > 0) {
+    cholmod_sparse matrix = impl.matrix();
+    impl.factor = cholmod_analyze(&matrix, impl.common.get());
+    if (!impl.factor) impl.common.check("CholmodFactor::analyze");
+  }
+  impl.analyzed = true;
+}
+
+std::vector<double>& CholmodFactor::values() { return m_impl->value; }
+
+FactorStatus CholmodFactor::factorize() {
+  Impl& impl = *m_impl;
+  if (!impl.analyzed) throw std::logic_error("CholmodFactor::factorize: call analyze first");
+  impl.factorized = false;
+  if (impl.size() > 0) {
+    cholmod_sparse matrix = impl.matrix();
+    const OpenmpGuard guard;
+    cholmod_factorize(&matrix, impl.factor, impl.common.get());
+    impl.common.check("CholmodFactor::factorize");
+    if (impl.common->status == CHOLMOD_NOT_POSDEF || impl.factor->minor < impl.factor->n)
+      return FactorStatus::NOT_POSITIVE_DEFINITE;
+  }
+  impl.factorized = true;
+  return FactorStatus::OK;
+}
+
+bool CholmodFactor::is_factorized() const { return m_impl->factorized; }
+
+void CholmodFactor::solve(Eigen::Ref<Eigen::MatrixXd> b) const {
+  Impl& impl = *m_impl;
+  impl.require_factor("CholmodFactor::solve");
+  if (b.rows() != size())
+    throw std::logic_error("CholmodFactor::solve: b has not as many rows as the matrix");
+  if (b.size() == 0) return;
+  cholmod_dense right{};
+  right.nrow = b.rows();
+  right.ncol = b.cols();
+  right.d = b.outerStride();
+  right.nzmax = right.d * right.ncol;
+  right.x = b.data();
+  right.xtype = CHOLMOD_REAL;
+  right.dtype = CHOLMOD_DOUBLE;
+  cholmod_solve2(CHOLMOD_A, impl.factor, &right, nullptr, &impl.solution, nullptr, &impl.work_y, &impl.work_e,
+                 impl.common.get());
+  impl.common.check("CholmodFactor::solve");
+  b = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(impl.solution->x), b.rows(), b.cols());
+}
+
+Eigen::MatrixXd CholmodFactor::trailing_factor(int first) const {
+  const Impl& impl = *m_impl;
+  impl.require_factor("CholmodFactor::trailing_factor");
+  const int n = size();
+  if (first < 0 || first > n) throw std::logic_error("CholmodFactor::trailing_factor: first out of range");
+  Eigen::MatrixXd block = Eigen::MatrixXd::Zero(n - first, n - first);
+  if (n == 0) return block;
+  const cholmod_factor& factor = *impl.factor;
+  const int* super = static_cast<const int*>(factor.super);
+  const int* row_begin = static_cast<const int*>(factor.pi);
+  const int* value_begin = static_cast<const int*>(factor.px);
+  const int* rows = static_cast<const int*>(factor.s);
+  const double* values = static_cast<const double*>(factor.x);
+  for (std::size_t s = 0; s < factor.nsuper; ++s) {
+    // a supernode is a dense panel: its own columns are also its first rows
+    const int num_rows = row_begin[s + 1] - row_begin[s];
+    for (int j = std::max(first, super[s]); j < super[s + 1]; ++j) {
+      const int k = j - super[s];
+      const double* column = values + value_begin[s] + static_cast<std::size_t>(k) * num_rows;
+      for (int i = k; i < num_rows; ++i) block(rows[row_begin[s] + i] - first, j - first) = column[i];
+    }
+  }
+  return block;
+}
+
+int CholmodFactor::size() const { return m_impl->size(); }
+
+std::size_t CholmodFactor::factor_entries() const { return m_impl->factor ? m_impl->factor->xsize : 0; }
+
+} // namespace burnish

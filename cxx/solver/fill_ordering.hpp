@@ -1,0 +1,26 @@
+#pragma once
+// Fill-reducing orders of symmetric graphs.
+#include <vector>
+
+namespace burnish {
+
+/// Symmetric graph by adjacency lists: neighbors of i are col[row_start[i] .. row_start[i+1]). Each edge may
+/// be listed at one of its ends or at both, a vertex may list itself.
+struct Graph {
+  std::vector<int> row_start{0};
+  std::vector<int> col;
+  int size() const { return static_cast<int>(row_start.size()) - 1; }
+};
+
+enum class Ordering {
+  AMD,  ///< approximate minimum degree: plane problems
+  METIS ///< nested dissection: problems in space; AMD if CHOLMOD was built without METIS
+};
+
+/// Order of elimination with little fill, postordered (a column stands close to its parent in the elimination
+/// tree, as supernodes need it).
+/// @return order[k] = vertex eliminated at k; empty for an empty graph
+/// @throws std::bad_alloc, std::runtime_error on a CHOLMOD error (a neighbor out of range)
+std::vector<int> fill_reducing_order(const Graph& graph, Ordering ordering);
+
+} // namespace burnish

@@ -1,0 +1,159 @@
+#include "solver/schur_factor.hpp"
+#include "base/error.hpp"
+#include "solver/cholmod_factor.hpp"
+#include "solver/permuted_triangle.hpp"
+#include <cmath>
+#include <utility>
+
+// LAPACK: the inverse of L L' from L, in one triangle.
+extern "C" void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info,
+                        std::size_t uplo_length);
+
+namespace burnish {
+
+template <int Dim> struct SchurFactor<Dim>::Impl {
+  std::vector<int> row_start, col; // the pattern analyzed, with the flags and candidates of that time
+  std::vector<char> fixed;
+  std::vector<int> candidates;
+  PermutedTriangle triangle;
+  CholmodFactor factor;
+  Eigen::VectorXd work;
+  int analyses = 0, factorizations = 0, solves = 0;
+
+  bool is_analyzed(const NodeBlockMatrix<Dim>& pattern) const {
+    return analyses > 0 && pattern.row_start == row_start && pattern.col == col;
+  }
+  void require_factor(const char* where) const {
+    if (!factor.is_factorized()) fail(where, "there is no factor, call factorize first");
+  }
+  void load(const NodeBlockMatrix<Dim>& matrix);
+  [[noreturn]] void report_not_finite(const NodeBlockMatrix<Dim>& matrix) const;
+  Eigen::MatrixXd with_fixed_dofs(const Eigen::MatrixXd& free, double diagonal) const;
+};
+
+template <int Dim> void SchurFactor<Dim>::Impl::load(const NodeBlockMatrix<Dim>& matrix) {
+  std::vector<double>& value = factor.values();
+  const std::vector<std::size_t>& slot = triangle.slot;
+  double check = 0; // stays zero unless a value is not finite
+  for (std::size_t k = 0; k < slot.size(); ++k) {
+    value[k] = matrix.value[slot[k]];
+    check += 0. * value[k];
+  }
+  if (check != 0.) report_not_finite(matrix);
+}
+
+template <int Dim> void SchurFactor<Dim>::Impl::report_not_finite(const NodeBlockMatrix<Dim>& matrix) const {
+  for (int node = 0; node < matrix.num_nodes; ++node) {
+    for (int k = matrix.row_start[node]; k < matrix.row_start[node + 1]; ++k) {
+      for (int i = 0; i < Dim * Dim; ++i) {
+        const int row = Dim * node + i / Dim, column = Dim * matrix.col[k] + i % Dim;
+        const double value = matrix.block(k)[i];
+        if (row < column || fixed[row] || fixed[column] || std::isfinite(value)) continue;
+        std::ostringstream what;
+        what << "value of entry (row " << row << ", column " << column << ") = " << value
+             << ", expected a finite number";
+        fail("SchurFactor::factorize", what.str());
+      }
+    }
+  }
+  throw std::logic_error("SchurFactor::factorize: a value is not finite, its place was not found");
+}
+
+/// Puts the matrix of the free candidate dofs among all candidate dofs; fixed ones get the given diagonal.
+template <int Dim>
+Eigen::MatrixXd SchurFactor<Dim>::Impl::with_fixed_dofs(const Eigen::MatrixXd& free, double diagonal) const {
+  const int size = Dim * static_cast<int>(candidates.size());
+  std::vector<int> place;
+  for (int i = 0; i < size; ++i)
+    if (!fixed[Dim * candidates[i / Dim] + i % Dim]) place.push_back(i);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size);
+  all.diagonal().setConstant(diagonal);
+  for (std::size_t j = 0; j < place.size(); ++j)
+    for (std::size_t i = 0; i < place.size(); ++i) all(place[i], place[j]) = free(i, j);
+  return all;
+}
+
+template <int Dim> SchurFactor<Dim>::SchurFactor() : m_impl(std::make_unique<Impl>()) {}
+template <int Dim> SchurFactor<Dim>::~SchurFactor() = default;
+template <int Dim> SchurFactor<Dim>::SchurFactor(SchurFactor&&) noexcept = default;
+template <int Dim> SchurFactor<Dim>& SchurFactor<Dim>::operator=(SchurFactor&&) noexcept = default;
+
+template <int Dim>
+void SchurFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
+                               const std::vector<int>& candidates) {
+  if (m_impl->is_analyzed(pattern) && fixed == m_impl->fixed && candidates == m_impl->candidates) return;
+  Impl fresh; // an exception leaves the analysis as it was
+  fresh.triangle = permute_candidates_last(pattern, fixed, candidates);
+  fresh.factor.analyze(fresh.triangle.col_start, fresh.triangle.row);
+  fresh.row_start = pattern.row_start;
+  fresh.col = pattern.col;
+  fresh.fixed = fixed;
+  fresh.candidates = candidates;
+  fresh.analyses = m_impl->analyses + 1;
+  fresh.factorizations = m_impl->factorizations;
+  fresh.solves = m_impl->solves;
+  *m_impl = std::move(fresh);
+}
+
+template <int Dim> FactorStatus SchurFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix) {
+  const char* where = "SchurFactor::factorize";
+  if (!m_impl->is_analyzed(matrix))
+    fail(where, "the matrix has not the pattern analyzed, call analyze first");
+  require(matrix.value.size() == matrix.col.size() * Dim * Dim, where, "value.size()", matrix.value.size(),
+          "Dim*Dim per block");
+  m_impl->load(matrix);
+  ++m_impl->factorizations;
+  return m_impl->factor.factorize();
+}
+
+template <int Dim> Eigen::VectorXd SchurFactor<Dim>::solve(const Eigen::VectorXd& b) const {
+  const char* where = "SchurFactor::solve";
+  Impl& impl = *m_impl;
+  impl.require_factor(where);
+  require(static_cast<std::size_t>(b.size()) == impl.fixed.size(), where, "b.size()", b.size(),
+          "Dim*num_nodes");
+  const std::vector<int>& order = impl.triangle.order;
+  impl.work.resize(order.size());
+  for (std::size_t p = 0; p < order.size(); ++p) {
+    impl.work[p] = b[order[p]];
+    if (!std::isfinite(impl.work[p]))
+      fail(where, "b[" + std::to_string(order[p]) + "] is not finite, expected finite numbers");
+  }
+  impl.factor.solve(impl.work);
+  ++impl.solves;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
+  for (std::size_t p = 0; p < order.size(); ++p) x[order[p]] = impl.work[p];
+  return x;
+}
+
+template <int Dim> Eigen::MatrixXd SchurFactor<Dim>::candidate_flexibility() const {
+  m_impl->require_factor("SchurFactor::candidate_flexibility");
+  Eigen::MatrixXd inverse = m_impl->factor.trailing_factor(m_impl->triangle.num_interior);
+  const int n = static_cast<int>(inverse.rows());
+  if (n > 0) {
+    int info = 0;
+    dpotri_("L", &n, inverse.data(), &n, &info, 1);
+    if (info != 0)
+      throw std::runtime_error("SchurFactor::candidate_flexibility: dpotri info = " + std::to_string(info));
+    inverse.triangularView<Eigen::StrictlyUpper>() = inverse.transpose();
+  }
+  return m_impl->with_fixed_dofs(inverse, 0.);
+}
+
+template <int Dim> Eigen::MatrixXd SchurFactor<Dim>::schur_complement() const {
+  m_impl->require_factor("SchurFactor::schur_complement");
+  const Eigen::MatrixXd lower = m_impl->factor.trailing_factor(m_impl->triangle.num_interior);
+  Eigen::MatrixXd schur = Eigen::MatrixXd::Zero(lower.rows(), lower.cols());
+  schur.selfadjointView<Eigen::Lower>().rankUpdate(lower);
+  schur.triangularView<Eigen::StrictlyUpper>() = schur.transpose();
+  return m_impl->with_fixed_dofs(schur, 1.);
+}
+
+template <int Dim> int SchurFactor<Dim>::analyses() const { return m_impl->analyses; }
+template <int Dim> int SchurFactor<Dim>::factorizations() const { return m_impl->factorizations; }
+template <int Dim> int SchurFactor<Dim>::solves() const { return m_impl->solves; }
+
+template class SchurFactor<2>;
+template class SchurFactor<3>;
+
+} // namespace burnish
