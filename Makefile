@@ -9,8 +9,10 @@ FREEFEM  ?= FreeFem++
 PYTHON   ?= /usr/bin/python3
 PACKAGES ?= .ci/packages
 OPTIMIZE ?= -O2
-JOBS     ?= $(shell nproc 2>&1)
+JOBS     ?= $(shell nproc)
 OPTIONS  ?=
+# an empty environment will do: bash finds the programs, and hands the path on
+SHELL := /bin/bash
 export PATH := $(or $(PATH),/usr/local/bin:/usr/bin:/bin)
 
 # Where FreeFEM, Eigen and SuiteSparse are (Debian's places)
@@ -45,8 +47,8 @@ folders   = $(wildcard $(patsubst %,tests/%,$(if $(filter plugin,$(1)),plugin er
 scripts   = $(if $(call folders,$(1)),$(sort $(shell find $(call folders,$(1)) -name '*.edp' -o -name '*.sh')))
 program   = $(if $(SOURCES_$(1)),$(BUILD)/tests/$(1))
 suite     = $(foreach s,$(1),$(or $(strip $(call program,$(s)) $(call scripts,$(s))),$(error no tests in suite $(s))))
-stray     = $(filter-out tests/run_scripts.sh tests/support/% tests/benchmark/% $(ALL_SOURCES) $(foreach s,$(SUITES),$(call scripts,$(s))),\
-              $(shell find tests -name '*.cpp' -o -name '*.edp' -o -name '*.sh'))
+stray     = $(filter-out tests/run_scripts.sh tests/support/% tests/benchmark/% $(ALL_SOURCES) \
+              $(foreach s,$(SUITES),$(call scripts,$(s))),$(shell find tests -name '*.cpp' -o -name '*.edp' -o -name '*.sh'))
 
 # --- environment of every script: our folders first, then FreeFEM's ------------------------------------------
 LOAD    := $(abspath $(BUILD)/plugins);$(FREEFEM_LOAD)
@@ -68,7 +70,8 @@ export WRAPPER_TEXT
 
 # --- commands --------------------------------------------------------------------------------------------------
 # Recursion with all cores, unless the user said -j; the lock keeps two makes out of one folder.
-COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-directory $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
+COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-directory \
+          $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
 .PHONY: build run run-fine figures test $(SUITES:%=test-%) bench packages format clean help FORCE
@@ -156,7 +159,8 @@ define program_rule
 $(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(CORE)
 	@mkdir -p $$(@D)
 	@echo "link    $$@"
-	@$$(CXX) $$(LDFLAGS) $$(filter %.o,$$^) $$(CORE) $(2) -pthread -Wl,--as-needed $$(LIBRARIES) -o $$@.new && mv $$@.new $$@
+	@$$(CXX) $$(LDFLAGS) $$(filter %.o,$$^) $$(CORE) $(2) -pthread -Wl,--as-needed $$(LIBRARIES) -o $$@.new \
+	  && mv $$@.new $$@
 endef
 $(foreach p,unit verification long,$(eval $(call program_rule,$(p),-lgtest_main -lgtest)))
 $(eval $(call program_rule,benchmark,-lbenchmark_main -lbenchmark))
