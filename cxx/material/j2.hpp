@@ -1,6 +1,6 @@
 #pragma once
-// J2 plasticity with linear isotropic hardening: parameters and the vocabulary of its updates (method.md
-// section 1).
+// J2 plasticity with linear isotropic hardening: parameters and the vocabulary of its updates
+// (method.md section 1).
 #include "base/types.hpp"
 
 namespace burnish {
@@ -22,8 +22,8 @@ struct J2Parameters {
   static J2Parameters from_young(double E, double nu, double yield_stress, double hardening_modulus);
 };
 
-/// @throws std::invalid_argument naming `where` unless K, G, yield_stress > 0, hardening_modulus >= 0, all
-/// finite
+/// @throws std::invalid_argument naming `where` unless K, G, yield_stress > 0, hardening_modulus >= 0,
+///         all finite
 void require_valid(const J2Parameters& material, const char* where);
 
 /// Yield stress sigma_y(ep) = sigma_0 + H' ep [stress].
@@ -34,8 +34,12 @@ inline double yield_stress_at(const J2Parameters& material, double plastic_strai
 enum class StressUpdate {
   SUBSTEPPED,    ///< sub-stepped radial return on the quadratic strain path (algorithms.md section 2)
   SINGLE,        ///< one radial return per step
-  FORWARD_EULER, ///< rate (3.1) times the increment, no return: the article's scheme; leaves the yield
-                 ///< surface
+  FORWARD_EULER, ///< rate (3.1) times the increment, the article's scheme: no return, leaves the surface
+};
+/// Frame in which the strain increments meet the turned old stress.
+enum class StrainFrame {
+  MIDPOINT, ///< dd and dd_p as they are (method.md, algorithms.md): first order where the body spins
+  END,      ///< dd turned by the other half of the rotation, dd_p by the whole: second order, same cost
 };
 enum class TangentKind {
   CONSISTENT, ///< linearization of the chosen finite-step update

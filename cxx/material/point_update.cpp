@@ -62,9 +62,8 @@ StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const Poi
 
 template <int Dim>
 PiolaTangent<Dim> consistent_tangent(const J2Parameters& material, const PointScheme& scheme,
-                                     const PointOld<Dim>& old, const Tensor<Dim>& F,
-                                     const Stress<Dim>& stress) {
-  const StepKinematics<Dim> kin = step_kinematics(old.F, F);
+                                     const PointOld<Dim>& old, const StepKinematics<Dim>& kin,
+                                     const Tensor<Dim>& F, const Stress<Dim>& stress) {
   const ElasticTrial<Dim> trial = elastic_trial<Dim>(material, kin, old.stress);
   const StressByIncrement<Dim> moduli = consistent_moduli<Dim>(material, scheme, old, kin, trial);
   return piola_tangent(moduli * finite_increment_by_F(kin), stress, F.inverse());
@@ -83,7 +82,7 @@ template StressByIncrement<2> consistent_moduli<2>(const J2Parameters&, const Po
                                                    const PointOld<2>&, const StepKinematics<2>&,
                                                    const ElasticTrial<2>&);
 template PiolaTangent<2> consistent_tangent<2>(const J2Parameters&, const PointScheme&, const PointOld<2>&,
-                                               const Tensor<2>&, const Stress<2>&);
+                                               const StepKinematics<2>&, const Tensor<2>&, const Stress<2>&);
 template PiolaTangent<2> rate_tangent<2>(const J2Parameters&, const Stress<2>&, const Tensor<2>&, bool);
 
 } // namespace burnish

@@ -36,22 +36,23 @@ template <int Dim>
 PointNew<Dim> updated_point(const J2Parameters& material, const PointScheme& scheme, const PointOld<Dim>& old,
                             const StepKinematics<Dim>& kin, const ElasticTrial<Dim>& trial);
 
-/// d tau/dy of updated_point, exact (algorithms.md section 2: the chain of the substeps, here directly for
-/// the Dim*Dim increments y of step_kinematics.hpp instead of MA and MB).
+/// d tau/dy of updated_point, exact: the chain of algorithms.md section 2 through all substeps, here directly
+/// for the Dim*Dim increments y of step_kinematics.hpp instead of MA and MB.
 template <int Dim>
 StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const PointScheme& scheme,
                                          const PointOld<Dim>& old, const StepKinematics<Dim>& kin,
                                          const ElasticTrial<Dim>& trial);
 
-/// A_iJkL = dP_iJ/dF_kL of updated_point at F, exact, slightly nonsymmetric [stress].
-/// @param stress of updated_point [stress]
+/// A_iJkL = dP_iJ/dF_kL of updated_point, exact, slightly nonsymmetric [stress].
+/// @param kin of the step from old.F to F; @param stress of updated_point [stress]
 template <int Dim>
 PiolaTangent<Dim> consistent_tangent(const J2Parameters& material, const PointScheme& scheme,
-                                     const PointOld<Dim>& old, const Tensor<Dim>& F,
-                                     const Stress<Dim>& stress);
+                                     const PointOld<Dim>& old, const StepKinematics<Dim>& kin,
+                                     const Tensor<Dim>& F, const Stress<Dim>& stress);
 
-/// Tangent of the rates (1.11) on the reference mesh, symmetric: with dF = L F, dF:dP = dL_ij (D:d + w tau -
-/// tau d)_ij. (The article writes D:d - d.tau - tau.w, its double dot pairing dL_ij with the transpose.)
+/// Tangent of the rates (1.11) on the reference mesh, symmetric [stress]:
+/// with dF = L F, dF:dP = dL_ij (D:d + w tau - tau d)_ij.
+/// (The article writes D:d - d.tau - tau.w: its double dot pairs dL_ij with the transpose.)
 /// @param plastic true: D of (3.1) loading; false: elastic moduli, same geometric terms
 template <int Dim>
 PiolaTangent<Dim> rate_tangent(const J2Parameters& material, const Stress<Dim>& stress, const Tensor<Dim>& F,

@@ -4,8 +4,7 @@
 
 namespace burnish {
 
-/// Deviator and accumulated plastic strain while a return runs, with their derivatives with respect to the
-/// step's increments.
+/// Derivatives of the deviator and of ep with respect to the step's increments, while a return runs.
 template <int Dim> struct ReturnDerivative {
   StressByIncrement<Dim> s = StressByIncrement<Dim>::Zero();
   ScalarByIncrement<Dim> plastic_strain_eq = ScalarByIncrement<Dim>::Zero();
@@ -25,8 +24,8 @@ double radial_return(const J2Parameters& material, Stress<Dim>& s, double& plast
   return dep;
 }
 
-/// The same with the chain rule (algorithms.md section 2): dq = 1.5 s:ds/q, d(dep) = (dq - H' d ep)/(3G +
-/// H'), d theta = H' d ep_new/q - theta dq/q, ds := theta ds + s_trial d theta.
+/// The same with the chain rule (algorithms.md section 2): dq = 1.5 s:ds/q,
+/// d(dep) = (dq - H' d ep)/(3G + H'), d theta = H' d ep_new/q - theta dq/q, ds := theta ds + s_trial d theta.
 /// @param derivative of the trial on entry, of the returned values on exit
 template <int Dim>
 double radial_return(const J2Parameters& material, Stress<Dim>& s, double& plastic_strain_eq,
@@ -34,8 +33,8 @@ double radial_return(const J2Parameters& material, Stress<Dim>& s, double& plast
   const Stress<Dim> trial = s;
   const double dep = radial_return<Dim>(material, s, plastic_strain_eq);
   if (dep == 0) return 0;
-  const double q = equivalent<Dim>(trial), theta = 1 - 3 * material.G * dep / q,
-               H = material.hardening_modulus;
+  const double H = material.hardening_modulus;
+  const double q = equivalent<Dim>(trial), theta = 1 - 3 * material.G * dep / q;
   const ScalarByIncrement<Dim> dq = (1.5 / q) * contraction_row<Dim>(trial) * derivative.s;
   derivative.plastic_strain_eq += (dq - H * derivative.plastic_strain_eq) / (3 * material.G + H);
   const ScalarByIncrement<Dim> dtheta = (H / q) * derivative.plastic_strain_eq - (theta / q) * dq;

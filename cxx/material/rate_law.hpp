@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// A trial stress counts as on the surface from this fraction of sigma_y on: rounding only, no physics.
+/// A stress counts as on the surface from this fraction of sigma_y on: for rounding only.
 inline constexpr double YIELD_FRACTION = 1 - 1e-9;
 
 /// Loading test of (3.1): q >= sigma_y(ep) and s:d > 0.
@@ -21,8 +21,8 @@ template <int Dim> double plastic_factor(const J2Parameters& material, const Str
   return G3 / (squared_equivalent<Dim>(s) * (1 + material.hardening_modulus / G3));
 }
 
-/// d tau/dy for y = (d_xx, d_yy, d_xy, w_21): D in the strain columns, w tau - tau w in the column of the
-/// rotation.
+/// d tau/dy for y = (d_xx, d_yy, d_xy, w_21): D in the strain columns, w tau - tau w in the
+/// column of the rotation.
 /// @param stress Kirchhoff stress tau [stress]; @param plastic true: D of (3.1), false: E
 template <int Dim>
 StressByIncrement<Dim> rate_moduli(const J2Parameters& material, const Stress<Dim>& stress, bool plastic);

@@ -11,7 +11,9 @@ StrainPath<Dim> strain_path(const J2Parameters& material, const StepKinematics<D
   if (history.ratio <= 0) return path;
 
   const Stress<Dim>& dd = kin.strain;
-  const Stress<Dim> before = history.ratio * rotated(history.strain_old, kin.cos_2alpha, kin.sin_2alpha);
+  const bool turns = kin.frame == StrainFrame::END;
+  Stress<Dim> before = history.ratio * history.strain_old;
+  if (turns) before = rotated(before, kin.cos_2alpha, kin.sin_2alpha);
   const Stress<Dim> change = dd - before; // dd - ra dd_p
   double b = 2 * history.ratio / (1 + history.ratio);
   // limiter: no more bend than L times the step itself
@@ -22,7 +24,7 @@ StrainPath<Dim> strain_path(const J2Parameters& material, const StepKinematics<D
   if (!derivative || b == 0) return path;
 
   StressByIncrement<Dim> change_by = strain_by_increment();
-  change_by.col(Dim * Dim - 1) -= spin_rate(before);
+  if (turns) change_by.col(Dim * Dim - 1) -= spin_rate(before);
   StressByIncrement<Dim> bend_by = b * change_by;
   if (limited) { // d(b)/b = dd:d(dd)/|dd|^2 - c:dc/|c|^2 with c the change
     const ScalarByIncrement<Dim> b_by = (b / dd2) * contraction_row<Dim>(dd) * strain_by_increment() -

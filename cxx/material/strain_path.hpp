@@ -27,8 +27,8 @@ inline double bend_share(int k, int n) {
   return 0.5 * step * ((2 * k + 1) * step - 1);
 }
 
-/// dd_p is turned by the step's rotation together with the old stress (a departure from algorithms.md, which
-/// leaves it: without it a superposed rotation bends the path).
+/// StrainFrame::END turns dd_p by the step's rotation together with the old stress; algorithms.md, and so
+/// StrainFrame::MIDPOINT, leaves it, and a spin bends the path.
 /// @param derivative filled unless null; exact, the limiter's dependence on dd included
 template <int Dim>
 StrainPath<Dim> strain_path(const J2Parameters& material, const StepKinematics<Dim>& kin,

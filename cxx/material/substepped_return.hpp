@@ -22,8 +22,7 @@ double substepped_return(const J2Parameters& material, const StrainPath<Dim>& pa
                          double& plastic_strain_eq, ReturnDerivative<Dim>& derivative);
 
 /// Number of substeps a step asks for: max(min_substeps, ceil(q(De)/(substep_strain sigma_y))), at most
-/// max_substeps; 0 if the step is elastic: trial on the straight path inside the surface and no flow last
-/// step.
+/// max_substeps; 0 if the step is elastic: trial of the straight path inside the surface, no flow last step.
 /// @param plastic_strain_eq, plastic  ep and plastic flag at the start of the step
 template <int Dim>
 int substeps_needed(const J2Parameters& material, const UpdateOptions& options,

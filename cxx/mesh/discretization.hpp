@@ -26,11 +26,11 @@ template <int Dim> struct Discretization {
   }
 };
 
-/// Straight triangles: P1 (3 nodes, 1 point) or P2 (6 nodes, vertices then mid-edge node opposite vertex
-/// 0,1,2; 3 points, point q = middle of the edge opposite vertex q, as FreeFEM's FEQF2).
-/// @param X            node coordinates, num_nodes x 2
+/// Straight triangles, vertices counter-clockwise: P1 (3 nodes, 1 point) or P2 (6 nodes, vertices then the
+/// mid-edge nodes opposite vertex 0, 1, 2; 3 points, point q = middle of the edge opposite vertex q, as
+/// FreeFEM's FEQF2). The quadrature is exact for polynomials of degree 1 (P1), 2 (P2).
+/// @param X            node coordinates, num_nodes x 2 [length]
 /// @param connectivity num_elements x (3 or 6)
-/// Vertices counter-clockwise. The quadrature is exact for polynomials of degree 1 (P1), 2 (P2).
 /// @throws std::invalid_argument for a bad size, an index out of range, a non-finite coordinate, an inverted
 ///         element (names its number and area), or a P2 mid-edge node that is not in the middle of its edge
 ///         (names element and node)

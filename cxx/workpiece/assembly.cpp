@@ -43,8 +43,10 @@ template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal_force() const {
 template <int Dim>
 PiolaTangent<Dim> Workpiece<Dim>::consistent_at(int point, const Tensor<Dim>& F,
                                                 const Stress<Dim>& stress) const {
-  return consistent_tangent<Dim>(m_material, scheme(step_ratio(), m_used_substeps[point]), point_old(point),
-                                 F, stress);
+  const PointOld<Dim> old = point_old(point);
+  const StepKinematics<Dim> kin = step_kinematics(old.F, F, m_options.strain_frame);
+  const PointScheme with = scheme(step_ratio(), m_used_substeps[point]);
+  return consistent_tangent<Dim>(m_material, with, old, kin, F, stress);
 }
 
 template <int Dim>

@@ -112,7 +112,7 @@ bool Workpiece<Dim>::update_point(int point, const Tensor<Dim>& F, double ratio,
                                   UpdateResult& result) {
   if (bad_determinant(F.determinant(), point, result)) return false;
   const PointOld<Dim> old = point_old(point);
-  const StepKinematics<Dim> kin = step_kinematics(old.F, F);
+  const StepKinematics<Dim> kin = step_kinematics(old.F, F, m_options.strain_frame);
   if (bad_determinant(kin.det_mid, point, result)) return false;
   const ElasticTrial<Dim> trial = elastic_trial<Dim>(m_material, kin, old.stress);
   int substeps = 0;
@@ -181,6 +181,10 @@ template <int Dim> void Workpiece<Dim>::set_state(const WorkpieceState<Dim>& sta
   check("strain_increment", state.strain_increment, stresses);
   require(state.plastic.size() == points, "Workpiece::set_state", "size of plastic", state.plastic.size(),
           std::to_string(points).c_str());
+  for (std::size_t p = 0; p < points; ++p) {
+    const double det = Eigen::Map<const Tensor<Dim>>(state.F.data() + p * Dim * Dim).determinant();
+    require(det > 0, "Workpiece::set_state", "det F", det, "> 0");
+  }
   require(state.dt >= 0 && std::isfinite(state.dt), "Workpiece::set_state", "dt", state.dt, "finite >= 0");
   m_state_old = m_state = state;
   m_updated = false;

@@ -1,7 +1,6 @@
 #pragma once
-// The deformable body: quadrature-point state at the start and at the end of a step, internal force and
-// tangent. Knows no tool. A step can always be repeated: `accept` and `revert` are the only ways between the
-// two states.
+// The deformable body: quadrature-point state at the start and at the end of a step, internal force, tangent.
+// Knows no tool. A step can always be repeated: `accept` and `revert` are the only ways between the states.
 #include "material/point_update.hpp"
 #include "mesh/discretization.hpp"
 #include "solver/node_block_matrix.hpp"
@@ -15,10 +14,9 @@ template <int Dim> struct WorkpieceState {
   std::vector<double> F;                 ///< num_points x Dim x Dim, row-major: deformation gradient [-]
   std::vector<double> stress;            ///< num_points x num_stress: Kirchhoff stress [stress]
   std::vector<double> plastic_strain_eq; ///< num_points [-]
-  std::vector<double>
-      strain_increment;      ///< num_points x num_stress: strain increment dd of the step that ended here [-]
-  std::vector<char> plastic; ///< num_points: plastic flow happened in that step
-  double dt = 0;             ///< length of that step [time]; 0: there was none
+  std::vector<double> strain_increment;  ///< num_points x num_stress: dd of the step that ended here [-]
+  std::vector<char> plastic;             ///< num_points: plastic flow happened in that step
+  double dt = 0;                         ///< length of that step [time]; 0: there was none
 };
 
 enum class UpdateStatus { OK, INVERTED_ELEMENT, NOT_FINITE };
@@ -32,8 +30,7 @@ template <int Dim> class Workpiece {
 public:
   /// Undeformed and free of stress.
   /// @throws std::invalid_argument if the arrays of the discretization do not fit together, or a parameter or
-  /// an
-  ///         option is outside its range
+  ///         an option is outside its range
   Workpiece(Discretization<Dim> discretization, J2Parameters material, UpdateOptions options = {});
   const Discretization<Dim>& discretization() const { return m_discretization; }
   const J2Parameters& material() const { return m_material; }
@@ -42,9 +39,9 @@ public:
   /// To be changed between steps only.
   UpdateOptions& options() { return m_options; }
 
-  /// Stress at the end of a step that leads from state_old to `displacement`, pure in state_old (and in the
-  /// numbers of substeps, which iteration 0 resets): writes state(). Where the status is not OK, state() is
-  /// unusable until the next update or revert.
+  /// Stress at the end of a step that leads from state_old to `displacement`: writes state(). Depends on
+  /// state_old only (and on the numbers of substeps, which iteration 0 resets). Where the status is not OK,
+  /// state() is unusable until the next update or revert.
   /// @param displacement total displacement, num_dofs [length]; @param dt step length > 0 [time]
   /// @param iteration    0,1,2.. within the step; a point's number of substeps may only grow before
   ///                     freeze_iteration and is frozen from there on (a point that yields later gets one
@@ -54,9 +51,8 @@ public:
   /// Internal force of state(): sum over points V0 P grad_X N, P = tau F^-T, num_dofs [force].
   Eigen::VectorXd internal_force() const;
   /// Its tangent (symmetric part), into a matrix with this discretization's pattern: replaces the values.
-  /// CONSISTENT needs an update; right after accept, revert or set_state the increment is zero, and
-  /// CONSISTENT means RATE, its limit for a step that goes on like the last one. RATE: a point loads if it
-  /// flowed in the last update.
+  /// Right after accept, revert or set_state the increment is zero and CONSISTENT means RATE, its limit for a
+  /// step that goes on like the last one. RATE: a point loads if it flowed in the last update.
   /// @param elastic_blend 0..1: share of the elastic moduli mixed into plastic points (algorithms.md 5.2)
   /// @throws std::invalid_argument if the pattern is another one or elastic_blend is out of range
   void tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, double elastic_blend = 0) const;
@@ -69,7 +65,8 @@ public:
 
   void accept(); ///< state_old = state
   void revert(); ///< state = state_old
-  /// Replaces both states (restart, tests). @throws std::invalid_argument on wrong sizes or NaN
+  /// Replaces both states (restart, tests).
+  /// @throws std::invalid_argument on wrong sizes, numbers that are not finite, or det F <= 0
   void set_state(const WorkpieceState<Dim>& state);
 
   /// Von Mises stress of the Kirchhoff stress at a point of state() [stress].
