@@ -6,6 +6,21 @@
 
 namespace burnish {
 
+namespace {
+
+/// CHOLMOD itself does not look.
+void check_lower_triangle(const std::vector<int>& col_start, const std::vector<int>& row) {
+  const int n = static_cast<int>(col_start.size()) - 1;
+  bool ok = n >= 0 && col_start[0] == 0 && static_cast<std::size_t>(col_start[n]) == row.size();
+  for (int j = 0; ok && j < n; ++j) {
+    ok = col_start[j] <= col_start[j + 1] && static_cast<std::size_t>(col_start[j + 1]) <= row.size();
+    for (int k = col_start[j]; ok && k < col_start[j + 1]; ++k) ok = row[k] >= j && row[k] < n;
+  }
+  if (!ok) throw std::logic_error("CholmodFactor::analyze: not the columns of a lower triangle");
+}
+
+} // namespace
+
 struct CholmodFactor::Impl {
   CholmodCommon common;
   std::vector<int> col_start{0}, row;
@@ -66,6 +81,7 @@ CholmodFactor::CholmodFactor(CholmodFactor&&) noexcept = default;
 CholmodFactor& CholmodFactor::operator=(CholmodFactor&&) noexcept = default;
 
 void CholmodFactor::analyze(std::vector<int> col_start, std::vector<int> row) {
+  check_lower_triangle(col_start, row);
   Impl& impl = *m_impl;
   impl.free_factor();
   impl.analyzed = false;

@@ -1,0 +1,137 @@
+#include "solver/cholmod_factor.hpp"
+#include "solver/fill_ordering.hpp"
+#include "solver/openmp_guard.hpp"
+#include "unit/solver/sparse_sample.hpp"
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+using namespace burnish;
+
+namespace {
+
+/// Lower triangle by columns (the rows of the upper one) of a symmetric matrix.
+void load(CholmodFactor& factor, const Eigen::MatrixXd& full) {
+  const sample::Sparse upper = sample::sparse(full, [](int i, int j) { return i <= j; });
+  factor.analyze(upper.row_start, upper.col);
+  factor.values() = upper.value;
+}
+
+Graph graph_of(const Eigen::MatrixXd& full) {
+  const sample::Sparse matrix = sample::sparse(full);
+  return {matrix.row_start, matrix.col};
+}
+
+bool is_permutation(std::vector<int> order, int n) {
+  std::sort(order.begin(), order.end());
+  for (int k = 0; k < n; ++k)
+    if (static_cast<int>(order.size()) != n || order[k] != k) return false;
+  return true;
+}
+
+} // namespace
+
+TEST(CholmodFactor, FactorAndSolutionsEqualDense) {
+  const Eigen::MatrixXd full = sample::symmetric_matrix();
+  const int n = static_cast<int>(full.rows());
+  CholmodFactor factor;
+  load(factor, full);
+  ASSERT_EQ(factor.factorize(), FactorStatus::OK);
+  const Eigen::MatrixXd L = full.llt().matrixL();
+  for (int first : {0, n / 2, n - 1, n}) {
+    const Eigen::MatrixXd block = factor.trailing_factor(first);
+    ASSERT_EQ(block.rows(), n - first);
+    if (first == n) continue;
+    EXPECT_LT((block - L.bottomRightCorner(n - first, n - first)).norm(), 1e-12 * L.norm()) << first;
+  }
+  Eigen::MatrixXd b = Eigen::MatrixXd::Random(n + 2, 7), x = b;
+  factor.solve(x.middleRows(1, n)); // part of a larger array, more than one column
+  EXPECT_LT((full * x.middleRows(1, n) - b.middleRows(1, n)).norm(), 1e-12 * b.norm());
+  EXPECT_EQ(x.row(0), b.row(0));
+  EXPECT_EQ(x.row(n + 1), b.row(n + 1));
+  EXPECT_GE(factor.factor_entries(), static_cast<std::size_t>((L.array() != 0.).count()));
+}
+
+TEST(CholmodFactor, EmptyMatrix) {
+  CholmodFactor factor;
+  factor.analyze({0}, {});
+  EXPECT_EQ(factor.factorize(), FactorStatus::OK);
+  Eigen::MatrixXd b(0, 1);
+  EXPECT_NO_THROW(factor.solve(b));
+  EXPECT_EQ(factor.trailing_factor(0).size(), 0);
+}
+
+TEST(CholmodFactor, MissingDiagonalIsNotPositiveDefinite) {
+  CholmodFactor factor;
+  factor.analyze({0, 2, 2}, {0, 1});
+  factor.values() = {2., 1.};
+  EXPECT_EQ(factor.factorize(), FactorStatus::NOT_POSITIVE_DEFINITE);
+  EXPECT_FALSE(factor.is_factorized());
+}
+
+TEST(CholmodFactor, RefusesCallsOutOfOrder) {
+  CholmodFactor factor;
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(3, 1);
+  EXPECT_THROW(factor.factorize(), std::logic_error);
+  load(factor, Eigen::MatrixXd::Identity(4, 4));
+  EXPECT_THROW(factor.solve(b), std::logic_error);
+  EXPECT_THROW(factor.trailing_factor(0), std::logic_error);
+  ASSERT_EQ(factor.factorize(), FactorStatus::OK);
+  EXPECT_THROW(factor.solve(b), std::logic_error); // 3 rows of 4
+  EXPECT_THROW(factor.trailing_factor(5), std::logic_error);
+  EXPECT_THROW(factor.trailing_factor(-1), std::logic_error);
+}
+
+TEST(CholmodFactor, RefusesWhatIsNoLowerTriangle) {
+  CholmodFactor factor;
+  EXPECT_NO_THROW(factor.analyze({0, 2, 3}, {1, 0, 1}));
+  EXPECT_THROW(factor.analyze({}, {}), std::logic_error);
+  EXPECT_THROW(factor.analyze({0, 1}, {1}), std::logic_error);       // row out of range
+  EXPECT_THROW(factor.analyze({0, 1, 2}, {0, 0}), std::logic_error); // above the diagonal
+  EXPECT_THROW(factor.analyze({0, 1}, {0, 0}), std::logic_error);    // rows of no column
+  EXPECT_THROW(factor.analyze({1, 1}, {0}), std::logic_error);       // does not start at 0
+  EXPECT_THROW(factor.analyze({0, 3, 2}, {0, 1}), std::logic_error); // descending
+}
+
+TEST(FillOrdering, BothMethodsSaveFill) {
+  const Eigen::MatrixXd full = sample::symmetric_matrix(6, 12);
+  const int n = static_cast<int>(full.rows());
+  const auto entries = [&](const std::vector<int>& order) {
+    CholmodFactor factor;
+    load(factor, full(order, order));
+    return factor.factor_entries();
+  };
+  std::vector<int> shuffled(n);
+  for (int k = 0; k < n; ++k) shuffled[k] = k;
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(2));
+  for (Ordering ordering : {Ordering::AMD, Ordering::METIS}) {
+    const std::vector<int> order = fill_reducing_order(graph_of(full), ordering);
+    ASSERT_TRUE(is_permutation(order, n));
+    EXPECT_LT(3 * entries(order), entries(shuffled)) << "method " << int(ordering);
+  }
+}
+
+TEST(FillOrdering, EdgesMayBeListedOnceAndGraphsMayBeTrivial) {
+  const Eigen::MatrixXd full = sample::symmetric_matrix(2, 3);
+  const sample::Sparse lower = sample::sparse(full, [](int i, int j) { return i > j; });
+  EXPECT_EQ(fill_reducing_order({lower.row_start, lower.col}, Ordering::AMD),
+            fill_reducing_order(graph_of(full), Ordering::AMD));
+  for (Ordering ordering : {Ordering::AMD, Ordering::METIS}) {
+    EXPECT_TRUE(fill_reducing_order(Graph(), ordering).empty());
+    EXPECT_EQ(fill_reducing_order({{0, 0}, {}}, ordering), std::vector<int>{0});
+    EXPECT_TRUE(is_permutation(fill_reducing_order({{0, 0, 0, 0}, {}}, ordering), 3));
+  }
+  EXPECT_THROW(fill_reducing_order({{0, 1}, {1}}, Ordering::AMD), std::runtime_error);
+}
+
+TEST(OpenmpGuard, LimitsAndRestoresTheNestingLevels) {
+  auto* levels = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "omp_get_max_active_levels"));
+  auto* parallel = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_parallel"));
+  if (!levels || (parallel && parallel() == 2)) GTEST_SKIP() << "no OpenMP, or OpenBLAS lives on it";
+  const int before = levels();
+  {
+    const OpenmpGuard guard;
+    EXPECT_EQ(levels(), 0);
+  }
+  EXPECT_EQ(levels(), before);
+  EXPECT_GT(before, 0);
+}
