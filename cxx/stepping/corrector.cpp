@@ -23,12 +23,13 @@ Corrector<Dim>::Corrector(ContactModel<Dim> model, Eigen::VectorXd X, std::vecto
 
 template <int Dim>
 void Corrector<Dim>::begin(const Program& program, const ContactState<Dim>& predicted,
-                           std::vector<ContactNode<Dim>> entry, bool adapt) {
+                           std::vector<ContactNode<Dim>> entry, bool adapt, bool keep_factor) {
   m_program = program;
+  m_keep_factor = keep_factor;
   m_state = predicted;
   m_entry = std::move(entry);
   m_adapt = adapt;
-  m_iteration = m_halvings = 0;
+  m_iteration = m_halvings = m_step_factorizations = m_indefinite = 0;
   m_last_residual = m_best_residual = -1;
   m_mixer = AndersonMixer(m_options.anderson_memory);
   m_fresh.assign(m_state.nodes.size(), 0);
@@ -51,7 +52,8 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
     m_reason = "the residual is not finite";
     return StepStatus::FAILED;
   }
-  if (m_iteration > 0 && res <= m_options.tolerance * scale && m_balance.inconsistent == 0) {
+  const bool consistent = !m_adapt || m_balance.inconsistent == 0;
+  if (m_iteration > 0 && res <= m_options.tolerance * scale && consistent) {
     m_load_scale = scale;
     return StepStatus::CONVERGED;
   }
@@ -76,7 +78,8 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
   m_last_residual = res;
   if (m_best_residual < 0 || res < m_best_residual) m_best_residual = res;
   const bool covered = window_covers(u);
-  return !m_has_factor || m_iteration == 0 || (slow && res > m_options.tolerance * scale) || !covered
+  const bool fresh = m_iteration == 0 && !m_keep_factor;
+  return !m_has_factor || fresh || (slow && res > m_options.tolerance * scale) || !covered
              ? StepStatus::REFACTORIZE
              : StepStatus::ITERATE;
 }
@@ -91,12 +94,22 @@ template <int Dim> FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<
   ++m_counts.factorizations;
   m_counts.analyses = m_factor.analyses();
   m_mixer.clear();
-  if (!m_has_factor) return FactorStatus::NOT_POSITIVE_DEFINITE;
+  if (!m_has_factor) {
+    if (++m_indefinite > 3) m_reason = "the tangent is not positive definite: loss of stability or limit load";
+    return FactorStatus::NOT_POSITIVE_DEFINITE;
+  }
+  m_indefinite = 0;
+  ++m_step_factorizations;
   m_flexibility = m_factor.candidate_flexibility();
   const double mean = m_flexibility.diagonal().mean();
   for (Eigen::Index d = 0; d < m_flexibility.rows(); ++d) // a dof held by the script gives way by nothing
     if (m_flexibility(d, d) == 0) m_flexibility(d, d) = 1e-9 * mean;
   return FactorStatus::OK;
+}
+
+template <int Dim> double Corrector<Dim>::elastic_blend() const {
+  constexpr double by_factorization[] = {0, 0.2, 0.2, 0.4}, by_failure[] = {0, 0.05, 0.2, 0.8};
+  return std::max(by_factorization[std::min(m_step_factorizations, 3)], by_failure[std::min(m_indefinite, 3)]);
 }
 
 template <int Dim>

@@ -25,12 +25,18 @@ public:
 
   /// Starts a step from an accepted state. @param entry per candidate, where a node touching in this step would stick
   /// @param adapt false: contact states stay fixed (event stepping)
-  void begin(const Program& program, const ContactState<Dim>& predicted, std::vector<ContactNode<Dim>> entry, bool adapt);
+  /// @param keep_factor start with the factor of an earlier step if there is one
+  void begin(const Program& program, const ContactState<Dim>& predicted, std::vector<ContactNode<Dim>> entry, bool adapt,
+             bool keep_factor = false);
   /// Convergence test at displacement u with residual force R (internal minus external nodal force).
   /// May move u half way back (HALVED). @throws std::invalid_argument for wrong sizes or NaN in R
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   /// Factor of the tangent for the steps to come. NOT_POSITIVE_DEFINITE leaves no factor.
   FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
+  /// Share of the elastic moduli to mix into the next tangent: none at the predicted state, more at every further
+  /// factorization of a step (it breaks cycles of plastic points) and after a loss of definiteness.
+  double elastic_blend() const;
+  bool blend_exhausted() const { return m_indefinite > 3; } ///< the tangent stays indefinite: a limit load
   bool has_factor() const { return m_has_factor; }
   void drop_factor() { m_has_factor = false; }
   /// One iteration: two back-substitutions and the dense contact block; moves u and state().
@@ -66,7 +72,7 @@ private:
   bool m_adapt = true;
 
   SchurFactor<Dim> m_factor;
-  bool m_has_factor = false, m_new_factor = false;
+  bool m_has_factor = false, m_keep_factor = false;
   std::vector<int> m_window;
   Eigen::MatrixXd m_flexibility;
 
@@ -75,7 +81,7 @@ private:
   CorrectorCounts m_counts;
   std::string m_reason;
   double m_load_scale = 0, m_last_residual = -1, m_best_residual = -1;
-  int m_iteration = 0, m_halvings = 0;
+  int m_iteration = 0, m_halvings = 0, m_step_factorizations = 0, m_indefinite = 0;
   Eigen::VectorXd m_u_before, m_q_before; // iterate before the last correct(), for halving
   std::vector<char> m_fresh;
 };

@@ -161,8 +161,12 @@ Prediction<Dim> predict(const ContactModel<Dim>& model, const BodyView<Dim>& bod
       shifts.push_back(shift_of(model, static_cast<int>(t), history.q_old, state.q, result.state.q));
     result.u = carry_increment(model, body, locator, discretization, state, u, history, shifts, ratio);
     carry_states(model, body, state, shifts, result.state);
+  } else if (known) {
+    for (Eigen::Index d = 0; d < u.size(); ++d)
+      if (!body.fixed[d]) result.u[d] += ratio * history.du[d];
   }
-  place_contact_nodes(model, body, result.state, result.u);
+  // Without a step before, the nodes stay where they are: the first iteration brings them to the tool by an offset.
+  if (known) place_contact_nodes(model, body, result.state, result.u);
   return result;
 }
 

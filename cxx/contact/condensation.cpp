@@ -1,0 +1,236 @@
+#include "contact/condensation.hpp"
+#include "base/error.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+
+template <int Dim> double& Condensation<Dim>::at(int row, int column) {
+  const auto first = m_full.col.begin() + m_full.row_start[row], last = m_full.col.begin() + m_full.row_start[row + 1];
+  return m_full.value[static_cast<std::size_t>(std::lower_bound(first, last, column) - m_full.col.begin())];
+}
+
+// Superset pattern: every candidate's neighbours are coupled to all tool coordinates.
+template <int Dim> void Condensation<Dim>::build_pattern(const NodeBlockMatrix<Dim>& K) {
+  if (m_pattern_of == &K && m_pattern_col == K.col) return;
+  m_pattern_of = &K;
+  m_pattern_col = K.col;
+  const int ndof = K.size(), nq = m_model.num_coordinates();
+  std::vector<char> near(K.num_nodes, 0);
+  for (const int c : m_model.candidates)
+    for (int k = K.row_start[c]; k < K.row_start[c + 1]; ++k) near[K.col[k]] = 1;
+  m_full = {};
+  m_full.n = ndof + nq;
+  m_full.row_start.push_back(0);
+  const auto add_coordinates = [&] {
+    for (int k = 0; k < nq; ++k) m_full.col.push_back(ndof + k);
+  };
+  for (int d = 0; d < ndof; ++d) {
+    const int node = d / Dim;
+    for (int k = K.row_start[node]; k < K.row_start[node + 1]; ++k)
+      for (int c = 0; c < Dim; ++c) m_full.col.push_back(Dim * K.col[k] + c);
+    if (near[node]) add_coordinates();
+    m_full.row_start.push_back(static_cast<int>(m_full.col.size()));
+  }
+  for (int k = 0; k < nq; ++k) {
+    for (int d = 0; d < ndof; ++d)
+      if (near[d / Dim]) m_full.col.push_back(d);
+    add_coordinates();
+    m_full.row_start.push_back(static_cast<int>(m_full.col.size()));
+  }
+}
+
+template <int Dim>
+void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                                  const Program& program, GeometricTerms terms) {
+  const auto poses = m_model.poses(state.q);
+  m_nodes.clear();
+  m_contact_of.assign(m_body.X.size() / Dim, -1);
+  m_shift = Eigen::VectorXd::Zero(m_body.X.size());
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    if (!in_contact(state.nodes[i].state)) continue;
+    const int node = m_model.candidates[i];
+    const Vector<Dim> F = R.template segment<Dim>(Dim * node);
+    m_contact_of[node] = static_cast<int>(m_nodes.size());
+    m_nodes.push_back(linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, F, terms));
+    const auto& linear = m_nodes.back();
+    Vector<Dim> shift = linear.point.x - m_body.position(u, node);
+    for (Eigen::Index k = 0; k < linear.point.x_q.cols(); ++k) {
+      const int q = m_model.first[linear.tool] + static_cast<int>(k);
+      if (program.is_motion[q]) shift += (program.value[q] - state.q[q]) * linear.point.x_q.col(k);
+    }
+    m_shift.template segment<Dim>(Dim * node) = shift;
+  }
+}
+
+template <int Dim> typename Condensation<Dim>::Map Condensation<Dim>::map_of(int node) const {
+  if (m_contact_of[node] < 0) return {Tensor<Dim>::Identity(), Tensor<Dim>::Identity(), nullptr};
+  Map map{Tensor<Dim>::Zero(), Tensor<Dim>::Zero(), &m_nodes[m_contact_of[node]]};
+  if (map.node->sliding) {
+    map.W.col(0) = map.node->tau;
+    map.A.col(0) = map.node->point.x_s.col(0);
+  }
+  return map;
+}
+
+template <int Dim> void Condensation<Dim>::add_blocks(const NodeBlockMatrix<Dim>& K) {
+  using Block = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
+  const int ndof = K.size();
+  std::fill(m_full.value.begin(), m_full.value.end(), 0.0);
+  for (int m = 0; m < K.num_nodes; ++m) {
+    const Map row = map_of(m);
+    for (int k = K.row_start[m]; k < K.row_start[m + 1]; ++k) {
+      const Map column = map_of(K.col[k]);
+      const Eigen::Map<const Block> block(K.block(k));
+      const Tensor<Dim> WK = row.W.transpose() * block;
+      const Tensor<Dim> local = WK * column.A;
+      for (int a = 0; a < Dim; ++a) { // the block's place is known: K's pattern comes first in each row
+        const std::size_t place = m_full.row_start[Dim * m + a] + Dim * (k - K.row_start[m]);
+        for (int b = 0; b < Dim; ++b) m_full.value[place + b] += local(a, b);
+      }
+      if (column.node) {
+        const PerCoordinate<Dim> q = WK * column.node->point.x_q;
+        for (int a = 0; a < Dim; ++a)
+          for (Eigen::Index l = 0; l < q.cols(); ++l)
+            at(Dim * m + a, ndof + m_model.first[column.node->tool] + static_cast<int>(l)) += q(a, l);
+      }
+      if (!row.node) continue;
+      const Eigen::MatrixXd qK = row.node->point.x_q.transpose() * block;
+      const int first = ndof + m_model.first[row.node->tool];
+      for (Eigen::Index l = 0; l < qK.rows(); ++l) {
+        const int r = first + static_cast<int>(l);
+        const Eigen::RowVectorXd values = qK.row(l) * column.A;
+        for (int b = 0; b < Dim; ++b) at(r, Dim * K.col[k] + b) += values[b];
+        if (!column.node) continue;
+        const Eigen::RowVectorXd qq = qK.row(l) * column.node->point.x_q;
+        for (Eigen::Index j = 0; j < qq.size(); ++j)
+          at(r, ndof + m_model.first[column.node->tool] + static_cast<int>(j)) += qq[j];
+      }
+    }
+  }
+}
+
+template <int Dim> void Condensation<Dim>::add_geometric_terms() {
+  const int ndof = static_cast<int>(m_body.X.size());
+  for (const auto& node : m_nodes) {
+    const int row = Dim * m_model.candidates[node.candidate], first = ndof + m_model.first[node.tool];
+    for (Eigen::Index k = 0; k < node.geo_qq.rows(); ++k)
+      for (Eigen::Index l = 0; l < node.geo_qq.cols(); ++l)
+        at(first + static_cast<int>(k), first + static_cast<int>(l)) += node.geo_qq(k, l);
+    if (!node.sliding) continue;
+    at(row, row) += node.geo_ss;
+    for (Eigen::Index k = 0; k < node.geo_sq.size(); ++k) {
+      at(row, first + static_cast<int>(k)) += node.geo_sq[k];
+      at(first + static_cast<int>(k), row) += node.geo_qs[k];
+    }
+  }
+}
+
+template <int Dim>
+void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Program& program,
+                                            const Program& program_old, const Eigen::VectorXd& R, RightHandSide right) {
+  const bool total = right == RightHandSide::TOTAL;
+  const int ndof = K.size(), nq = m_model.num_coordinates();
+  Eigen::VectorXd force = -K.multiply(m_shift);
+  if (total) force -= R;
+  m_full.rhs = Eigen::VectorXd::Zero(m_full.n);
+  for (int k = 0; k < nq; ++k)
+    m_full.rhs[ndof + k] = program.value[k] - (total ? 0 : program_old.value[k]);
+  for (int m = 0; m < K.num_nodes; ++m) {
+    const Map row = map_of(m);
+    const Vector<Dim> f = force.template segment<Dim>(Dim * m);
+    m_full.rhs.template segment<Dim>(Dim * m) = row.W.transpose() * f;
+    if (!row.node) continue;
+    if (row.node->sliding && total) m_full.rhs[Dim * m] -= row.node->constant;
+    m_full.rhs.segment(ndof + m_model.first[row.node->tool], row.node->point.x_q.cols()) +=
+        row.node->point.x_q.transpose() * f;
+  }
+}
+
+// Given unknowns: zero row and column, `scale` on the diagonal. The columns of coordinates under motion are already on
+// the right-hand side (m_shift).
+template <int Dim>
+void Condensation<Dim>::set_given(const Program& program, const ContactState<Dim>& state, double scale) {
+  const int ndof = static_cast<int>(m_body.X.size());
+  m_given.assign(m_full.n, 0);
+  Eigen::VectorXd given = Eigen::VectorXd::Zero(m_full.n);
+  for (int d = 0; d < ndof; ++d) m_given[d] = m_body.fixed[d];
+  for (const auto& node : m_nodes)
+    for (int c = node.sliding ? 1 : 0; c < Dim; ++c) m_given[Dim * m_model.candidates[node.candidate] + c] = 1;
+  for (int k = 0; k < m_model.num_coordinates(); ++k)
+    if (program.is_motion[k]) {
+      m_given[ndof + k] = 1;
+      given[ndof + k] = program.value[k] - state.q[k];
+    }
+  for (int row = 0; row < m_full.n; ++row)
+    for (int k = m_full.row_start[row]; k < m_full.row_start[row + 1]; ++k) {
+      const int column = m_full.col[k];
+      if (m_given[row] || m_given[column]) m_full.value[k] = row == column ? scale : 0;
+    }
+  for (int row = 0; row < m_full.n; ++row)
+    if (m_given[row]) m_full.rhs[row] = scale * given[row];
+}
+
+template <int Dim> void Condensation<Dim>::keep_lower() {
+  m_half.n = m_full.n;
+  m_half.half = true;
+  m_half.row_start.assign(1, 0);
+  m_half.col.clear();
+  m_half.value.clear();
+  for (int row = 0; row < m_full.n; ++row) {
+    for (int k = m_full.row_start[row]; k < m_full.row_start[row + 1] && m_full.col[k] <= row; ++k) {
+      m_half.col.push_back(m_full.col[k]);
+      m_half.value.push_back(m_full.value[k]);
+    }
+    m_half.row_start.push_back(static_cast<int>(m_half.col.size()));
+  }
+  m_half.rhs = m_full.rhs;
+}
+
+template <int Dim>
+const CondensedSystem& Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
+                                                   const Program& program, const Program& program_old,
+                                                   const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                                                   GeometricTerms terms, RightHandSide right, bool half) {
+  require(K.size() == m_body.X.size(), "condense", "size of K", K.size(), "number of dofs of the contact's space");
+  if (half && !m_model.symmetric()) fail("condense", "symmetric storage needs a contact without friction");
+  if (half && terms == GeometricTerms::ARTICLE) fail("condense", "the article's terms are not symmetric");
+  build_pattern(K);
+  linearize(state, u, R, program, terms);
+  m_full.value.assign(m_full.col.size(), 0.0);
+  add_blocks(K);
+  add_geometric_terms();
+  set_right_hand_side(K, program, program_old, R, right);
+  double scale = 0;
+  for (int m = 0; m < K.num_nodes; ++m) scale = std::max(scale, std::abs(*K.block(K.find(m, m))));
+  set_given(program, state, scale);
+  if (!half) return m_full;
+  keep_lower();
+  return m_half;
+}
+
+template <int Dim> typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::VectorXd& z) const {
+  require(z.size() == m_full.n && m_full.n > 0, "expand", "size of the solution", z.size(),
+          "the size of the last condensed matrix");
+  if (!z.allFinite()) fail("expand", "the solution holds NaN or Inf");
+  const Eigen::Index ndof = m_body.X.size();
+  Expansion result{z.head(ndof), Eigen::VectorXd::Zero(m_model.candidates.size()), z.tail(m_model.num_coordinates())};
+  for (const auto& node : m_nodes) {
+    const int dof = Dim * m_model.candidates[node.candidate];
+    Vector<Dim> du = m_shift.template segment<Dim>(dof);
+    if (node.sliding) {
+      result.ds[node.candidate] = z[dof];
+      du += node.point.x_s.col(0) * z[dof];
+    }
+    for (Eigen::Index k = 0; k < node.point.x_q.cols(); ++k) {
+      const int q = m_model.first[node.tool] + static_cast<int>(k);
+      if (!m_given[ndof + q]) du += node.point.x_q.col(k) * z[ndof + q];
+    }
+    result.du.template segment<Dim>(dof) = du;
+  }
+  return result;
+}
+
+template class Condensation<2>;
+
+} // namespace burnish
