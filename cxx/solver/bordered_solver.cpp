@@ -39,7 +39,8 @@ struct BorderedSolver::Impl {
   Eigen::PartialPivLU<Eigen::MatrixXd> schur;
 
   explicit Impl(int max) : max_border(max) {}
-  bool is_good(const std::vector<std::pair<int, int>>& pairs) const;
+  bool covers(const std::vector<std::pair<int, int>>& pairs) const;
+  FactorStatus choose_border(const SparseView& matrix);
   void analyze(std::vector<int> new_border);
   void order_rest();
   void distribute_entries();
@@ -48,16 +49,23 @@ struct BorderedSolver::Impl {
   Eigen::VectorXd solve(const char* where, const Eigen::VectorXd& b, bool transposed) const;
 };
 
-/// The border covers every pair and is not much larger than it needs to be.
-bool BorderedSolver::Impl::is_good(const std::vector<std::pair<int, int>>& pairs) const {
-  if (!has_border) return false;
-  std::vector<char> is_violated(border.size(), 0);
-  for (auto [i, j] : pairs) {
-    if (place[i] >= 0 && place[j] >= 0) return false;
-    for (int index : {i, j})
-      if (place[index] < 0) is_violated[-1 - place[index]] = 1;
+/// The border contains one of every pair.
+bool BorderedSolver::Impl::covers(const std::vector<std::pair<int, int>>& pairs) const {
+  return std::all_of(pairs.begin(), pairs.end(),
+                     [&](const auto& pair) { return place[pair.first] < 0 || place[pair.second] < 0; });
+}
+
+/// Keeps the border if it serves and is at most twice as large as needed, else analyzes for a new one.
+FactorStatus BorderedSolver::Impl::choose_border(const SparseView& matrix) {
+  const auto pairs = asymmetric_pairs(pattern, matrix, SYMMETRY_TOLERANCE);
+  std::vector<int> cover = greedy_cover(pattern.n, pairs, max_border);
+  if (static_cast<int>(cover.size()) > max_border) {
+    has_border = false;
+    border.clear();
+    return FactorStatus::BORDER_TOO_LARGE;
   }
-  return 2 * std::count(is_violated.begin(), is_violated.end(), 1) >= static_cast<long>(border.size());
+  if (!has_border || !covers(pairs) || border.size() > 2 * cover.size()) analyze(std::move(cover));
+  return FactorStatus::OK;
 }
 
 void BorderedSolver::Impl::analyze(std::vector<int> new_border) {
@@ -195,20 +203,12 @@ FactorStatus BorderedSolver::factorize(const SparseView& matrix) {
     impl.pattern = SparsePattern(where, matrix);
   }
   check_values(where, matrix);
-  const auto pairs = asymmetric_pairs(impl.pattern, matrix, SYMMETRY_TOLERANCE);
-  if (!impl.is_good(pairs)) {
-    std::vector<int> cover = greedy_cover(impl.pattern.n, pairs, impl.max_border);
-    if (static_cast<int>(cover.size()) > impl.max_border) {
-      impl.has_border = false;
-      impl.border.clear();
-      return FactorStatus::BORDER_TOO_LARGE;
-    }
-    impl.analyze(std::move(cover));
-  }
+  FactorStatus status = impl.choose_border(matrix);
+  if (status != FactorStatus::OK) return status;
   impl.value.assign(matrix.value, matrix.value + impl.pattern.col.size());
   for (std::size_t k = 0; k < impl.rest_slot.size(); ++k)
     impl.factor.values()[k] = impl.value[impl.rest_slot[k]];
-  FactorStatus status = impl.factor.factorize();
+  status = impl.factor.factorize();
   if (status == FactorStatus::OK && !impl.border.empty()) status = impl.factorize_schur();
   impl.has_factor = status == FactorStatus::OK;
   return status;

@@ -10,8 +10,8 @@ namespace burnish {
 
 /// A = [B E; F D] with D the border: few indices whose removal leaves B symmetric. B = LL' by CHOLMOD, then
 /// the dense S = D - F B^-1 E by LU with row pivoting. The analysis is kept while the pattern is the same and
-/// the border covers every violation of symmetry (it is chosen anew when fewer than half of its rows are
-/// violated). Not for simultaneous use by several threads.
+/// the border covers every violation of symmetry (a new one is chosen when less than half of it would do).
+/// Not for simultaneous use by several threads.
 class BorderedSolver {
 public:
   /// @param max_border  largest border treated densely, >= 0

@@ -1,0 +1,57 @@
+#include "kinematics/driven_tool.hpp"
+#include "base/error.hpp"
+#include <cmath>
+
+namespace burnish {
+
+template <int Dim>
+DrivenTool<Dim>::DrivenTool(std::string name, std::shared_ptr<const Profile<Dim>> profile)
+    : m_name(std::move(name)), m_profile(std::move(profile)) {
+  if (m_name.empty()) fail("tool", "the name is empty");
+  if (!m_profile) fail("tool", "no profile");
+}
+
+template <int Dim> void DrivenTool<Dim>::set_coordinates(std::shared_ptr<const Coordinates<Dim>> coordinates) {
+  m_tool = std::make_shared<Tool<Dim>>(m_name, m_profile, coordinates);
+  m_drive.emplace(m_name, coordinates->names());
+  m_q = m_force = Eigen::VectorXd::Zero(coordinates->size());
+}
+
+template <int Dim> const Tool<Dim>& DrivenTool<Dim>::tool() const {
+  if (!m_tool) fail("tool", "\"" + m_name + "\" has no coordinates yet: call coordinates(...) first");
+  return *m_tool;
+}
+
+template <int Dim> Drive& DrivenTool<Dim>::drive() {
+  tool();
+  return *m_drive;
+}
+
+template <int Dim> Eigen::VectorXd& DrivenTool<Dim>::q() {
+  tool();
+  return m_q;
+}
+
+template <int Dim> Eigen::VectorXd& DrivenTool<Dim>::force() {
+  tool();
+  return m_force;
+}
+
+template <int Dim> int DrivenTool<Dim>::index(const std::string& coordinate) const {
+  const auto& names = tool().coordinates().names();
+  std::string list;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (names[k] == coordinate) return static_cast<int>(k);
+    list += (k ? ", " : "") + names[k];
+  }
+  fail("tool", "\"" + m_name + "\" has no coordinate \"" + coordinate + "\", its coordinates are " + list);
+}
+
+template <int Dim> void DrivenTool<Dim>::place(const std::string& coordinate, double value) {
+  require(std::isfinite(value), "tool.place", coordinate.c_str(), value, "a finite number");
+  m_q[index(coordinate)] = value;
+}
+
+template class DrivenTool<2>;
+
+} // namespace burnish

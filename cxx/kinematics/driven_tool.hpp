@@ -1,0 +1,38 @@
+#pragma once
+// A tool together with what the program prescribes for it and where it is: the object a script holds.
+#include "kinematics/drive.hpp"
+#include "kinematics/tool.hpp"
+#include <optional>
+
+namespace burnish {
+
+/// Built in two stages: a profile first, coordinates later. q is the accepted position; sessions keep it up to date.
+template <int Dim> class DrivenTool {
+public:
+  /// @throws std::invalid_argument for an empty name or a null profile
+  DrivenTool(std::string name, std::shared_ptr<const Profile<Dim>> profile);
+  /// Chooses the generalized coordinates; forgets earlier motions and forces. q starts at zero.
+  void set_coordinates(std::shared_ptr<const Coordinates<Dim>> coordinates);
+  /// @throws std::invalid_argument if no coordinates were chosen yet
+  const Tool<Dim>& tool() const;
+  std::shared_ptr<const Tool<Dim>> shared_tool() const { return m_tool; }
+  Drive& drive();
+  const std::string& name() const { return m_name; }
+  /// Present coordinates, one per name; may be set before the first step.
+  Eigen::VectorXd& q();
+  /// Generalized forces that the tool receives from its drive at the accepted state [force, force length].
+  Eigen::VectorXd& force();
+  /// Sets one coordinate by name. @throws std::invalid_argument for an unknown name or a value that is not finite
+  void place(const std::string& coordinate, double value);
+  /// Index of a coordinate. @throws std::invalid_argument for an unknown name (lists the names)
+  int index(const std::string& coordinate) const;
+
+private:
+  std::string m_name;
+  std::shared_ptr<const Profile<Dim>> m_profile;
+  std::shared_ptr<const Tool<Dim>> m_tool;
+  std::optional<Drive> m_drive;
+  Eigen::VectorXd m_q, m_force;
+};
+
+} // namespace burnish

@@ -1,0 +1,301 @@
+#include "stepping/session.hpp"
+#include "base/error.hpp"
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace burnish {
+
+template <int Dim>
+Session<Dim>::Session(Discretization<Dim> discretization, std::vector<SurfaceEdge> surface, std::vector<char> fixed,
+                      StepOptions options)
+    : m_discretization(std::make_shared<const Discretization<Dim>>(std::move(discretization))),
+      m_surface(std::move(surface)), m_fixed(std::move(fixed)), m_options(options) {
+  require(static_cast<int>(m_fixed.size()) == m_discretization->num_dofs(), "contact", "number of fixed flags",
+          m_fixed.size(), "one per degree of freedom");
+  std::set<int> nodes;
+  for (const SurfaceEdge& edge : m_surface)
+    for (const int node : {edge.a, edge.b, edge.middle}) {
+      if (node < 0) continue;
+      bool held = true;
+      for (int c = 0; c < Dim; ++c) held = held && m_fixed[Dim * node + c];
+      if (!held) nodes.insert(node);
+    }
+  m_candidates.assign(nodes.begin(), nodes.end());
+  require(!m_candidates.empty(), "contact", "number of candidate nodes", 0, "at least one node that may move");
+  m_u = m_R = Eigen::VectorXd::Zero(m_discretization->num_dofs());
+}
+
+template <int Dim>
+void Session<Dim>::add_tool(std::shared_ptr<DrivenTool<Dim>> tool, std::shared_ptr<const FrictionLaw> friction) {
+  if (m_corrector) fail("contact.add", "tools must be added before the first step");
+  tool->tool();
+  for (const auto& other : m_tools)
+    if (other->name() == tool->name()) fail("contact.add", "tool \"" + tool->name() + "\" is already there");
+  m_tools.push_back(std::move(tool));
+  m_model.friction.push_back(std::move(friction));
+}
+
+template <int Dim> void Session<Dim>::start() {
+  if (m_corrector) return;
+  m_model.candidates = m_candidates;
+  m_model.first.assign(1, 0);
+  for (const auto& tool : m_tools) {
+    m_model.tools.push_back(tool->shared_tool());
+    m_model.first.push_back(m_model.first.back() + static_cast<int>(tool->q().size()));
+  }
+  const auto& X = m_discretization->X;
+  m_corrector = std::make_unique<Corrector<Dim>>(
+      m_model, Eigen::Map<const Eigen::VectorXd>(X.data(), static_cast<Eigen::Index>(X.size())), m_fixed, m_options);
+  m_locator = std::make_unique<MeshLocator<Dim>>(*m_discretization);
+  m_condensation = std::make_unique<Condensation<Dim>>(m_corrector->model(), m_corrector->body());
+  m_accepted = m_corrector->state();
+  for (std::size_t t = 0; t < m_tools.size(); ++t)
+    m_accepted.q.segment(m_model.first[t], m_tools[t]->q().size()) = m_tools[t]->q();
+}
+
+template <int Dim>
+double Session<Dim>::approach(int tool, const std::string& coordinate, const Eigen::VectorXd& u) {
+  require(tool >= 0 && tool < static_cast<int>(m_tools.size()), "contact.approach", "tool", tool, "a tool that was added");
+  require(u.size() == m_u.size(), "contact.approach", "size of u", u.size(), "number of dofs");
+  start();
+  const int k = m_model.first[tool] + m_tools[tool]->index(coordinate);
+  m_accepted.q.segment(m_model.first[tool], m_tools[tool]->q().size()) = m_tools[tool]->q();
+  const auto& body = m_corrector->body();
+  const double h = body.spacing;
+  std::vector<std::size_t> touching;
+  for (int iteration = 0; iteration < 100; ++iteration) { // Newton on the smallest gap as a function of q^k
+    const auto pose = m_model.tools[tool]->coordinates().pose(m_model.tool_q(m_accepted.q, tool));
+    double least = 0, slope = 0;
+    touching.clear();
+    for (std::size_t i = 0; i < m_candidates.size(); ++i) {
+      const auto foot = m_model.tools[tool]->closest_point(pose, body.position(u, m_candidates[i]), m_accepted.nodes[i].s);
+      if (i > 0 && foot.gap >= least + 1e-9 * h) continue;
+      const auto p = m_model.tools[tool]->surface(pose, foot.s);
+      if (i == 0 || foot.gap < least - 1e-9 * h) touching.clear();
+      least = i == 0 ? foot.gap : std::min(least, foot.gap);
+      slope = -p.n.dot(p.x_q.col(k - m_model.first[tool]));
+      touching.push_back(i);
+      m_accepted.nodes[i].s = foot.s;
+    }
+    if (std::abs(least) < 1e-9 * h) {
+      for (const std::size_t i : touching) {
+        auto& node = m_accepted.nodes[i];
+        node.tool = tool;
+        node.s_ref = node.s;
+        node.state = m_model.friction[tool]->frictionless() ? NodeState::SLIDING : NodeState::STICKING;
+      }
+      m_tools[tool]->q()[k - m_model.first[tool]] = m_accepted.q[k];
+      m_u = u;
+      return m_accepted.q[k];
+    }
+    if (std::abs(slope) < 1e-9) break;
+    m_accepted.q[k] -= least / slope;
+  }
+  fail("contact.approach", "coordinate \"" + coordinate + "\" of tool \"" + m_tools[tool]->name() +
+                               "\" alone does not bring it to the body; place the tool opposite the contact surface first");
+}
+
+template <int Dim> Program Session<Dim>::read_program() {
+  Program program;
+  program.value.resize(m_model.num_coordinates());
+  for (std::size_t t = 0; t < m_tools.size(); ++t) {
+    const Drive& drive = m_tools[t]->drive();
+    drive.check_complete();
+    for (int k = 0; k < drive.size(); ++k) {
+      program.is_motion.push_back(drive.is_motion(k));
+      program.value[m_model.first[t] + k] = drive.value(k);
+    }
+  }
+  return program;
+}
+
+template <int Dim> void Session<Dim>::check_not_inside(const Eigen::VectorXd& u) const {
+  const auto poses = m_model.poses(m_accepted.q);
+  const auto& body = m_corrector->body();
+  for (std::size_t i = 0; i < m_candidates.size(); ++i) {
+    const auto nearest = nearest_tool(m_model, poses, body.position(u, m_candidates[i]), m_accepted.nodes[i]);
+    if (nearest.foot.gap >= -1e-3 * body.spacing) continue;
+    std::ostringstream text;
+    text << "tool \"" << m_tools[nearest.tool]->name() << "\" starts inside the workpiece: node " << m_candidates[i]
+         << " at " << body.position(u, m_candidates[i]).transpose() << " penetrates by " << -nearest.foot.gap
+         << "; place the tool outside and call approach";
+    fail("contact.begin", text.str());
+  }
+}
+
+// A coordinate under zero force that moves no contact point along the normal of a frictionless tool is held.
+template <int Dim> void Session<Dim>::drop_unresisted(Program& program) {
+  const auto poses = m_model.poses(m_accepted.q);
+  for (std::size_t t = 0; t < m_tools.size(); ++t) {
+    if (!m_model.friction[t]->frictionless()) continue;
+    Eigen::VectorXd along, size;
+    for (const auto& node : m_accepted.nodes) {
+      if (node.tool != static_cast<int>(t) && node.tool >= 0) continue;
+      const auto p = m_model.tools[t]->surface(poses[t], node.s);
+      const Eigen::VectorXd a = (p.x_q.transpose() * p.n).cwiseAbs(), b = p.x_q.colwise().norm();
+      along = along.size() ? Eigen::VectorXd(along.cwiseMax(a)) : a;
+      size = size.size() ? Eigen::VectorXd(size.cwiseMax(b)) : b;
+    }
+    for (Eigen::Index k = 0; k < along.size(); ++k) {
+      const int q = m_model.first[t] + static_cast<int>(k);
+      if (program.is_motion[q] || along[k] > 1e-9 * size[k]) continue;
+      const std::string what = "coordinate \"" + m_tools[t]->drive().names()[k] + "\" of tool \"" + m_tools[t]->name() + "\"";
+      if (program.value[q] != 0)
+        fail("contact.begin", what + " has a force but without friction nothing resists it; give it a motion or friction");
+      program.is_motion[q] = 1;
+      program.value[q] = m_accepted.q[q];
+      if (std::find(m_left_out.begin(), m_left_out.end(), what) == m_left_out.end()) m_left_out.push_back(what);
+    }
+  }
+}
+
+template <int Dim> void Session<Dim>::check_support(const Program& program) const {
+  for (std::size_t t = 0; t < m_tools.size(); ++t) {
+    bool touches = false;
+    for (const auto& node : m_accepted.nodes) touches = touches || (in_contact(node.state) && node.tool == static_cast<int>(t));
+    if (touches) continue;
+    for (int k = 0; k < m_tools[t]->q().size(); ++k)
+      if (!program.is_motion[m_model.first[t] + k])
+        fail("contact.begin", "coordinate \"" + m_tools[t]->drive().names()[k] + "\" of tool \"" + m_tools[t]->name() +
+                                  "\" is under force but the tool touches nothing, so it has no support; bring the tool "
+                                  "into contact by motion or with approach first, or give the coordinate a motion");
+  }
+}
+
+template <int Dim> void Session<Dim>::begin(Eigen::VectorXd& u, double t, double dt, Stepping stepping) {
+  require(std::isfinite(dt) && dt > 0, "contact.begin", "dt", dt, "> 0");
+  require(u.size() == m_u.size(), "contact.begin", "size of u", u.size(), "number of dofs");
+  if (!u.allFinite()) fail("contact.begin", "the displacement holds NaN or Inf");
+  const bool first = !m_corrector || m_history.dt == 0;
+  start();
+  m_program = read_program();
+  drop_unresisted(m_program);
+  check_support(m_program);
+  if (first) check_not_inside(u);
+  m_t = t;
+  m_dt = dt;
+  m_stepping = stepping;
+  m_u = u;
+  if (m_program_old.value.size() != m_program.value.size()) {
+    m_program_old = m_program;
+    for (Eigen::Index k = 0; k < m_program.value.size(); ++k)
+      m_program_old.value[k] = m_program.is_motion[k] ? m_accepted.q[k] : 0;
+  }
+  auto prediction = predict(m_model, m_corrector->body(), *m_locator, *m_discretization, m_program, m_accepted, u,
+                            m_history, dt, stepping == Stepping::IMPLICIT);
+  u = prediction.u;
+  const bool keep = stepping == Stepping::EVENT && m_steps_since_factor < 2;
+  m_corrector->begin(m_program, prediction.state, std::move(prediction.entry), stepping == Stepping::IMPLICIT, keep);
+}
+
+template <int Dim> FactorStatus Session<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
+  m_steps_since_factor = 0;
+  return m_corrector->factorize(K, u);
+}
+
+template <int Dim>
+std::vector<ContactEvent<Dim>> Session<Dim>::events(const Eigen::VectorXd& u, const Eigen::VectorXd& R) const {
+  const auto& options = m_corrector->options();
+  const double h = m_corrector->body().spacing;
+  const EventTolerance tolerance{options.tolerance * std::max(m_corrector->load_scale(), 1e-300),
+                                 options.gap_tolerance * h, 1e-3};
+  return earliest_events(model(), m_corrector->body(), StepEnds<Dim>{&m_accepted, &m_corrector->state(), &m_u, &u, &m_R, &R, m_t, m_dt},
+                         tolerance);
+}
+
+template <int Dim> void Session<Dim>::switch_states(const std::vector<ContactEvent<Dim>>& events) {
+  apply_events(model(), m_corrector->body(), events, m_u, m_R, m_accepted);
+  m_log.insert(m_log.end(), events.begin(), events.end());
+}
+
+template <int Dim>
+void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                          const std::vector<ContactEvent<Dim>>& events) {
+  require(u.size() == m_u.size() && R.size() == m_u.size(), "contact.accept", "size of the arrays", u.size(), "number of dofs");
+  auto& state = m_corrector->state();
+  if (m_stepping == Stepping::IMPLICIT) {
+    const auto changes = state_changes(model(), m_corrector->body(), StepEnds<Dim>{&m_accepted, &state, &m_u, &u, &m_R, &R, m_t, m_dt});
+    m_log.insert(m_log.end(), changes.begin(), changes.end());
+  }
+  const auto poses = model().poses(state.q);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    auto& node = state.nodes[i];
+    node.slip_rate = 0;
+    if (node.state != NodeState::SLIDING) continue;
+    const double length = model().tools[node.tool]->surface(poses[node.tool], node.s).x_s.col(0).norm();
+    node.slip_rate = (node.s - node.s_ref)[0] * length / m_dt;
+  }
+  m_history = {u - m_u, state.q - m_accepted.q, m_accepted.q, m_dt};
+  m_u = u;
+  m_R = R;
+  if (m_stepping == Stepping::EVENT) {
+    apply_events(model(), m_corrector->body(), events, u, R, state);
+    settle_released(model(), m_corrector->body(), u, m_corrector->options().gap_tolerance * m_corrector->body().spacing, state);
+    m_log.insert(m_log.end(), events.begin(), events.end());
+  }
+  m_accepted = state;
+  m_program_old = m_program;
+  ++m_steps_since_factor;
+  for (std::size_t t = 0; t < m_tools.size(); ++t) {
+    m_tools[t]->q() = m_model.tool_q(m_accepted.q, static_cast<int>(t));
+    m_tools[t]->force() = m_model.tool_q(m_corrector->last_balance().tool_force, static_cast<int>(t));
+  }
+}
+
+template <int Dim> void Session<Dim>::revert() {
+  if (!m_corrector) return;
+  m_corrector->state() = m_accepted;
+  m_corrector->drop_factor();
+}
+
+template <int Dim>
+const CondensedSystem& Session<Dim>::condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u,
+                                              const Eigen::VectorXd& R, GeometricTerms terms, RightHandSide right,
+                                              bool half) {
+  if (!m_corrector) fail("contact.condense", "call begin first");
+  require(u.size() == m_u.size() && R.size() == m_u.size(), "contact.condense", "size of the arrays", R.size(), "number of dofs");
+  if (!R.allFinite()) fail("contact.condense", "the force array holds NaN or Inf");
+  return m_condensation->condense(K, m_corrector->state(), m_program, m_program_old, u, R, terms, right, half);
+}
+
+template <int Dim> double Session<Dim>::expand(const Eigen::VectorXd& z, Eigen::VectorXd& u) {
+  if (!m_corrector) fail("contact.expand", "call begin and condense first");
+  require(u.size() == m_u.size(), "contact.expand", "size of u", u.size(), "number of dofs");
+  const auto increment = m_condensation->expand(z);
+  auto& state = m_corrector->state();
+  u += increment.du;
+  state.q += increment.dq;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i].s[0] += increment.ds[static_cast<Eigen::Index>(i)];
+  return increment.du.cwiseAbs().maxCoeff();
+}
+
+template <int Dim> double Session<Dim>::contact_width() const {
+  double width = 0;
+  for (std::size_t t = 0; m_corrector && t < m_tools.size(); ++t)
+    width = std::max(width, m_corrector->contact_width(m_u, static_cast<int>(t)));
+  return width;
+}
+
+// Tangential motion of the contact's middle with the tool's carrier in the last step.
+template <int Dim> double Session<Dim>::contact_speed() const {
+  double speed = 0;
+  if (m_history.dt == 0) return 0;
+  const auto poses = m_model.poses(m_accepted.q);
+  for (std::size_t t = 0; t < m_tools.size(); ++t) {
+    const auto carrier = m_model.tools[t]->coordinates().carrier(m_model.tool_q(m_history.q_old, static_cast<int>(t)),
+                                                                  m_model.tool_q(m_accepted.q, static_cast<int>(t)));
+    for (std::size_t i = 0; i < m_accepted.nodes.size(); ++i) {
+      const auto& node = m_accepted.nodes[i];
+      if (!in_contact(node.state) || node.tool != static_cast<int>(t)) continue;
+      const auto p = m_model.tools[t]->surface(poses[t], node.s);
+      const Vector<Dim> moved = p.x - carrier.inverse()(p.x);
+      speed = std::max(speed, std::abs(moved.dot(p.x_s.col(0).normalized())) / m_history.dt);
+    }
+  }
+  return speed;
+}
+
+template class Session<2>;
+
+} // namespace burnish

@@ -1,0 +1,106 @@
+#pragma once
+// Everything a step loop needs, behind a few verbs: start, begin, check, factorize, correct, events, accept, revert.
+// One object per contact set; the loop itself stays a script.
+#include "contact/condensation.hpp"
+#include "contact/events.hpp"
+#include "kinematics/driven_tool.hpp"
+#include "stepping/corrector.hpp"
+#include "stepping/predictor.hpp"
+
+namespace burnish {
+
+enum class Stepping {
+  IMPLICIT, ///< contact states inside the iteration, last step carried along as predictor
+  EVENT,    ///< contact states fixed: the loop cuts the step at events
+};
+
+/// One boundary edge of the contact surface: its nodes (2, or 3 with the middle one last).
+struct SurfaceEdge {
+  int a = 0, b = 0, middle = -1;
+};
+
+template <int Dim> class Session {
+public:
+  /// @param surface edges of the contact surface; its nodes without given displacement are the candidates
+  /// @param fixed per dof: displacement is given
+  /// @throws std::invalid_argument for an empty contact set or wrong sizes
+  Session(Discretization<Dim> discretization, std::vector<SurfaceEdge> surface, std::vector<char> fixed,
+          StepOptions options = {});
+
+  /// @throws std::invalid_argument after the first step began
+  void add_tool(std::shared_ptr<DrivenTool<Dim>> tool, std::shared_ptr<const FrictionLaw> friction);
+  /// Moves one coordinate until the tool just touches the body and puts the touching nodes in contact.
+  /// @returns the coordinate's value. @throws std::invalid_argument if it cannot touch by this coordinate alone
+  double approach(int tool, const std::string& coordinate, const Eigen::VectorXd& u);
+
+  // --- one step
+  /// @param u in: accepted displacement; out: predicted one. Drives hold the values at the end of the step.
+  /// @throws std::invalid_argument for dt <= 0, an undriven coordinate, force control without contact, a tool that
+  /// starts inside the body, wrong sizes, NaN
+  void begin(Eigen::VectorXd& u, double t, double dt, Stepping stepping);
+  StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R) { return m_corrector->check(u, R); }
+  FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
+  StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) { return m_corrector->correct(u, R); }
+  /// Earliest contact events between the accepted state and (u, R); see earliest_events.
+  std::vector<ContactEvent<Dim>> events(const Eigen::VectorXd& u, const Eigen::VectorXd& R) const;
+  /// Changes states at the accepted state without moving (events at fraction zero).
+  void switch_states(const std::vector<ContactEvent<Dim>>& events);
+  /// The end of the step becomes the accepted state. @param events those located at the end (event stepping)
+  void accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R, const std::vector<ContactEvent<Dim>>& events);
+  void revert();
+
+  // --- the same step by a sparse solver of the caller's choice
+  const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                                  GeometricTerms terms, RightHandSide right, bool half);
+  /// Adds the solution to u and to the states. @returns the largest displacement increment [length]
+  double expand(const Eigen::VectorXd& z, Eigen::VectorXd& u);
+
+  // --- what is known
+  Corrector<Dim>& corrector() { return *m_corrector; }
+  const Corrector<Dim>& corrector() const { return *m_corrector; }
+  const ContactModel<Dim>& model() const { return m_corrector->model(); }
+  const ContactState<Dim>& accepted() const { return m_accepted; }
+  bool started() const { return m_corrector != nullptr; }
+  const Discretization<Dim>& discretization() const { return *m_discretization; }
+  const std::vector<std::shared_ptr<DrivenTool<Dim>>>& tools() const { return m_tools; }
+  const std::vector<int>& candidates() const { return m_candidates; }
+  const std::vector<SurfaceEdge>& surface() const { return m_surface; }
+  const Eigen::VectorXd& accepted_displacement() const { return m_u; }
+  const Eigen::VectorXd& accepted_force() const { return m_R; }
+  const std::vector<ContactEvent<Dim>>& log() const { return m_log; }
+  const std::vector<std::string>& left_out() const { return m_left_out; } ///< coordinates that nothing resists
+  /// Contact width and speed of the contact along the body in the last step, for the step control; 0 if unknown.
+  double contact_width() const;
+  double contact_speed() const;
+  /// Starts the correctors; called by the first begin() or approach().
+  void start();
+
+private:
+  Program read_program();
+  void check_support(const Program& program) const;
+  void drop_unresisted(Program& program);
+  void check_not_inside(const Eigen::VectorXd& u) const;
+
+  std::shared_ptr<const Discretization<Dim>> m_discretization;
+  std::vector<SurfaceEdge> m_surface;
+  std::vector<char> m_fixed;
+  std::vector<int> m_candidates;
+  StepOptions m_options;
+  std::vector<std::shared_ptr<DrivenTool<Dim>>> m_tools;
+  ContactModel<Dim> m_model;
+  std::unique_ptr<Corrector<Dim>> m_corrector;
+  std::unique_ptr<MeshLocator<Dim>> m_locator;
+  std::unique_ptr<Condensation<Dim>> m_condensation;
+
+  ContactState<Dim> m_accepted;
+  Eigen::VectorXd m_u, m_R;
+  Program m_program, m_program_old;
+  StepHistory<Dim> m_history;
+  Stepping m_stepping = Stepping::IMPLICIT;
+  double m_t = 0, m_dt = 0;
+  int m_steps_since_factor = 0;
+  std::vector<ContactEvent<Dim>> m_log;
+  std::vector<std::string> m_left_out;
+};
+
+} // namespace burnish
