@@ -11,7 +11,7 @@ namespace burnish {
 template <int Dim> struct NodeBlockMatrix {
   int num_nodes = 0;
   std::vector<int> row_start; ///< num_nodes + 1
-  std::vector<int> col;       ///< neighbour nodes, ascending in each row
+  std::vector<int> col;       ///< neighbor nodes, ascending in each row
   std::vector<double> value;  ///< Dim*Dim per block, row-major within a block
 
   int size() const { return Dim * num_nodes; }

@@ -84,7 +84,7 @@ void SchurFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::v
   if (m_impl->is_analyzed(pattern) && fixed == m_impl->fixed && candidates == m_impl->candidates) return;
   Impl fresh; // an exception leaves the analysis as it was
   fresh.triangle = permute_candidates_last(pattern, fixed, candidates);
-  fresh.factor.analyze(fresh.triangle.col_start, fresh.triangle.row);
+  fresh.factor.analyze(std::move(fresh.triangle.col_start), std::move(fresh.triangle.row));
   fresh.row_start = pattern.row_start;
   fresh.col = pattern.col;
   fresh.fixed = fixed;

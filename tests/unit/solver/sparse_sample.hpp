@@ -34,6 +34,15 @@ inline Sparse sparse(const Eigen::MatrixXd& full) {
   return sparse(full, [](int, int) { return true; });
 }
 
+/// The values of a dense matrix at the places where another one is not zero.
+inline Sparse stored_like(const Eigen::MatrixXd& full, const Eigen::MatrixXd& pattern) {
+  Sparse result = sparse(pattern);
+  for (int i = 0; i < result.n(); ++i)
+    for (int k = result.row_start[i]; k < result.row_start[i + 1]; ++k)
+      result.value[k] = full(i, result.col[k]);
+  return result;
+}
+
 /// Elastic ring sector, exactly symmetric.
 inline Eigen::MatrixXd symmetric_matrix(int num_radial = 3, int num_along = 6) {
   const Eigen::MatrixXd full = dense(stiffness(with_mid_nodes(ring_sector(num_radial, num_along)), 0.1));

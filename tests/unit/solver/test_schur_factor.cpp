@@ -77,7 +77,7 @@ TEST(SchurFactor, SpaceEqualsDense) {
 }
 
 TEST(SchurFactor, CandidatesInAnyOrderAndPlace) {
-  // candidates far apart, in the interior, with and without common neighbours
+  // candidates far apart, in the interior, with and without common neighbors
   const Plane plane;
   SchurFactor<2> factor;
   std::vector<int> all(plane.K.num_nodes);
@@ -173,6 +173,20 @@ TEST(SchurFactor, AnalysisIsReusedUntilSomethingChanges) {
   EXPECT_EQ(factor.analyses(), 5);
   EXPECT_EQ(factor.factorizations(), 6);
   EXPECT_EQ(factor.solves(), 6);
+}
+
+TEST(SchurFactor, PatternsOfEqualRowLengthsAreToldApart) {
+  NodeBlockMatrix<2> first{4, {0, 2, 4, 6, 8}, {0, 1, 0, 1, 2, 3, 2, 3}, std::vector<double>(32, 0.)};
+  NodeBlockMatrix<2> second{4, {0, 2, 4, 6, 8}, {0, 2, 1, 3, 0, 2, 1, 3}, std::vector<double>(32, 0.)};
+  for (NodeBlockMatrix<2>* matrix : {&first, &second})
+    for (int k = 0; k < 8; ++k)
+      for (int i = 0; i < 2; ++i) matrix->block(k)[3 * i] = k == matrix->find(k / 2, k / 2) ? 3. : 1.;
+  SchurFactor<2> factor;
+  const std::vector<char> fixed(8, 0);
+  expect_equals_dense(factor, first, fixed, {3});
+  EXPECT_THROW(factor.factorize(second), std::invalid_argument);
+  expect_equals_dense(factor, second, fixed, {3});
+  EXPECT_EQ(factor.analyses(), 2);
 }
 
 TEST(SchurFactor, IndefiniteMatrixIsAStatusAndDoesNotStick) {

@@ -46,6 +46,17 @@ TEST(UnsymmetricSolver, EitherTriangleOfASymmetricMatrix) {
   EXPECT_EQ(solver.analyses(), 2);
 }
 
+TEST(UnsymmetricSolver, TriangularMatrixIsNotTakenForHalfOfASymmetricOne) {
+  Eigen::MatrixXd full = sample::symmetric_matrix(2, 3);
+  sample::Sparse matrix = sample::sparse(
+      full, [](int i, int j) { return i >= j; }, true);
+  UnsymmetricSolver solver;
+  expect_solves(solver, full, matrix);
+  matrix.symmetric = false; // the same arrays
+  full.triangularView<Eigen::StrictlyUpper>().setZero();
+  expect_solves(solver, full, matrix);
+}
+
 TEST(UnsymmetricSolver, AnalysisIsKeptWhileThePatternIsTheSame) {
   Eigen::MatrixXd full = random_matrix(50);
   UnsymmetricSolver solver;
