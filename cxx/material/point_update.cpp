@@ -4,16 +4,11 @@
 namespace burnish {
 namespace {
 
-// SINGLE is one substep of the straight path.
-template <int Dim>
-StrainPath<Dim> path_of(const J2Parameters& material, const PointScheme& scheme, const PointOld<Dim>& old,
-                        const StepKinematics<Dim>& kin, const Stress<Dim>& De,
-                        PathDerivative<Dim>* derivative) {
-  const bool straight = scheme.update == StressUpdate::SINGLE;
-  const PathHistory<Dim> history{old.strain_increment, straight ? 0 : scheme.ratio, scheme.path_limit};
-  return strain_path<Dim>(material, kin, De, history, derivative);
+template <int Dim> PathHistory<Dim> history_of(const PointScheme& scheme, const PointOld<Dim>& old) {
+  return {old.strain_increment, scheme.ratio, scheme.path_limit};
 }
 
+// SINGLE is one substep, in which the bend of the path has no share.
 int substeps_of(const PointScheme& scheme) {
   return scheme.update == StressUpdate::SINGLE ? 1 : scheme.substeps;
 }
@@ -31,7 +26,7 @@ PointNew<Dim> updated_point(const J2Parameters& material, const PointScheme& sch
   } else if (substeps == 0) {
     s += trial.De;
   } else {
-    const StrainPath<Dim> path = path_of<Dim>(material, scheme, old, kin, trial.De, nullptr);
+    const StrainPath<Dim> path = strain_path<Dim>(material, kin, trial.De, history_of(scheme, old), nullptr);
     result.plastic = substepped_return<Dim>(material, path, substeps, s, result.plastic_strain_eq) > 0;
   }
   s.template head<3>().array() += trial.mean;
@@ -53,7 +48,8 @@ StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const Poi
     derivative.s += deviatoric_moduli(material);
   } else {
     PathDerivative<Dim> path_derivative;
-    const StrainPath<Dim> path = path_of<Dim>(material, scheme, old, kin, trial.De, &path_derivative);
+    const StrainPath<Dim> path =
+        strain_path<Dim>(material, kin, trial.De, history_of(scheme, old), &path_derivative);
     substepped_return<Dim>(material, path, path_derivative, substeps, s, plastic_strain_eq, derivative);
   }
   derivative.s.template topLeftCorner<3, Dim>().array() += material.K;

@@ -2,7 +2,6 @@
 #include "base/error.hpp"
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace burnish {
 
@@ -13,15 +12,11 @@ Session<Dim>::Session(Discretization<Dim> discretization, std::vector<SurfaceEdg
       m_surface(std::move(surface)), m_fixed(std::move(fixed)), m_options(options) {
   require(static_cast<int>(m_fixed.size()) == m_discretization->num_dofs(), "contact", "number of fixed flags",
           m_fixed.size(), "one per degree of freedom");
-  std::set<int> nodes;
-  for (const SurfaceEdge& edge : m_surface)
-    for (const int node : {edge.a, edge.b, edge.middle}) {
-      if (node < 0) continue;
-      bool held = true;
-      for (int c = 0; c < Dim; ++c) held = held && m_fixed[Dim * node + c];
-      if (!held) nodes.insert(node);
-    }
-  m_candidates.assign(nodes.begin(), nodes.end());
+  for (const int node : nodes_along(m_surface)) {
+    bool held = true;
+    for (int c = 0; c < Dim; ++c) held = held && m_fixed[Dim * node + c];
+    if (!held) m_candidates.push_back(node);
+  }
   require(!m_candidates.empty(), "contact", "number of candidate nodes", 0, "at least one node that may move");
   m_u = m_R = Eigen::VectorXd::Zero(m_discretization->num_dofs());
 }

@@ -3,6 +3,7 @@
 // One object per contact set; the loop itself stays a script.
 #include "contact/condensation.hpp"
 #include "contact/events.hpp"
+#include "contact/surface.hpp"
 #include "kinematics/driven_tool.hpp"
 #include "stepping/corrector.hpp"
 #include "stepping/predictor.hpp"
@@ -12,11 +13,6 @@ namespace burnish {
 enum class Stepping {
   IMPLICIT, ///< contact states inside the iteration, last step carried along as predictor
   EVENT,    ///< contact states fixed: the loop cuts the step at events
-};
-
-/// One boundary edge of the contact surface: its nodes (2, or 3 with the middle one last).
-struct SurfaceEdge {
-  int a = 0, b = 0, middle = -1;
 };
 
 template <int Dim> class Session {

@@ -1,0 +1,178 @@
+"""The contact surface: which nodes touch, marks of the contact arc, traction, profile, chart of events."""
+import numpy as np
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
+
+from plotting.figure import (BLUE, GRAY, GREEN, MICRON, MM, MPA, ORANGE, PURPLE, RED, SKY, key_below, new_figure,
+                             say_empty)
+from plotting.maps import WHITE_EDGE
+
+IN_CONTACT = ("touched", "sliding", "sticking")
+
+# event: color, marker, size
+EVENT_MARKS = {"touch": (BLUE, "o", 1.0), "release": (ORANGE, "s", 1.0), "slip-to-stick": (GREEN, "^", 1.2),
+               "stick-to-slip": (RED, "v", 1.2), "next-piece": (PURPLE, "D", 1.0), "yield": (GRAY, ".", 0.5),
+               "unloading": (SKY, ".", 0.5)}
+
+
+def polar_degrees(x, y):
+    return np.degrees(np.arctan2(y, x))
+
+
+def touching(surface):
+    return np.isin(surface["state"], IN_CONTACT)
+
+
+def runs(mask):
+    """Slices of consecutive true entries."""
+    ends = np.flatnonzero(np.diff(np.r_[0, mask.astype(int), 0]))
+    return [slice(a, b) for a, b in zip(ends[::2], ends[1::2])]
+
+
+def middle_of_contact(surface):
+    """Place midway between the outermost contact nodes [m], None without contact."""
+    nodes = np.flatnonzero(touching(surface))
+    if not len(nodes):
+        return None
+    return np.array([surface[c][nodes[[0, -1]]].mean() for c in "xy"])
+
+
+def mark_contact(axes, surface, letters="EF"):
+    """Bold line along the contact arc with a letter at each end, the first one at the larger angle."""
+    where = touching(surface)
+    if not where.any():
+        return Line2D([], [], linestyle="none", label="no contact")
+    x, y = MM * surface["x"], MM * surface["y"]
+    for part in runs(where):
+        dot = "o" if part.stop - part.start == 1 else None
+        axes.plot(x[part], y[part], color="black", linewidth=4, solid_capstyle="butt", marker=dot, zorder=4)
+    ends = np.flatnonzero(where)[[0, -1]]
+    ends = ends[np.argsort(-polar_degrees(x[ends], y[ends]))]
+    for end, letter, side in zip(ends, letters, (-7, 7)):
+        axes.annotate(letter, (x[end], y[end]), xytext=(side, 9), textcoords="offset points", ha="center",
+                      va="bottom", fontweight="bold", path_effects=WHITE_EDGE, zorder=6)
+    return Line2D([], [], color="black", linewidth=4, label=f"contact arc {letters}")
+
+
+def arc_from_middle(surface):
+    """Length along the deformed arc [mm], zero in the middle of the contact, growing clockwise; None without contact."""
+    nodes = np.flatnonzero(touching(surface))
+    if not len(nodes):
+        return None
+    x, y = MM * surface["x"], MM * surface["y"]
+    arc = np.r_[0, np.cumsum(np.hypot(np.diff(x), np.diff(y)))]
+    if polar_degrees(x[-1], y[-1]) > polar_degrees(x[0], y[0]):
+        arc = -arc
+    return arc - arc[nodes[[0, -1]]].mean()
+
+
+def angle_axis(axes, arc, angle):
+    """Second axis on top with the polar angle; its ticks sit where the surface has that angle."""
+    top = axes.twiny()
+    top.grid(False)
+    order = np.argsort(angle)
+    low, high = np.sort(np.interp(axes.get_xlim(), *sorted_pair(arc, angle)))
+    ticks = [a for a in MaxNLocator(7).tick_values(low, high) if low <= a <= high]
+    top.set_xlim(axes.get_xlim())
+    top.set_xticks(np.interp(ticks, angle[order], arc[order]), [f"{a:g}" for a in ticks])
+    top.set_xlabel("polar angle [deg]")
+
+
+def sorted_pair(x, y):
+    order = np.argsort(x)
+    return x[order], y[order]
+
+
+def shade_sticking(axes, arc, surface):
+    """Bands over the sticking nodes, up to halfway to their neighbors; true if there is any."""
+    border = np.r_[arc[0], (arc[1:] + arc[:-1]) / 2, arc[-1]]
+    parts = runs(surface["state"] == "sticking")
+    for part in parts:
+        axes.axvspan(border[part.start], border[part.stop], color=SKY, alpha=0.25, linewidth=0, zorder=0)
+    return bool(parts)
+
+
+def traction_figure(surface, mu, title):
+    """Contact pressure and tangential traction along the arc; mu: coefficient of friction or None."""
+    figure, axes = new_figure(8.0, 5.4)
+    axes.set_ylabel("traction [MPa]")
+    axes.set_title(title)
+    arc = arc_from_middle(surface)
+    if arc is None:
+        say_empty(axes, "no node in contact")
+        return figure
+    reach = 1.25 * np.abs(arc[touching(surface)]).max() + 2 * np.abs(np.diff(arc)).max()
+    shown = np.abs(arc) <= reach
+    dot = "o" if shown.sum() < 120 else None
+    pressure, traction = MPA * surface["pressure"], MPA * surface["traction_tangential"]
+    handles = axes.plot(arc[shown], pressure[shown], color=BLUE, marker=dot, markersize=3.5, label="pressure p")
+    if traction.any():
+        handles += axes.plot(arc[shown], traction[shown], color=RED, marker=dot, markersize=3.5,
+                             label="tangential traction")
+    else:
+        handles.append(Line2D([], [], linestyle="none", label="no friction"))
+    if mu:
+        for sign in (1, -1):
+            line, = axes.plot(arc[shown], sign * mu * pressure[shown], color=GRAY, linewidth=0.9, linestyle="--",
+                              label=f"$\\pm\\mu p$, $\\mu$ = {mu:g}", zorder=1.5)
+        handles.append(line)
+    if shade_sticking(axes, arc, surface):
+        handles.append(Patch(color=SKY, alpha=0.25, label="sticking nodes"))
+    axes.axhline(0, color="black", linewidth=0.8)
+    axes.set_xlim(-reach, reach)
+    axes.set_xlabel("length along the arc from the middle of the contact, clockwise [mm]")
+    angle_axis(axes, arc, polar_degrees(surface["x"], surface["y"]))
+    key_below(axes, handles, len(handles))
+    return figure
+
+
+def profile_figure(surface, first_contact, title):
+    """Radial displacement of the surface against the angle; first_contact: its polar angle [deg] or None."""
+    figure, axes = new_figure(8.0, 4.6)
+    angle = polar_degrees(surface["x"], surface["y"])
+    shift = MICRON * (np.hypot(surface["x"], surface["y"]) - np.hypot(surface["X"], surface["Y"]))
+    handles = [axes.plot(angle, shift, color=BLUE, marker="o" if len(angle) < 60 else None, markersize=3.5,
+                         label="surface")[0]]
+    axes.axhline(0, color="black", linewidth=0.8)
+    if first_contact is not None:
+        handles.append(axes.axvline(first_contact, color=GREEN, linestyle="--", label="first contact"))
+    nodes = angle[touching(surface)]
+    if len(nodes):
+        axes.axvspan(nodes.min(), nodes.max(), color=ORANGE, alpha=0.35, linewidth=0, zorder=0)
+        handles.append(Patch(color=ORANGE, alpha=0.35, label="contact at the end"))
+    axes.set_xlim(angle.max(), angle.min())
+    axes.set_xlabel("polar angle [deg]  (clockwise to the right)")
+    axes.set_ylabel(r"radial displacement [$\mu$m]")
+    axes.set_title(title)
+    key_below(axes, handles, len(handles), 0.15)
+    return figure
+
+
+def draw_event_kind(axes, events, kind, size):
+    color, marker, scale = EVENT_MARKS.get(kind, (PURPLE, "x", 1.0))
+    chosen = events["event"] == kind
+    angle = polar_degrees(events["x"][chosen], events["y"][chosen])
+    axes.plot(events["t"][chosen], angle, linestyle="none", marker=marker, color=color, markersize=size * scale,
+              markeredgewidth=0.6, alpha=0.75)
+    return Line2D([], [], linestyle="none", marker=marker, color=color, markersize=7 * scale,
+                  label=f"{kind} ({chosen.sum()})")
+
+
+def events_figure(events, history, title):
+    """Events by polar angle of their place against t, over the band of contact."""
+    count = len(events["t"])
+    figure, axes = new_figure(8.0, 6.0)
+    handles = [axes.fill_between(history["t"], history["contact_begin_deg"], history["contact_end_deg"],
+                                 color="#dddddd", linewidth=0, label="contact at accepted steps")]
+    size = np.clip(5.0 * (600 / max(count, 1)) ** 0.4, 1.6, 5.0)
+    kinds = sorted(set(events["event"]), key=lambda k: (list(EVENT_MARKS) + [k]).index(k))
+    for kind in sorted(kinds, key=lambda k: k not in ("yield", "unloading")):
+        handles.append(draw_event_kind(axes, events, kind, size))
+    if not count:
+        say_empty(axes, "no events")
+    axes.set_xlabel("load parameter t [-]")
+    axes.set_ylabel("polar angle of the place [deg]")
+    axes.set_title(title)
+    key_below(axes, handles, 3, 0.11)
+    return figure

@@ -1,0 +1,48 @@
+"""Style shared by the pictures of all cases: size, fonts, colors that colorblind readers can tell apart."""
+import os
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+# Okabe and Ito; told apart by colorblind readers
+BLUE, ORANGE, GREEN, RED, PURPLE, SKY, GRAY = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9",
+                                               "#777777")
+MM, MICRON, MPA = 1e3, 1e6, 1e-6  # from SI
+
+STYLE = {
+    "font.size": 11, "axes.titlesize": 12, "axes.labelsize": 11, "legend.fontsize": 10,
+    "xtick.labelsize": 10, "ytick.labelsize": 10,
+    "axes.grid": True, "grid.color": "#dddddd", "grid.linewidth": 0.6, "axes.axisbelow": True,
+    "lines.linewidth": 1.5, "legend.frameon": True, "legend.framealpha": 0.9, "legend.edgecolor": "#cccccc",
+    "axes.formatter.useoffset": False, "figure.constrained_layout.use": True,
+}
+
+
+def apply_style():
+    plt.rcParams.update(STYLE)
+
+
+def new_figure(width=8.0, height=5.0, **grid):
+    """Figure and axes; grid: arguments of plt.subplots."""
+    return plt.subplots(figsize=(width, height), **grid)
+
+
+def save(figure, folder, name):
+    """Writes name.png into folder and returns its path."""
+    path = os.path.join(folder, name + ".png")
+    figure.savefig(path, dpi=150, bbox_inches="tight", pad_inches=0.12)
+    plt.close(figure)
+    return path
+
+
+def key_below(axes, handles, columns, gap=0.13):
+    """Key under the axes, where it covers nothing."""
+    axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -gap), ncol=columns,
+                columnspacing=1.4, handlelength=2.2)
+
+
+def say_empty(axes, text):
+    """Words in place of curves."""
+    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GRAY)

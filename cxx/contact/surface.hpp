@@ -1,0 +1,32 @@
+#pragma once
+// The contact surface: its edges, its nodes in order, and what acts on them.
+#include "stepping/balance.hpp"
+
+namespace burnish {
+
+/// One boundary edge of the contact surface: its nodes (2, or 3 with the middle one).
+struct SurfaceEdge {
+  int a = 0, b = 0, middle = -1;
+};
+
+/// Nodes of the edges, each once, neighbours after one another along every chain of edges.
+std::vector<int> nodes_along(const std::vector<SurfaceEdge>& edges);
+
+/// State of the candidates, one entry each. Pressure and traction are nodal forces over the tributary length in the
+/// present configuration (1/2 : 1/2 of a linear edge, 1/6 : 2/3 : 1/6 of a quadratic one).
+template <int Dim> struct SurfaceReport {
+  Eigen::VectorXd gap;                 ///< positive = open, zero in contact [length]
+  Eigen::VectorXd normal_force;        ///< N >= 0 [force]
+  Eigen::VectorXd tangential_force;    ///< of the tool on the body, along the tool's tangent X_s [force]
+  Eigen::VectorXd length;              ///< tributary length [length]
+  Eigen::VectorXd pressure;            ///< [stress]
+  Eigen::VectorXd traction_tangential; ///< on the body [stress]
+};
+
+/// @param R internal minus external nodal force [force]; @param u displacement
+template <int Dim>
+SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                  const ContactState<Dim>& state, const std::vector<SurfaceEdge>& edges,
+                                  const Eigen::VectorXd& u, const Eigen::VectorXd& R);
+
+} // namespace burnish

@@ -1,0 +1,168 @@
+// What a script reads of a contact, all of the accepted state:
+//   arrays over the candidates, in order along the surface: C.nodes, C.x, C.y, C.gap, C.pressure, C.traction,
+//   C.normalforce, C.tangentialforce, C.state (0 free 1 touched 2 sliding 3 sticking 4 leaving 5 receding), C.s
+//   C.width, C.speed; C.count("sliding"); C.statistic("factorizations"); C.residual, C.loadscale
+//   event log as a table: C.eventnumber, C.eventtime(i), C.eventkind(i), C.eventnode(i), C.eventtool(i), C.eventx(i), C.eventy(i)
+#include "base/error.hpp"
+#include "named.hpp"
+#include "types.hpp"
+
+namespace rigidcontact {
+namespace {
+
+using H = ContactHandle;
+using Array = KN_<double>;
+
+burnish::SurfaceReport<2> report(const Session<2>& s) {
+  if (!s.started()) burnish::fail("contact", "no state yet: call approach or begin first");
+  return burnish::surface_report(s.model(), s.corrector().body(), s.accepted(), s.surface(), s.accepted_displacement(),
+                                 s.accepted_force());
+}
+template <Eigen::VectorXd burnish::SurfaceReport<2>::*member> Array from_report(Stack stack, H* const& h) {
+  return guarded([&] { return new_array(stack, report(*h->get().session).*member); });
+}
+// One number per candidate.
+template <class F> Array per_candidate(Stack stack, H* const& h, F value) {
+  return guarded([&] {
+    const Session<2>& s = *h->get().session;
+    std::vector<double> v;
+    for (std::size_t i = 0; i < s.candidates().size(); ++i) v.push_back(value(s, i));
+    return new_array(stack, v);
+  });
+}
+Array nodes(Stack stack, H* const& h) {
+  return per_candidate(stack, h, [](const auto& s, std::size_t i) { return static_cast<double>(s.candidates()[i]); });
+}
+template <int axis, bool reference> Array place(Stack stack, H* const& h) {
+  return per_candidate(stack, h, [](const auto& s, std::size_t i) {
+    const int dof = 2 * s.candidates()[i] + axis;
+    return s.discretization().X[dof] + (reference ? 0 : s.accepted_displacement()[dof]);
+  });
+}
+Array states(Stack stack, H* const& h) {
+  return per_candidate(stack, h, [](const auto& s, std::size_t i) {
+    return s.started() ? static_cast<double>(s.accepted().nodes[i].state) : 0.;
+  });
+}
+Array parameters(Stack stack, H* const& h) {
+  return per_candidate(stack, h, [](const auto& s, std::size_t i) { return s.started() ? s.accepted().nodes[i].s[0] : 0.; });
+}
+double width(H* const& h) {
+  return guarded([&] { return h->get().session->contact_width(); });
+}
+double speed(H* const& h) {
+  return guarded([&] { return h->get().session->contact_speed(); });
+}
+double spacing(H* const& h) {
+  return guarded([&] {
+    h->get().session->start();
+    return h->get().session->corrector().body().spacing;
+  });
+}
+double residual(H* const& h) {
+  return guarded([&] { return h->get().session->started() ? h->get().session->corrector().last_balance().residual : 0.; });
+}
+double load_scale(H* const& h) {
+  return guarded([&] { return h->get().session->started() ? h->get().session->corrector().load_scale() : 0.; });
+}
+
+struct CountTag {};
+long count(const Method<H, CountTag>& m, string* const& state) {
+  return guarded([&] {
+    const Session<2>& s = *m->get().session;
+    bool known = *state == "contact";
+    long n = 0;
+    for (int k = 0; k < 6; ++k) known = known || *state == burnish::name_of(static_cast<burnish::NodeState>(k));
+    if (!known) burnish::fail("contact.count", "unknown state \"" + *state + "\", expected free, touched, sliding, sticking, leaving, receding or contact");
+    if (s.started())
+      for (const auto& node : s.accepted().nodes)
+        n += *state == "contact" ? burnish::in_contact(node.state) : *state == burnish::name_of(node.state);
+    return n;
+  });
+}
+
+struct StatisticTag {};
+long statistic(const Method<H, StatisticTag>& m, string* const& name) {
+  return guarded([&] {
+    const Session<2>& s = *m->get().session;
+    const burnish::CorrectorCounts counts = s.started() ? s.corrector().counts() : burnish::CorrectorCounts{};
+    if (*name == "iterations") return counts.iterations;
+    if (*name == "factorizations") return counts.factorizations;
+    if (*name == "solves") return counts.solves;
+    if (*name == "analyses") return counts.analyses;
+    if (*name == "halvings") return counts.halvings;
+    burnish::fail("contact.statistic", "unknown name \"" + *name + "\", expected iterations, factorizations, solves, analyses or halvings");
+  });
+}
+
+const burnish::ContactEvent<2>& event(H* h, long i) {
+  const auto& log = h->get().session->log();
+  burnish::require(i >= 0 && i < static_cast<long>(log.size()), "contact.event", "index", i, "less than eventnumber");
+  return log[static_cast<std::size_t>(i)];
+}
+struct TimeTag {};
+struct KindTag {};
+struct NodeTag {};
+struct ToolTag {};
+struct XTag {};
+struct YTag {};
+double event_time(const Method<H, TimeTag>& m, const long& i) { return guarded([&] { return event(m.object, i).t; }); }
+string* event_kind(Stack stack, const Method<H, KindTag>& m, const long& i) {
+  return guarded([&] { return new_string(stack, burnish::name_of(event(m.object, i).kind)); });
+}
+long event_node(const Method<H, NodeTag>& m, const long& i) { return guarded([&] { return static_cast<long>(event(m.object, i).node); }); }
+string* event_tool(Stack stack, const Method<H, ToolTag>& m, const long& i) {
+  return guarded([&] {
+    const int t = event(m.object, i).tool;
+    return new_string(stack, t < 0 ? "" : m->get().session->tools()[t]->name());
+  });
+}
+double event_x(const Method<H, XTag>& m, const long& i) { return guarded([&] { return event(m.object, i).x[0]; }); }
+double event_y(const Method<H, YTag>& m, const long& i) { return guarded([&] { return event(m.object, i).x[1]; }); }
+long event_number(H* const& h) {
+  return guarded([&] { return static_cast<long>(h->get().session->log().size()); });
+}
+string* left_out(Stack stack, H* const& h) {
+  return guarded([&] {
+    std::string text;
+    for (const auto& what : h->get().session->left_out()) text += (text.empty() ? "" : "; ") + what;
+    return new_string(stack, text);
+  });
+}
+
+} // namespace
+
+void register_contact_data() {
+  using Report = burnish::SurfaceReport<2>;
+  const auto array = [](const char* name, Array (*f)(Stack, H* const&)) { Add<H*>(name, ".", new OneOperator1s_<Array, H*>(f)); };
+  array("nodes", nodes);
+  array("x", place<0, false>);
+  array("y", place<1, false>);
+  array("xref", place<0, true>);
+  array("yref", place<1, true>);
+  array("state", states);
+  array("s", parameters);
+  array("gap", from_report<&Report::gap>);
+  array("pressure", from_report<&Report::pressure>);
+  array("traction", from_report<&Report::traction_tangential>);
+  array("normalforce", from_report<&Report::normal_force>);
+  array("tangentialforce", from_report<&Report::tangential_force>);
+  const auto number = [](const char* name, double (*f)(H* const&)) { Add<H*>(name, ".", new OneOperator1_<double, H*>(f)); };
+  number("width", width);
+  number("speed", speed);
+  number("spacing", spacing);
+  number("residual", residual);
+  number("loadscale", load_scale);
+  add_method<H, CountTag>("count", new OneOperator2_<long, Method<H, CountTag>, string*>(count));
+  add_method<H, StatisticTag>("statistic", new OneOperator2_<long, Method<H, StatisticTag>, string*>(statistic));
+  Add<H*>("eventnumber", ".", new OneOperator1_<long, H*>(event_number));
+  Add<H*>("leftout", ".", new OneOperator1s_<string*, H*>(left_out));
+  add_method<H, TimeTag>("eventtime", new OneOperator2_<double, Method<H, TimeTag>, long>(event_time));
+  add_method<H, KindTag>("eventkind", new OneOperator2s_<string*, Method<H, KindTag>, long>(event_kind));
+  add_method<H, NodeTag>("eventnode", new OneOperator2_<long, Method<H, NodeTag>, long>(event_node));
+  add_method<H, ToolTag>("eventtool", new OneOperator2s_<string*, Method<H, ToolTag>, long>(event_tool));
+  add_method<H, XTag>("eventx", new OneOperator2_<double, Method<H, XTag>, long>(event_x));
+  add_method<H, YTag>("eventy", new OneOperator2_<double, Method<H, YTag>, long>(event_y));
+}
+
+} // namespace rigidcontact

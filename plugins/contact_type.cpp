@@ -1,0 +1,98 @@
+// Script type `contact`: the surface of a workpiece that tools may touch.
+//   contact C(Vh, label=3, fixed=bc, friction=0.2);   bc: real[int], nonzero where the displacement is given
+//   C.add(roller);   C.add(roller, friction=0.3);     C.approach(roller, "r", u[]);
+// Named parameters of the constructor: label or labels, fixed, friction, tolerance, maxiterations, stepsperwidth is the
+// loop's. The solver's options have the defaults of stepping/options.hpp.
+#include "base/error.hpp"
+#include "named.hpp"
+#include "types.hpp"
+
+namespace rigidcontact {
+namespace {
+
+struct Construct {
+  static const int n = 8;
+  static basicAC_F0::name_and_type names[n];
+  static ContactHandle* call(const Named& a, ContactHandle* handle, pfes* space) {
+    handle->init();
+    std::vector<long> labels;
+    if (a.has("label")) labels.push_back(a.integer("label", 0));
+    if (a.has("labels")) {
+      const KN_<long> list = a.integers("labels");
+      for (long i = 0; i < list.N(); ++i) labels.push_back(list[i]);
+    }
+    if (labels.empty()) burnish::fail("contact", "the contact surface is missing: label=... or labels=...");
+    auto discretization = discretization_of(space, "contact");
+    std::vector<char> fixed(discretization.num_dofs(), 0);
+    if (a.has("fixed")) {
+      const Eigen::VectorXd flags = to_vector(a.array("fixed"), "contact", "fixed");
+      burnish::require(flags.size() == static_cast<long>(fixed.size()), "contact", "size of fixed", flags.size(),
+                       "one number per degree of freedom of the space");
+      for (std::size_t d = 0; d < fixed.size(); ++d) fixed[d] = flags[static_cast<long>(d)] != 0;
+    }
+    burnish::StepOptions options;
+    options.tolerance = a.real("tolerance", options.tolerance);
+    burnish::require(options.tolerance > 0 && options.tolerance < 1, "contact", "tolerance", options.tolerance, "0 < tolerance < 1");
+    options.max_iterations = static_cast<int>(a.integer("maxiterations", options.max_iterations));
+    burnish::require(options.max_iterations > 0, "contact", "maxiterations", options.max_iterations, "> 0");
+    options.anderson_memory = static_cast<int>(a.integer("memory", options.anderson_memory));
+    burnish::require(options.anderson_memory >= 0, "contact", "memory", options.anderson_memory, ">= 0");
+    options.terms = terms_of(a.text("terms", "complete"));
+    auto object = std::make_shared<ContactObject>();
+    object->friction = burnish::make_coulomb(a.real("friction", 0));
+    object->session = std::make_unique<Session<2>>(std::move(discretization), surface_of(space, labels, "contact"), fixed, options);
+    handle->set(std::move(object));
+    return handle;
+  }
+};
+basicAC_F0::name_and_type Construct::names[] = {
+    {"label", &typeid(long)},       {"labels", &typeid(KN_<long>)},    {"fixed", &typeid(KN_<double>)},
+    {"friction", &typeid(double)},  {"tolerance", &typeid(double)},    {"maxiterations", &typeid(long)},
+    {"memory", &typeid(long)},      {"terms", &typeid(string*)}};
+
+struct AddTag {};
+struct AddTool {
+  static const int n = 1;
+  static basicAC_F0::name_and_type names[n];
+  static bool call(const Named& a, Method<ContactHandle, AddTag> m, ToolHandle* tool) {
+    ContactObject& contact = m->get();
+    const auto friction = a.has("friction") ? burnish::make_coulomb(a.real("friction", 0)) : contact.friction;
+    contact.session->add_tool(tool->get().tool, friction);
+    return true;
+  }
+};
+basicAC_F0::name_and_type AddTool::names[] = {{"friction", &typeid(double)}};
+
+struct ApproachTag {};
+double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& tool, string* const& coordinate,
+                const KN_<double>& u) {
+  return guarded([&] {
+    Session<2>& session = *m->get().session;
+    const auto& tools = session.tools();
+    int index = -1;
+    for (std::size_t t = 0; t < tools.size(); ++t)
+      if (tools[t] == tool->get().tool) index = static_cast<int>(t);
+    return session.approach(index, *coordinate, to_vector(u, "contact.approach", "u"));
+  });
+}
+
+} // namespace
+
+burnish::GeometricTerms terms_of(const std::string& name) {
+  if (name == "complete") return burnish::GeometricTerms::COMPLETE;
+  if (name == "article") return burnish::GeometricTerms::ARTICLE;
+  if (name == "none") return burnish::GeometricTerms::NONE;
+  burnish::fail("contact", "unknown terms \"" + name + "\", expected \"complete\", \"article\" or \"none\"");
+}
+
+void register_contact() {
+  using H = ContactHandle;
+  Dcl_Type<H*>(InitP<H>, Destroy<H>);
+  zzzfff->Add("contact", atype<H*>());
+  TheOperators->Add("<-", new NamedOperator<Construct, H*, H*, pfes*>);
+  add_method<H, AddTag>("add", new NamedOperator<AddTool, bool, Method<H, AddTag>, ToolHandle*>);
+  add_method<H, ApproachTag>("approach",
+                             new OneOperator4_<double, Method<H, ApproachTag>, ToolHandle*, string*, KN_<double>>(approach));
+}
+
+} // namespace rigidcontact

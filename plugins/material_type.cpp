@@ -1,0 +1,171 @@
+// Script type `material`: J2 plasticity with linear isotropic hardening in plane strain on a [P1,P1] or [P2,P2] space.
+//   material M(Vh, G=..., nu=..., sigY=..., H=...);    or E=...; update="substepped" | "single" | "euler"
+//   int st = M.update(u[], dt, it);   M.force(R);   M.accept();   M.revert();
+//   matrix K = M.tangent();           also kind="consistent" | "rate" | "elastic", blend=0..1
+//   M.stress(i), M.F(i), M.piola(i), M.moduli(i,j), M.plasticstrain, M.stresseq, M.nodal(values)
+#include "base/error.hpp"
+#include "named.hpp"
+#include "types.hpp"
+#include "workpiece/nodal_average.hpp"
+#include "matrix.hpp"
+
+namespace rigidcontact {
+namespace {
+
+burnish::StressUpdate update_of(const std::string& name) {
+  if (name == "substepped") return burnish::StressUpdate::SUBSTEPPED;
+  if (name == "single") return burnish::StressUpdate::SINGLE;
+  if (name == "euler") return burnish::StressUpdate::FORWARD_EULER;
+  burnish::fail("material", "unknown update \"" + name + "\", expected \"substepped\", \"single\" or \"euler\"");
+}
+
+struct Construct {
+  static const int n = 7;
+  static basicAC_F0::name_and_type names[n];
+  static MaterialHandle* call(const Named& a, MaterialHandle* handle, pfes* space) {
+    handle->init();
+    for (const char* name : {"nu", "sigY", "H"})
+      if (!a.has(name)) burnish::fail("material", std::string("parameter ") + name + " is missing: G= or E=, nu=, sigY=, H=");
+    if (a.has("G") == a.has("E")) burnish::fail("material", "give exactly one of G= (shear modulus) and E= (Young's modulus)");
+    const double nu = a.real("nu", 0), sigY = a.real("sigY", 0), H = a.real("H", 0);
+    const auto parameters = a.has("G") ? burnish::J2Parameters::from_shear(a.real("G", 0), nu, sigY, H)
+                                       : burnish::J2Parameters::from_young(a.real("E", 0), nu, sigY, H);
+    burnish::UpdateOptions options;
+    options.update = update_of(a.text("update", "substepped"));
+    options.path_limit = a.real("pathlimit", options.path_limit);
+    auto object = std::make_shared<MaterialObject>();
+    object->body = std::make_unique<Workpiece<2>>(discretization_of(space, "material"), parameters, options);
+    object->tangent = object->body->pattern();
+    handle->set(std::move(object));
+    return handle;
+  }
+};
+basicAC_F0::name_and_type Construct::names[] = {
+    {"G", &typeid(double)}, {"E", &typeid(double)},       {"nu", &typeid(double)},       {"sigY", &typeid(double)},
+    {"H", &typeid(double)}, {"update", &typeid(string*)}, {"pathlimit", &typeid(double)}};
+
+struct UpdateTag {};
+struct ForceTag {};
+struct AcceptTag {};
+struct RevertTag {};
+struct NodalTag {};
+struct StressTag {};
+struct GradientTag {};
+struct PiolaTag {};
+struct ModuliTag {};
+struct TangentTag {};
+
+long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>& u, const double& dt, const long& it) {
+  return guarded([&] {
+    const auto result = m->get().body->update(to_vector(u, "material.update", "u"), dt, static_cast<int>(it));
+    if (result.status == burnish::UpdateStatus::OK) return 0L;
+    std::ostringstream text;
+    text << "inverted element: det F = " << result.value << " at quadrature point " << result.point;
+    last_error() = text.str();
+    return 1L;
+  });
+}
+double force(Stack, const Method<MaterialHandle, ForceTag>& m, const KN_<double>& R) {
+  return guarded([&] {
+    const Eigen::VectorXd f = m->get().body->internal_force();
+    to_array(f, R, "material.force");
+    return f.cwiseAbs().maxCoeff();
+  });
+}
+bool accept(const Method<MaterialHandle, AcceptTag>& m) { return guarded([&] { return m->get().body->accept(), true; }); }
+bool revert(const Method<MaterialHandle, RevertTag>& m) { return guarded([&] { return m->get().body->revert(), true; }); }
+
+KN_<double> nodal(Stack stack, const Method<MaterialHandle, NodalTag>& m, const KN_<double>& values) {
+  return guarded([&] {
+    return new_array(stack, burnish::nodal_average(m->get().body->discretization(), to_vector(values, "material.nodal", "values")));
+  });
+}
+
+// Component i of a point-major array with n components.
+KN_<double> component(Stack stack, const std::vector<double>& all, long i, long n, const char* where) {
+  burnish::require(i >= 0 && i < n, where, "component", i, ("0.." + std::to_string(n - 1)).c_str());
+  const long points = static_cast<long>(all.size()) / n;
+  auto* r = Add2StackOfPtr2FreeRC(stack, new KN<double>(points));
+  for (long p = 0; p < points; ++p) (*r)[p] = all[p * n + i];
+  return *r;
+}
+KN_<double> stress(Stack stack, const Method<MaterialHandle, StressTag>& m, const long& i) {
+  return guarded([&] { return component(stack, m->get().body->state().stress, i, 4, "material.stress"); });
+}
+KN_<double> gradient(Stack stack, const Method<MaterialHandle, GradientTag>& m, const long& i) {
+  return guarded([&] { return component(stack, m->get().body->state().F, i, 4, "material.F"); });
+}
+KN_<double> piola(Stack stack, const Method<MaterialHandle, PiolaTag>& m, const long& i) {
+  return guarded([&] {
+    const auto& body = *m->get().body;
+    std::vector<double> all(4 * static_cast<std::size_t>(body.discretization().num_points()));
+    for (int p = 0; p < body.discretization().num_points(); ++p) body.point_piola(p, all.data() + 4 * p);
+    return component(stack, all, i, 4, "material.piola");
+  });
+}
+KN_<double> moduli(Stack stack, const Method<MaterialHandle, ModuliTag>& m, const long& i, const long& j) {
+  return guarded([&] {
+    burnish::require(i >= 0 && i < 4 && j >= 0 && j < 4, "material.moduli", "index", std::max(i, j), "0..3");
+    const auto& body = *m->get().body;
+    std::vector<double> all(16 * static_cast<std::size_t>(body.discretization().num_points()));
+    for (int p = 0; p < body.discretization().num_points(); ++p)
+      body.point_moduli(p, burnish::TangentKind::CONSISTENT, 0, all.data() + 16 * p);
+    return component(stack, all, 4 * i + j, 16, "material.moduli");
+  });
+}
+KN_<double> plastic_strain(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] { return new_array(stack, h->get().body->state().plastic_strain_eq); });
+}
+KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] {
+    const auto& body = *h->get().body;
+    Eigen::VectorXd q(body.discretization().num_points());
+    for (int p = 0; p < q.size(); ++p) q[p] = body.stress_eq(p);
+    return new_array(stack, q);
+  });
+}
+long number_of_points(MaterialHandle* const& h) {
+  return guarded([&] { return static_cast<long>(h->get().body->discretization().num_points()); });
+}
+
+struct Tangent {
+  static const int n = 2;
+  static basicAC_F0::name_and_type names[n];
+  static newpMatrice_Creuse<double> call(const Named& a, Method<MaterialHandle, TangentTag> m) {
+    MaterialObject& object = m->get();
+    object.body->tangent(object.tangent, tangent_kind(a.text("kind", "consistent")), a.real("blend", 0));
+    return to_freefem(a.stack(), object.tangent);
+  }
+};
+basicAC_F0::name_and_type Tangent::names[] = {{"kind", &typeid(string*)}, {"blend", &typeid(double)}};
+
+} // namespace
+
+burnish::TangentKind tangent_kind(const std::string& name) {
+  if (name == "consistent") return burnish::TangentKind::CONSISTENT;
+  if (name == "rate") return burnish::TangentKind::RATE;
+  if (name == "elastic") return burnish::TangentKind::ELASTIC;
+  burnish::fail("material.tangent", "unknown kind \"" + name + "\", expected \"consistent\", \"rate\" or \"elastic\"");
+}
+
+void register_material() {
+  using H = MaterialHandle;
+  Dcl_Type<H*>(InitP<H>, Destroy<H>);
+  zzzfff->Add("material", atype<H*>());
+  TheOperators->Add("<-", new NamedOperator<Construct, H*, H*, pfes*>);
+  add_method<H, UpdateTag>("update", new OneOperator4s_<long, Method<H, UpdateTag>, KN_<double>, double, long>(update));
+  add_method<H, ForceTag>("force", new OneOperator2s_<double, Method<H, ForceTag>, KN_<double>>(force));
+  add_method<H, AcceptTag>("accept", new OneOperator1_<bool, Method<H, AcceptTag>>(accept));
+  add_method<H, RevertTag>("revert", new OneOperator1_<bool, Method<H, RevertTag>>(revert));
+  add_method<H, NodalTag>("nodal", new OneOperator2s_<KN_<double>, Method<H, NodalTag>, KN_<double>>(nodal));
+  add_method<H, StressTag>("stress", new OneOperator2s_<KN_<double>, Method<H, StressTag>, long>(stress));
+  add_method<H, GradientTag>("F", new OneOperator2s_<KN_<double>, Method<H, GradientTag>, long>(gradient));
+  add_method<H, PiolaTag>("piola", new OneOperator2s_<KN_<double>, Method<H, PiolaTag>, long>(piola));
+  add_method<H, ModuliTag>("moduli", new OneOperator3s_<KN_<double>, Method<H, ModuliTag>, long, long>(moduli));
+  add_method<H, TangentTag>("tangent", new NamedOperator<Tangent, newpMatrice_Creuse<double>, Method<H, TangentTag>>);
+  Add<H*>("plasticstrain", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain));
+  Add<H*>("stresseq", ".", new OneOperator1s_<KN_<double>, H*>(stress_eq));
+  Add<H*>("points", ".", new OneOperator1_<long, H*>(number_of_points));
+}
+
+} // namespace rigidcontact

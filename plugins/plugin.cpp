@@ -1,0 +1,50 @@
+// load "rigidcontact": registers all types and functions.
+#include "plugin.hpp"
+#include "base/error.hpp"
+
+namespace rigidcontact {
+
+std::string& last_error() {
+  static std::string text;
+  return text;
+}
+
+Eigen::VectorXd to_vector(const KN_<double>& a, const char* where, const char* name) {
+  Eigen::VectorXd v(a.N());
+  for (long i = 0; i < a.N(); ++i) {
+    v[i] = a[i];
+    if (std::isfinite(v[i])) continue;
+    std::ostringstream text;
+    text << name << "[" << i << "] = " << v[i] << ", expected a finite number";
+    burnish::fail(where, text.str());
+  }
+  return v;
+}
+
+void to_array(const Eigen::VectorXd& v, KN_<double> a, const char* where) {
+  burnish::require(a.N() == v.size(), where, "size of the array", a.N(), ("an array of " + std::to_string(v.size())).c_str());
+  for (long i = 0; i < a.N(); ++i) a[i] = v[i];
+}
+
+KN_<double> new_array(Stack stack, const double* data, std::size_t n) {
+  auto* r = Add2StackOfPtr2FreeRC(stack, new KN<double>(static_cast<long>(n)));
+  for (long i = 0; i < static_cast<long>(n); ++i) (*r)[i] = data[i];
+  return *r;
+}
+
+string* new_string(Stack stack, const std::string& text) { return Add2StackOfPtr2Free(stack, new string(text)); }
+
+static void init() {
+  register_tool();
+  register_material();
+  register_contact();
+  register_contact_step();
+  register_contact_matrix();
+  register_contact_data();
+  register_solver();
+  register_tools_of_the_trade();
+}
+
+} // namespace rigidcontact
+
+LOADFUNC(rigidcontact::init)

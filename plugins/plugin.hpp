@@ -1,0 +1,90 @@
+#pragma once
+// What every entry of the plugin shares: handles for script variables, the error frame, argument checks.
+#include <Eigen/Dense>
+
+#include "ff++.hpp"
+#include "AFunction_ext.hpp"
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace rigidcontact {
+
+/// Error that the script sees once, with its line; exit code 20; text kept for rcLastError().
+struct PluginError : Error {
+  explicit PluginError(const std::string& message) : Error(NONE, "burnish: ", message.c_str()) {}
+  int errcode() const override { return 20; }
+};
+std::string& last_error();
+
+/// Runs f; turns every std::exception into a PluginError.
+template <class F> auto guarded(F&& f) -> decltype(f()) {
+  try {
+    return f();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& e) {
+    last_error() = e.what();
+    throw PluginError(e.what());
+  }
+}
+
+/// Script variables are one-word handles on shared objects.
+template <class T> struct Handle {
+  std::shared_ptr<T>* p;
+  void init() { p = nullptr; }
+  void destroy() {
+    delete p;
+    p = nullptr;
+  }
+  T& get() const {
+    if (!p) throw PluginError("object used before its construction");
+    return **p;
+  }
+  std::shared_ptr<T> share() const {
+    get();
+    return *p;
+  }
+  void set(std::shared_ptr<T> object) { p = new std::shared_ptr<T>(std::move(object)); }
+};
+
+/// A method `object.name(...)`: the dot gives this proxy, the parenthesis acts on it. Tag makes the type unique.
+template <class Object, class Tag> struct Method {
+  Object* object;
+  Object* operator->() const { return object; }
+};
+template <class Object, class Tag> Method<Object, Tag> method(Object* const& object) { return {object}; }
+
+/// Registers `type.name(args)`; `call` is an operator whose first argument is the proxy.
+template <class Object, class Tag> void add_method(const char* name, OneOperator* call, OneOperator* other = nullptr) {
+  using Proxy = Method<Object, Tag>;
+  Dcl_Type<Proxy>();
+  Add<Object*>(name, ".", new OneOperator1_<Proxy, Object*>(method<Object, Tag>));
+  Add<Proxy>("(", "", call);
+  if (other) Add<Proxy>("(", "", other);
+}
+
+/// Copy of a script array; refuses NaN and Inf with the place.
+Eigen::VectorXd to_vector(const KN_<double>& a, const char* where, const char* name);
+void to_array(const Eigen::VectorXd& v, KN_<double> a, const char* where);
+/// Array result that FreeFEM frees.
+KN_<double> new_array(Stack stack, const double* data, std::size_t n);
+inline KN_<double> new_array(Stack stack, const std::vector<double>& v) { return new_array(stack, v.data(), v.size()); }
+inline KN_<double> new_array(Stack stack, const Eigen::VectorXd& v) {
+  return new_array(stack, v.data(), static_cast<std::size_t>(v.size()));
+}
+string* new_string(Stack stack, const std::string& text);
+
+// Registration of each file's part, in this order.
+void register_tool();
+void register_material();
+void register_contact();
+void register_contact_step();
+void register_contact_matrix();
+void register_contact_data();
+void register_solver();
+void register_tools_of_the_trade();
+
+} // namespace rigidcontact

@@ -1,0 +1,76 @@
+// From a FreeFEM space to plain arrays.
+#include "base/error.hpp"
+#include "types.hpp"
+#include <algorithm>
+
+namespace rigidcontact {
+namespace {
+
+// Node numbers of element k: dof/2 of the first component, in FreeFEM's local order (vertices, then mid-edges).
+std::vector<int> element_nodes(const FESpace& V, int k, const char* where) {
+  const FElement K = V[k];
+  const int dofs = K.NbDoF();
+  if (K.N != 2 || (dofs != 6 && dofs != 12)) burnish::fail(where, "the space must be [P1,P1] or [P2,P2] on a 2D mesh");
+  std::vector<int> nodes;
+  for (int a = 0; a < dofs / 2; ++a) {
+    if (K(a) % 2 != 0 || K(a + dofs / 2) != K(a) + 1)
+      burnish::fail(where, "the space must be [P1,P1] or [P2,P2]: the components of a node must be adjacent");
+    nodes.push_back(K(a) / 2);
+  }
+  return nodes;
+}
+
+const FESpace& space_of(pfes* const& space, const char* where) {
+  const FESpace* V = static_cast<FESpace*>(**space);
+  if (!V) burnish::fail(where, "the fespace is empty");
+  return *V;
+}
+
+} // namespace
+
+burnish::Discretization<2> discretization_of(pfes* const& space, const char* where) {
+  const FESpace& V = space_of(space, where);
+  const Mesh& Th = V.Th;
+  std::vector<double> X(V.NbOfDF);
+  std::vector<int> connectivity;
+  int per_element = 0;
+  for (int k = 0; k < Th.nt; ++k) {
+    const std::vector<int> nodes = element_nodes(V, k, where);
+    per_element = static_cast<int>(nodes.size());
+    connectivity.insert(connectivity.end(), nodes.begin(), nodes.end());
+    for (int a = 0; a < per_element; ++a) {
+      const R2 P = a < 3 ? R2(Th[k][a]) : 0.5 * (R2(Th[k][(a - 2) % 3]) + R2(Th[k][(a - 1) % 3]));
+      X[2 * nodes[a]] = P.x;
+      X[2 * nodes[a] + 1] = P.y;
+    }
+  }
+  return burnish::triangles(per_element, std::move(X), std::move(connectivity));
+}
+
+std::vector<burnish::SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels, const char* where) {
+  const FESpace& V = space_of(space, where);
+  const Mesh& Th = V.Th;
+  std::vector<burnish::SurfaceEdge> edges;
+  for (int b = 0; b < Th.neb; ++b) {
+    if (std::find(labels.begin(), labels.end(), Th.be(b).lab) == labels.end()) continue;
+    int e = 0;
+    const int k = Th.BoundaryElement(b, e);
+    const std::vector<int> nodes = element_nodes(V, k, where);
+    edges.push_back({nodes[(e + 1) % 3], nodes[(e + 2) % 3], nodes.size() == 6 ? nodes[3 + e] : -1});
+  }
+  if (edges.empty()) {
+    std::ostringstream text;
+    text << "no boundary edge bears the label";
+    for (const long l : labels) text << " " << l;
+    text << "; the mesh has the labels";
+    std::vector<long> known;
+    for (int b = 0; b < Th.neb; ++b)
+      if (std::find(known.begin(), known.end(), Th.be(b).lab) == known.end()) known.push_back(Th.be(b).lab);
+    std::sort(known.begin(), known.end());
+    for (const long l : known) text << " " << l;
+    burnish::fail(where, text.str());
+  }
+  return edges;
+}
+
+} // namespace rigidcontact

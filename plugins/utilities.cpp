@@ -1,0 +1,121 @@
+// Small things a step loop needs from the machine, and the step control.
+//   rcLastError(), rcWallTime(), rcInterrupted(), rcBlas(), rcReferenceBlas(), rcVersion(), rcMakeFolder(path)
+//   stepcontrol S(tend, dtmax=..., stepsperwidth=14, dtmin=...);  S.propose(width, speed), S.accepted(), S.rejected(),
+//   S.cut(f), S.t, S.dt, S.finished
+#include "base/error.hpp"
+#include "named.hpp"
+#include "solver/blas_info.hpp"
+#include "stepping/step_control.hpp"
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+
+namespace rigidcontact {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+void note_signal(int) {
+  if (interrupted) std::_Exit(130); // asked twice: leave at once
+  interrupted = 1;
+}
+
+string* last_error_text(Stack stack, const long&) { return new_string(stack, last_error()); }
+double wall_time(const long&) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+bool catch_interrupt(const long&) {
+  std::signal(SIGINT, note_signal);
+  std::signal(SIGTERM, note_signal);
+  return true;
+}
+bool was_interrupted(const long&) { return interrupted != 0; }
+string* blas(Stack stack, const long&) { return new_string(stack, burnish::blas_name()); }
+bool reference_blas(const long&) { return burnish::is_reference_blas(); }
+bool make_folder(string* const& path) {
+  return guarded([&] {
+    std::error_code code;
+    std::filesystem::create_directories(*path, code);
+    const std::string probe = *path + "/.writable";
+    bool ok = false;
+    if (std::FILE* f = std::fopen(probe.c_str(), "w")) {
+      std::fclose(f);
+      std::filesystem::remove(probe, code);
+      ok = true;
+    }
+    if (!ok) burnish::fail("rcMakeFolder", "the output folder \"" + *path + "\" cannot be written");
+    return true;
+  });
+}
+
+struct ControlObject {
+  std::unique_ptr<burnish::StepControl> control;
+};
+using ControlHandle = Handle<ControlObject>;
+struct Construct {
+  static const int n = 4;
+  static basicAC_F0::name_and_type names[n];
+  static ControlHandle* call(const Named& a, ControlHandle* handle, double t_end) {
+    handle->init();
+    burnish::StepControlOptions options;
+    options.t_end = t_end;
+    options.dt_max = a.real("dtmax", options.dt_max);
+    options.dt_min = a.real("dtmin", options.dt_min);
+    options.steps_per_width = a.real("stepsperwidth", options.steps_per_width);
+    if (a.has("output")) {
+      const Eigen::VectorXd times = to_vector(a.array("output"), "stepcontrol", "output");
+      options.output_times.assign(times.data(), times.data() + times.size());
+    }
+    auto object = std::make_shared<ControlObject>();
+    object->control = std::make_unique<burnish::StepControl>(0, options);
+    handle->set(std::move(object));
+    return handle;
+  }
+};
+basicAC_F0::name_and_type Construct::names[] = {
+    {"dtmax", &typeid(double)}, {"dtmin", &typeid(double)}, {"stepsperwidth", &typeid(double)}, {"output", &typeid(KN_<double>)}};
+
+struct ProposeTag {};
+struct AcceptedTag {};
+struct RejectedTag {};
+struct CutTag {};
+double propose(const Method<ControlHandle, ProposeTag>& m, const double& width, const double& speed) {
+  return guarded([&] { return m->get().control->propose(width, speed); });
+}
+bool accepted(const Method<ControlHandle, AcceptedTag>& m) { return guarded([&] { return m->get().control->accepted(), true; }); }
+bool rejected(const Method<ControlHandle, RejectedTag>& m) { return guarded([&] { return m->get().control->rejected(); }); }
+double cut(const Method<ControlHandle, CutTag>& m, const double& f) {
+  return guarded([&] {
+    m->get().control->cut(f);
+    return m->get().control->dt();
+  });
+}
+double time_of(ControlHandle* const& h) { return h->get().control->time(); }
+double dt_of(ControlHandle* const& h) { return h->get().control->dt(); }
+bool finished(ControlHandle* const& h) { return h->get().control->finished(); }
+bool at_output(ControlHandle* const& h) { return h->get().control->at_output(); }
+
+} // namespace
+
+void register_tools_of_the_trade() {
+  using H = ControlHandle;
+  Global.Add("rcLastError", "(", new OneOperator1s_<string*, long>(last_error_text));
+  Global.Add("rcWallTime", "(", new OneOperator1_<double, long>(wall_time));
+  Global.Add("rcCatchInterrupt", "(", new OneOperator1_<bool, long>(catch_interrupt));
+  Global.Add("rcInterrupted", "(", new OneOperator1_<bool, long>(was_interrupted));
+  Global.Add("rcBlas", "(", new OneOperator1s_<string*, long>(blas));
+  Global.Add("rcReferenceBlas", "(", new OneOperator1_<bool, long>(reference_blas));
+  Global.Add("rcMakeFolder", "(", new OneOperator1_<bool, string*>(make_folder));
+  Dcl_Type<H*>(InitP<H>, Destroy<H>);
+  zzzfff->Add("stepcontrol", atype<H*>());
+  TheOperators->Add("<-", new NamedOperator<Construct, H*, H*, double>);
+  add_method<H, ProposeTag>("propose", new OneOperator3_<double, Method<H, ProposeTag>, double, double>(propose));
+  add_method<H, AcceptedTag>("accepted", new OneOperator1_<bool, Method<H, AcceptedTag>>(accepted));
+  add_method<H, RejectedTag>("rejected", new OneOperator1_<bool, Method<H, RejectedTag>>(rejected));
+  add_method<H, CutTag>("cut", new OneOperator2_<double, Method<H, CutTag>, double>(cut));
+  Add<H*>("t", ".", new OneOperator1_<double, H*>(time_of));
+  Add<H*>("dt", ".", new OneOperator1_<double, H*>(dt_of));
+  Add<H*>("finished", ".", new OneOperator1_<bool, H*>(finished));
+  Add<H*>("atoutput", ".", new OneOperator1_<bool, H*>(at_output));
+}
+
+} // namespace rigidcontact

@@ -1,0 +1,88 @@
+#pragma once
+// One step of one quadrature point, and the walk along a path of deformation gradients, for the material's
+// tests.
+#include "material/point_update.hpp"
+#include "unit/finite_difference.hpp"
+#include <functional>
+
+namespace burnish::test {
+
+/// Example 1 of the article [Pa].
+inline J2Parameters example_material() { return J2Parameters::from_shear(2.7e10, 0.32, 1.93e8, 9.62e8); }
+
+inline Tensor<2> tensor(double xx, double xy, double yx, double yy) {
+  Tensor<2> t;
+  t << xx, xy, yx, yy;
+  return t;
+}
+
+inline Tensor<2> rotation(double angle) {
+  return tensor(std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle));
+}
+
+/// R t R' by tensor products.
+inline Stress<2> turned(const Stress<2>& t, const Tensor<2>& R) {
+  const Tensor<2> T = R * tensor(t[0], t[3], t[3], t[1]) * R.transpose();
+  return {T(0, 0), T(1, 1), t[2], T(0, 1)};
+}
+
+struct PointStep {
+  J2Parameters material = example_material();
+  PointScheme scheme;
+  StrainFrame frame = StrainFrame::MIDPOINT;
+  PointOld<2> old{Tensor<2>::Identity(), Stress<2>::Zero(), 0, Stress<2>::Zero(), false};
+
+  StepKinematics<2> kinematics(const Tensor<2>& F) const { return step_kinematics(old.F, F, frame); }
+  PointNew<2> at(const Tensor<2>& F) const {
+    const StepKinematics<2> kin = kinematics(F);
+    return updated_point<2>(material, scheme, old, kin, elastic_trial<2>(material, kin, old.stress));
+  }
+  Tensor<2> piola(const Tensor<2>& F) const { return first_piola(at(F).stress, F.inverse()); }
+  PiolaTangent<2> tangent(const Tensor<2>& F) const {
+    return consistent_tangent<2>(material, scheme, old, kinematics(F), F, at(F).stress);
+  }
+  /// dP_iJ/dF_kL by finite differences.
+  PiolaTangent<2> measured_tangent(const Tensor<2>& F, double step) const {
+    PiolaTangent<2> A;
+    for (int c = 0; c < 4; ++c) {
+      const auto P = [&](double t) {
+        Tensor<2> moved = F;
+        moved(c / 2, c % 2) += t;
+        return piola(moved);
+      };
+      const Tensor<2> dP = finite_difference(P, 0, step);
+      A.col(c) << dP(0, 0), dP(0, 1), dP(1, 0), dP(1, 1);
+    }
+    return A;
+  }
+  /// The end of the step to F becomes the start of the next one.
+  void advance(const Tensor<2>& F) {
+    const PointNew<2> now = at(F);
+    old = {F, now.stress, now.plastic_strain_eq, kinematics(F).strain, now.plastic};
+  }
+};
+
+/// Walks F(t), t = 0..1, in n equal steps; substeps(step) of them run where the point is plastic.
+inline PointOld<2> walk(PointStep point, int n, const std::function<Tensor<2>(double)>& F, int substeps) {
+  const UpdateOptions options;
+  point.old.F = F(0);
+  for (int k = 1; k <= n; ++k) {
+    const Tensor<2> end = F(static_cast<double>(k) / n);
+    const ElasticTrial<2> trial = elastic_trial<2>(point.material, point.kinematics(end), point.old.stress);
+    const bool runs = substeps_needed<2>(point.material, options, trial, point.old.plastic_strain_eq,
+                                         point.old.plastic) > 0;
+    point.scheme.substeps = runs ? substeps : 0;
+    point.scheme.ratio = k > 1 ? 1 : 0;
+    point.advance(end);
+  }
+  return point.old;
+}
+
+/// s on the yield surface in a given direction.
+inline Stress<2> on_surface(const J2Parameters& material, const Stress<2>& direction,
+                            double plastic_strain_eq) {
+  const Stress<2> s = deviator<2>(direction);
+  return yield_stress_at(material, plastic_strain_eq) / equivalent<2>(s) * s;
+}
+
+} // namespace burnish::test

@@ -1,0 +1,204 @@
+// Tangents of the first Piola stress, unsymmetrized, against finite differences.
+#include "unit/material/point_step.hpp"
+#include <limits>
+#include <vector>
+
+using namespace burnish;
+using namespace burnish::test;
+
+namespace {
+
+const double UNLIMITED = std::numeric_limits<double>::infinity();
+
+struct Case {
+  std::string name;
+  PointStep step;
+  Tensor<2> F;
+  bool plastic; // expected
+};
+
+/// F_old stretched and turned, stress of a fraction of the yield stress with a mean part.
+PointStep stressed(double fraction) {
+  PointStep step;
+  step.old.F = tensor(1.1, 0.2, -0.15, 0.95);
+  step.old.plastic_strain_eq = 0.05;
+  step.old.stress = fraction * on_surface(step.material, {1, -0.2, -0.8, 0.9}, 0.05);
+  step.old.stress.head<3>().array() -= 2e8;
+  step.old.strain_increment = {0.004, -0.003, 0, -0.005};
+  return step;
+}
+
+Tensor<2> moved(const PointStep& step, double strain, double angle) {
+  return rotation(angle) * (Tensor<2>::Identity() + strain * tensor(1, 0.6, 0.4, -0.7)) * step.old.F;
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> list;
+  const auto add = [&](const std::string& name, double fraction, double strain, double angle, bool plastic) {
+    const PointStep step = stressed(fraction);
+    list.push_back({name, step, moved(step, strain, angle), plastic});
+  };
+  add("elastic, no stress", 0, 1e-3, 0, false);
+  add("elastic, stress and rotation", 0.5, 1e-3, 0.2, false);
+  add("unloading from the surface", 1, -1e-3, 0.05, false);
+  add("just plastic", 0.9, 3e-3, 0.01, true);
+  add("plastic, from the surface, with rotation", 1, 4e-3, 0.2, true);
+  add("strongly plastic", 0.5, 0.1, 0, true);
+  add("strongly plastic with rotation", 1, 0.2, -0.5, true);
+  add("reversed through the whole surface", 1, -0.05, 0.1, true);
+  return list;
+}
+
+void check_tangent(const Case& c, const PointStep& step) {
+  ASSERT_EQ(step.at(c.F).plastic, c.plastic);
+  const PiolaTangent<2> computed = step.tangent(c.F), measured = step.measured_tangent(c.F, 1e-6);
+  const double error = (computed - measured).norm() / measured.norm();
+  EXPECT_LE(error, 1e-9) << "computed\n" << computed << "\nmeasured\n" << measured;
+}
+
+} // namespace
+
+TEST(PointTangent, SingleReturn) {
+  for (StrainFrame frame : {StrainFrame::MIDPOINT, StrainFrame::END})
+    for (const Case& c : cases()) {
+      SCOPED_TRACE(c.name);
+      PointStep step = c.step;
+      step.frame = frame;
+      step.scheme.update = StressUpdate::SINGLE;
+      check_tangent(c, step);
+    }
+}
+
+TEST(PointTangent, SubsteppedReturn) {
+  for (StrainFrame frame : {StrainFrame::MIDPOINT, StrainFrame::END})
+    for (double limit : {1.5, 0.0, UNLIMITED}) // limiter active in some steps, always, never
+      for (int substeps : {1, 3, 20})
+        for (const Case& c : cases()) {
+          if (!c.plastic) continue;
+          SCOPED_TRACE(c.name + ", limit " + std::to_string(limit) + ", substeps " +
+                       std::to_string(substeps));
+          PointStep step = c.step;
+          step.frame = frame;
+          step.scheme = {StressUpdate::SUBSTEPPED, limit, 0.8, substeps};
+          check_tangent(c, step);
+        }
+}
+
+TEST(PointTangent, SubsteppedElasticStep) {
+  for (const Case& c : cases()) {
+    if (c.plastic) continue;
+    SCOPED_TRACE(c.name);
+    PointStep step = c.step;
+    step.scheme = {StressUpdate::SUBSTEPPED, 1.5, 0.8, 0};
+    check_tangent(c, step);
+  }
+}
+
+TEST(PointTangent, PathThatFlowsInsideAndComesBack) {
+  // the end of the straight path is inside the surface, the quadratic path is not: only some substeps flow
+  PointStep step = stressed(0.95);
+  step.old.strain_increment = {0.02, -0.012, 0, 0.015};
+  step.scheme = {StressUpdate::SUBSTEPPED, UNLIMITED, 1, 7};
+  const Case c{"out and back", step, moved(step, -1e-3, 0.02), true};
+  const ElasticTrial<2> trial = elastic_trial<2>(step.material, step.kinematics(c.F), step.old.stress);
+  ASSERT_EQ(substeps_needed<2>(step.material, {}, trial, step.old.plastic_strain_eq, false), 0);
+  check_tangent(c, step);
+}
+
+TEST(PointTangent, ForwardEuler) {
+  int plastic = 0;
+  for (StrainFrame frame : {StrainFrame::MIDPOINT, StrainFrame::END})
+    for (const Case& c : cases()) {
+      SCOPED_TRACE(c.name);
+      PointStep step = c.step;
+      step.frame = frame;
+      step.scheme.update = StressUpdate::FORWARD_EULER;
+      const PiolaTangent<2> computed = step.tangent(c.F), measured = step.measured_tangent(c.F, 1e-6);
+      EXPECT_LE((computed - measured).norm() / measured.norm(), 1e-8) << computed << "\nmeasured\n"
+                                                                      << measured;
+      plastic += step.at(c.F).plastic;
+    }
+  EXPECT_GE(plastic, 4); // from the surface, loading
+}
+
+TEST(PointTangent, Nonsymmetry) { // why its symmetric part may be used: method.md section 1
+  PointStep step = stressed(1);
+  const auto nonsymmetry = [&](StressUpdate update, StrainFrame frame) {
+    step.frame = frame;
+    step.scheme = {update, 1.5, 1, 5};
+    const PiolaTangent<2> A = step.tangent(moved(step, 0.005, 0.01));
+    return (A - A.transpose()).norm() / A.norm();
+  };
+  // a single return is the gradient of a potential but for the frame of its strain increment
+  EXPECT_NEAR(nonsymmetry(StressUpdate::SINGLE, StrainFrame::MIDPOINT), 2e-3, 1e-3);
+  EXPECT_LT(nonsymmetry(StressUpdate::SINGLE, StrainFrame::END), 2e-5);
+  // substeps that turn are not
+  EXPECT_LT(nonsymmetry(StressUpdate::SUBSTEPPED, StrainFrame::MIDPOINT), 3e-2);
+  EXPECT_LT(nonsymmetry(StressUpdate::SUBSTEPPED, StrainFrame::END), 3e-2);
+}
+
+TEST(RateTangent, IsSymmetric) {
+  for (const Case& c : cases())
+    for (bool plastic : {false, true}) {
+      const PiolaTangent<2> A = rate_tangent<2>(c.step.material, c.step.old.stress, c.F, plastic);
+      EXPECT_LE((A - A.transpose()).norm(), 1e-14 * A.norm()) << c.name;
+    }
+}
+
+TEST(RateTangent, IsTheLimitOfTheSingleReturn) {
+  for (StrainFrame frame : {StrainFrame::MIDPOINT, StrainFrame::END})
+    for (bool plastic : {false, true}) {
+      SCOPED_TRACE(plastic ? "loading" : "unloading");
+      PointStep step = stressed(1);
+      step.frame = frame;
+      step.scheme.update = StressUpdate::SINGLE;
+      const PiolaTangent<2> limit = rate_tangent<2>(step.material, step.old.stress, step.old.F, plastic);
+      double error_before = 0;
+      for (double size : {4e-6, 2e-6, 1e-6}) {
+        const Tensor<2> F = moved(step, plastic ? size : -size, 10 * size);
+        ASSERT_EQ(step.at(F).plastic, plastic);
+        const double error = (step.tangent(F) - limit).norm() / limit.norm();
+        EXPECT_LE(error, 1e3 * size) << "step " << size;
+        if (error_before > 0) {
+          EXPECT_NEAR(error_before / error, 2, 0.1) << "step " << size;
+        } // first order
+        error_before = error;
+      }
+    }
+}
+
+TEST(RateTangent, IsTheWorkOfTheRates) {
+  // dF:dP = dL_ij (D:d + w tau - tau d)_ij with dF = L F, method.md section 1
+  const J2Parameters material = example_material();
+  const PointStep step = stressed(1);
+  const Tensor<2> F = step.old.F, L = tensor(0.3, -0.5, 0.9, 0.2), dL = tensor(-0.4, 0.1, 0.8, 0.7);
+  const Tensor<2> d = (L + L.transpose()) / 2, w = (L - L.transpose()) / 2;
+  const Stress<2> rate = {d(0, 0), d(1, 1), 0, d(0, 1)}, s = deviator<2>(step.old.stress);
+  const double q = equivalent<2>(s);
+  Stress<2> Dd = deviatoric_stress<2>(material, rate) -
+                 3 * material.G * contract<2>(s, rate) /
+                     (q * q * (1 + material.hardening_modulus / (3 * material.G))) * s;
+  Dd.head<3>().array() += material.K * d.trace();
+  const Tensor<2> tau = in_plane(step.old.stress);
+  const double expected = (dL.array() * (in_plane(Dd) + w * tau - tau * d).array()).sum();
+  const PiolaTangent<2> A = rate_tangent<2>(material, step.old.stress, F, true);
+  const auto row_major = [](const Tensor<2>& t) {
+    return Eigen::Vector4d(t(0, 0), t(0, 1), t(1, 0), t(1, 1));
+  };
+  EXPECT_NEAR(row_major(dL * F).dot(A * row_major(L * F)) / expected, 1, 1e-13);
+}
+
+TEST(PiolaTangent, PushOfAConstantStress) { // tau frozen: dP = tau d(F^-T)
+  const Stress<2> stress = {3, -1, 7, 2};
+  const Tensor<2> F = tensor(1.2, 0.3, -0.2, 0.9);
+  const PiolaTangent<2> A = piola_tangent(StressByIncrement<2>::Zero(), stress, F.inverse());
+  for (int c = 0; c < 4; ++c) {
+    const auto P = [&](double t) {
+      Tensor<2> at = F;
+      at(c / 2, c % 2) += t;
+      return first_piola(stress, at.inverse());
+    };
+    const Tensor<2> dP = finite_difference(P, 0, 1e-3);
+    expect_close(A.col(c), Eigen::Vector4d(dP(0, 0), dP(0, 1), dP(1, 0), dP(1, 1)), 1, 1e-9, "dP/dF");
+  }
+}

@@ -1,0 +1,253 @@
+// State of the workpiece: update, substeps, accept and revert, failures, bad input.
+#include "unit/material/point_step.hpp"
+#include "unit/workpiece/patch.hpp"
+#include <limits>
+
+using namespace burnish;
+using namespace burnish::test;
+
+namespace {
+
+const double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+
+Workpiece<2> workpiece(int nodes = 3, UpdateOptions options = {}) {
+  return {patch(nodes, 1), example_material(), options};
+}
+
+UpdateOptions with_update(StressUpdate update) {
+  UpdateOptions options;
+  options.update = update;
+  return options;
+}
+
+} // namespace
+
+TEST(Workpiece, StartsUndeformed) {
+  const Workpiece<2> body = workpiece(6);
+  EXPECT_EQ(body.state().displacement, Eigen::VectorXd::Zero(50));
+  EXPECT_EQ(body.state().F.size(), 24u * 4);
+  for (int p = 0; p < 24; ++p)
+    EXPECT_EQ(std::vector<double>(&body.state().F[4 * p], &body.state().F[4 * p] + 4),
+              std::vector<double>({1, 0, 0, 1}));
+  EXPECT_EQ(body.internal_force(), Eigen::VectorXd::Zero(50));
+  EXPECT_EQ(body.state().dt, 0);
+  EXPECT_TRUE(same(body.state(), body.state_old()));
+}
+
+TEST(Workpiece, UpdateIsThePointFunctionWithTheRatioOfTheSteps) {
+  for (StressUpdate update : {StressUpdate::SUBSTEPPED, StressUpdate::SINGLE, StressUpdate::FORWARD_EULER})
+    for (StrainFrame frame : {StrainFrame::MIDPOINT, StrainFrame::END}) {
+      UpdateOptions options = with_update(update);
+      options.strain_frame = frame;
+      Workpiece<2> body = workpiece(3, options);
+      PointStep step;
+      step.frame = frame;
+      const Tensor<2> path[] = {tensor(1.01, 0.002, 0, 1), tensor(1.013, 0.01, 0.004, 1),
+                                tensor(1.01, 0.02, 0.01, 1.01)};
+      const double dt[] = {2, 1, 3};
+      for (int k = 0; k < 3; ++k) {
+        const StepKinematics<2> kin = step.kinematics(path[k]);
+        const ElasticTrial<2> trial = elastic_trial<2>(step.material, kin, step.old.stress);
+        const int substeps =
+            substeps_needed<2>(step.material, options, trial, step.old.plastic_strain_eq, step.old.plastic);
+        step.scheme = {update, options.path_limit, k ? dt[k] / dt[k - 1] : 0, substeps};
+        ASSERT_EQ(body.update(homogeneous(body.discretization(), path[k]), dt[k], 0).status,
+                  UpdateStatus::OK);
+        body.accept();
+        step.advance(path[k]);
+        for (int p : {0, 7}) {
+          expect_close(stress_at(body.state(), p), step.old.stress, 1e8, 1e-11, "stress");
+          EXPECT_NEAR(body.state().plastic_strain_eq[p], step.old.plastic_strain_eq, 1e-14);
+          EXPECT_EQ(body.state().plastic[p] != 0, step.old.plastic);
+          EXPECT_EQ(body.state().dt, dt[k]);
+        }
+      }
+      EXPECT_GT(step.old.plastic_strain_eq, 0.005);
+    }
+}
+
+TEST(Workpiece, UpdateDependsOnStateOldOnly) {
+  Workpiece<2> body = workpiece(6), fresh = workpiece(6);
+  const Eigen::VectorXd first = bent(body.discretization(), 1, 0.005),
+                        second = bent(body.discretization(), 1, 0.012);
+  for (Workpiece<2>* w : {&body, &fresh}) {
+    w->update(first, 1, 0);
+    w->accept();
+  }
+  body.update(3 * second, 1, 0); // something else in between
+  body.update(second, 1, 0);
+  fresh.update(second, 1, 0);
+  EXPECT_TRUE(same(body.state(), fresh.state()));
+  EXPECT_FALSE(same(body.state(), body.state_old()));
+}
+
+TEST(Workpiece, AcceptAndRevert) {
+  Workpiece<2> body = workpiece(6);
+  const WorkpieceState<2> start = body.state();
+  body.update(bent(body.discretization(), 1, 0.005), 1, 0);
+  const WorkpieceState<2> end = body.state();
+  EXPECT_TRUE(same(body.state_old(), start));
+  body.revert();
+  EXPECT_TRUE(same(body.state(), start));
+  body.update(bent(body.discretization(), 1, 0.005), 1, 0);
+  body.accept();
+  EXPECT_TRUE(same(body.state_old(), end));
+  EXPECT_TRUE(same(body.state(), end));
+  Workpiece<2> restarted = workpiece(6);
+  restarted.set_state(end);
+  for (Workpiece<2>* w : {&body, &restarted}) w->update(bent(w->discretization(), 1, 0.008), 0.7, 0);
+  EXPECT_TRUE(same(body.state(), restarted.state())); // restart to the last bit
+}
+
+TEST(Workpiece, SubstepsGrowThenFreeze) {
+  Workpiece<2> body = workpiece();
+  const auto stress_after = [&](std::vector<double> stretches, std::vector<int> iterations) {
+    for (std::size_t k = 0; k < stretches.size(); ++k)
+      body.update(homogeneous(body.discretization(), tensor(1 + stretches[k], 0.5 * stretches[k], 0, 1)), 1,
+                  iterations[k]);
+    return stress_at(body.state(), 0);
+  };
+  stress_after({0.008}, {0}); // some plastic flow, in another direction than the next step would have it
+  body.accept();
+  const double small = 0.009, large = 0.03; // 3 and 20 substeps
+  const Stress<2> coarse_small = stress_after({small}, {0}), fine_large = stress_after({large}, {0});
+  EXPECT_EQ(stress_after({small, large}, {0, 1}), fine_large);   // grows before iteration 3
+  EXPECT_NE(stress_after({small, large}, {0, 3}), fine_large);   // frozen at 3 substeps
+  EXPECT_NE(stress_after({large, small}, {0, 1}), coarse_small); // never shrinks within the step
+  EXPECT_EQ(stress_after({large, small}, {0, 0}), coarse_small); // a new step begins
+  body.options().freeze_iteration = 5;
+  EXPECT_EQ(stress_after({small, large}, {0, 4}), fine_large);
+}
+
+TEST(Workpiece, FrozenSubstepsKeepTheStressContinuous) {
+  // across the strain where one more substep is asked for
+  Workpiece<2> body = workpiece();
+  const double De_per_stretch = equivalent<2>(deviatoric_stress<2>(body.material(), {1, 0, 0, 0}));
+  const double jump_at = 4 * 0.3 * body.material().yield_stress / De_per_stretch; // 4 -> 5 substeps
+  const auto stress = [&](double stretch, int iteration) {
+    const double F = (2 + stretch) / (2 - stretch); // midpoint strain = stretch
+    body.update(homogeneous(body.discretization(), tensor(F, 0, 0, 1)), 1, iteration);
+    return stress_at(body.state(), 0);
+  };
+  WorkpieceState<2> start = body.state();
+  for (int p = 0; p < 8; ++p)
+    start.stress[4 * p + 3] = 0.5 * body.material().yield_stress; // so that the path turns
+  body.set_state(start);
+  const double small = 1e-9 * jump_at, yield = body.material().yield_stress;
+  const double restarted = (stress(jump_at + small, 0) - stress(jump_at - small, 0)).norm();
+  stress(jump_at - small, 0);
+  const double frozen = (stress(jump_at + small, 3) - stress(jump_at - small, 3)).norm();
+  EXPECT_GT(restarted, 1e-4 * yield);
+  EXPECT_LT(frozen, 1e-7 * yield);
+}
+
+TEST(Workpiece, PointThatFlowedRunsItsSubstepsWhenTheTrialIsElastic) {
+  Workpiece<2> body = workpiece();
+  const auto update = [&](double xx) {
+    body.update(homogeneous(body.discretization(), tensor(xx, 0, 0, 1)), 1, 0);
+  };
+  update(1.01);
+  body.accept();
+  body.options().path_limit = std::numeric_limits<double>::infinity();
+  update(1.0099); // back a little, but the quadratic path goes on first
+  EXPECT_TRUE(body.state().plastic[0]);
+  body.options().path_limit = 0;
+  update(1.0099);
+  EXPECT_FALSE(body.state().plastic[0]);
+}
+
+TEST(Workpiece, ReportsInvertedElements) {
+  for (int nodes : {3, 6}) {
+    Workpiece<2> body = workpiece(nodes);
+    const Discretization<2>& mesh = body.discretization();
+    UpdateResult result = body.update(homogeneous(mesh, tensor(-0.5, 0, 0, 2)), 1, 0);
+    EXPECT_EQ(result.status, UpdateStatus::INVERTED_ELEMENT);
+    EXPECT_EQ(result.point, 0);
+    EXPECT_NEAR(result.value, -1, 1e-12);
+    result = body.update(homogeneous(mesh, tensor(-0.5, 0, 0, -3)), 1, 0); // det F = 1.5, det F_mid = -0.25
+    EXPECT_EQ(result.status, UpdateStatus::INVERTED_ELEMENT);
+    EXPECT_NEAR(result.value, -0.25, 1e-12);
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.num_dofs());
+    u[2 * 8 + 1] = -2; // the corner vertex 8 pulled through the body: only elements 6 and 7 have it
+    result = body.update(u, 1, 0);
+    EXPECT_EQ(result.status, UpdateStatus::INVERTED_ELEMENT);
+    EXPECT_EQ(result.point / mesh.points_per_element, 6);
+    EXPECT_LE(result.value, 0);
+    result = body.update(0 * u, 1, 0); // usable again
+    EXPECT_EQ(result.status, UpdateStatus::OK);
+    EXPECT_EQ(result.point, -1);
+  }
+}
+
+TEST(Workpiece, ReportsNotFiniteDisplacements) {
+  Workpiece<2> body = workpiece();
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(18);
+  u[2 * 8] = NOT_A_NUMBER;
+  UpdateResult result = body.update(u, 1, 0);
+  EXPECT_EQ(result.status, UpdateStatus::NOT_FINITE);
+  EXPECT_EQ(result.point, 6);
+  u[2 * 8] = 1e308;
+  EXPECT_EQ(body.update(u, 1, 0).status, UpdateStatus::NOT_FINITE);
+  std::vector<double> X = {0, 0, 1, 0, 0, 1, 5, 5}; // node 3 belongs to no element
+  Workpiece<2> loose(triangles(3, X, {0, 1, 2}), example_material());
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(8);
+  v[7] = NOT_A_NUMBER;
+  result = loose.update(v, 1, 0);
+  EXPECT_EQ(result.status, UpdateStatus::NOT_FINITE);
+  EXPECT_EQ(result.point, -1);
+}
+
+TEST(Workpiece, ErrorsOfConstruction) {
+  const J2Parameters good = example_material();
+  const auto expect_mesh = [&](auto change, const std::string& text) {
+    Discretization<2> mesh = patch(3, 1);
+    change(mesh);
+    expect_invalid([&] { Workpiece<2>(mesh, good); }, "Workpiece: " + text);
+  };
+  expect_mesh([](auto& m) { m.num_elements = 0; }, "num_elements = 0, expected > 0");
+  expect_mesh([](auto& m) { m.nodes_per_element = 2; }, "nodes_per_element = 2, expected > Dim");
+  expect_mesh([](auto& m) { m.points_per_element = 0; }, "points_per_element = 0, expected > 0");
+  expect_mesh([](auto& m) { m.X.pop_back(); }, "size of X = 17");
+  expect_mesh([](auto& m) { m.connectivity.pop_back(); }, "size of connectivity = 23");
+  expect_mesh([](auto& m) { m.weight.pop_back(); }, "size of weight = 7");
+  expect_mesh([](auto& m) { m.shape_grad.pop_back(); }, "size of shape_grad = 47");
+  J2Parameters soft = good;
+  soft.G = 0;
+  expect_invalid([&] { Workpiece<2>(patch(3, 1), soft); }, "Workpiece: G = 0, expected finite > 0");
+  UpdateOptions options;
+  options.min_substeps = 0;
+  expect_invalid([&] { workpiece(3, options); }, "Workpiece: min_substeps = 0, expected >= 1");
+}
+
+TEST(Workpiece, ErrorsOfUpdate) {
+  Workpiece<2> body = workpiece();
+  const Eigen::VectorXd u = Eigen::VectorXd::Zero(18);
+  expect_invalid([&] { body.update(Eigen::VectorXd::Zero(17), 1, 0); },
+                 "Workpiece::update: size of displacement = 17, expected num_dofs");
+  expect_invalid([&] { body.update(u, 0, 0); }, "Workpiece::update: dt = 0, expected finite > 0");
+  expect_invalid([&] { body.update(u, 1, -1); }, "Workpiece::update: iteration = -1, expected >= 0");
+  body.options().substep_strain = -1;
+  expect_invalid([&] { body.update(u, 1, 0); }, "Workpiece::update: substep_strain = -1, expected > 0");
+}
+
+TEST(Workpiece, ErrorsOfSetState) {
+  Workpiece<2> body = workpiece();
+  const WorkpieceState<2> good = body.state();
+  const auto expect_state = [&](auto change, const std::string& text) {
+    WorkpieceState<2> state = good;
+    change(state);
+    expect_invalid([&] { body.set_state(state); }, "Workpiece::set_state: " + text);
+    EXPECT_TRUE(same(body.state(), good));
+  };
+  expect_state([](auto& s) { s.displacement.resize(3); }, "size of displacement = 3, expected 18");
+  expect_state([](auto& s) { s.F.pop_back(); }, "size of F = 31, expected 32");
+  expect_state([](auto& s) { s.stress.pop_back(); }, "size of stress = 31, expected 32");
+  expect_state([](auto& s) { s.strain_increment.pop_back(); }, "size of strain_increment = 31, expected 32");
+  expect_state([](auto& s) { s.plastic_strain_eq.pop_back(); }, "size of plastic_strain_eq = 7, expected 8");
+  expect_state([](auto& s) { s.plastic.pop_back(); }, "size of plastic = 7, expected 8");
+  expect_state([](auto& s) { s.stress[5] = NOT_A_NUMBER; }, "stress = nan, expected finite numbers");
+  expect_state([](auto& s) { s.displacement[5] = NOT_A_NUMBER; },
+               "displacement = nan, expected finite numbers");
+  expect_state([](auto& s) { s.F[4] = -1; }, "det F = -1, expected > 0");
+  expect_state([](auto& s) { s.dt = -1; }, "dt = -1, expected finite >= 0");
+}
