@@ -56,7 +56,7 @@ def mark_contact(axes, surface, letters="EF"):
 
 
 def arc_from_middle(surface):
-    """Length along the deformed arc [mm], zero in the middle of the contact, growing clockwise; None without contact."""
+    """Length along the deformed arc [mm], zero in the middle of the contact, growing clockwise; None: no contact."""
     nodes = np.flatnonzero(touching(surface))
     if not len(nodes):
         return None

@@ -38,7 +38,7 @@ def convert(path, column, cells, lines):
 
 
 def read_table(path, numbers, texts=(), rows=1):
-    """CSV as {column: array}. numbers, texts: columns that must be there; others are left out. rows: how many at least."""
+    """CSV as {column: array}. numbers, texts: columns that must be there; others are left out. rows: least number."""
     reader = csv.reader(read_text(path).splitlines())
     header = [name.strip() for name in next(reader, [])]
     missing = [name for name in (*numbers, *texts) if name not in header]

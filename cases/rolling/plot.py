@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Pictures of example 1: plot.py OUTDIR reads what rolling.edp wrote there and puts PNG files beside it."""
 import os
+import signal
 import sys
 from types import SimpleNamespace
 
@@ -20,6 +21,7 @@ except ImportError as error:
 # Pa, the values of the article's figures 2 and 3
 LEVELS_BELOW, LEVELS_ABOVE = (0.43e8, 0.87e8, 1.3e8, 1.73e8), (2.2e8, 2.6e8, 3.0e8, 3.5e8)
 
+FILES = ("history.csv", "events.csv", "summary.json", "final.vtu", "surface.csv")
 HISTORY = ("t", "r", "phi", "theta", "Q_r", "Q_phi", "Q_theta", "contact_begin_deg", "contact_end_deg", "sticking",
            "sliding")
 SURFACE = ("X", "Y", "x", "y", "pressure", "traction_tangential")
@@ -30,8 +32,7 @@ def read_run(folder):
     """All files of a run; an InputError names every missing one."""
     if not os.path.isdir(folder):
         raise InputError(f"{folder}: no such folder")
-    names = ("history.csv", "events.csv", "summary.json", "final.vtu", "surface.csv")
-    path = {name: os.path.join(folder, name) for name in names}
+    path = {name: os.path.join(folder, name) for name in FILES}
     missing = [p for p in path.values() if not os.path.isfile(p)]
     if missing:
         raise InputError("missing: " + ", ".join(missing))
@@ -66,10 +67,10 @@ def contact_place(run):
 
 
 def contact_width(run):
-    """Distance of the outermost contact nodes [mm], at least two distances of nodes."""
+    """Distance of the outermost contact nodes [mm], at least a part of the workpiece, so that a view stays readable."""
     where = np.flatnonzero(contact.touching(run.surface))
     x, y = MM * run.surface["x"], MM * run.surface["y"]
-    least = 2 * np.hypot(np.diff(x), np.diff(y)).max()
+    least = 0.08 * np.hypot(np.ptp(x), np.ptp(y))
     return max(least, np.hypot(*(np.ptp(v[where[[0, -1]]]) for v in (x, y)))) if len(where) else least
 
 
@@ -162,7 +163,8 @@ def contact_panels(ends, nodes, h):
     ends.fill_between(h["t"], h["contact_begin_deg"], h["contact_end_deg"], color=SKY, alpha=0.35, linewidth=0)
     ends.plot(h["t"], h["contact_begin_deg"], color=BLUE, label="begin")
     ends.plot(h["t"], h["contact_end_deg"], color=ORANGE, label="end")
-    ends.plot(h["t"], np.degrees(h["phi"]), color=GRAY, linewidth=1.0, linestyle="--", label=r"roller's center $\varphi$")
+    ends.plot(h["t"], np.degrees(h["phi"]), color=GRAY, linewidth=1.0, linestyle="--",
+              label=r"roller's center $\varphi$")
     ends.legend()
     nodes.step(h["t"], h["sticking"], where="mid", color=GREEN, linewidth=1.0, label="sticking")
     nodes.step(h["t"], h["sliding"], where="mid", color=RED, linewidth=1.0, label="sliding")
@@ -212,8 +214,7 @@ PICTURES = (stress_below_yield, stress_above_yield, plastic_strain, tool_histori
 
 def main(arguments):
     if len(arguments) != 1 or arguments[0].startswith("-"):
-        print("usage: plot.py OUTDIR    (the folder with history.csv, events.csv, summary.json, final.vtu, surface.csv)",
-              file=sys.stderr)
+        print(f"usage: plot.py OUTDIR    (the folder with {', '.join(FILES)})", file=sys.stderr)
         return 2
     try:
         run = read_run(arguments[0])
@@ -233,4 +234,6 @@ def main(arguments):
 
 
 if __name__ == "__main__":
+    for name in (signal.SIGINT, signal.SIGPIPE):
+        signal.signal(name, signal.SIG_DFL)  # stop quietly
     sys.exit(main(sys.argv[1:]))
