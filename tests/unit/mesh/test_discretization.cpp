@@ -89,47 +89,17 @@ TEST(Triangles, GradientsReproduceTheirPolynomials) {
 
 TEST(Triangles, Errors) {
   const Points six = {0, 0, 2, 0, 0, 1, 1, 0.5, 0, 0.5, 1, 0};
-  expect_invalid(
-      [] {
-        triangles(4, TRIANGLE, {0, 1, 2, 2});
-      },
-      "triangles: nodes_per_element = 4, expected 3 (P1) or 6 (P2)");
-  expect_invalid(
-      [] {
-        triangles(3, {0, 0, 1}, {0, 1, 2});
-      },
-      "triangles: size of X = 3, expected an even number");
-  expect_invalid(
-      [] {
-        triangles(3, TRIANGLE, {0, 1});
-      },
-      "triangles: size of connectivity = 2, expected a positive multiple");
-  expect_invalid([] { triangles(3, TRIANGLE, {}); },
-                 "triangles: size of connectivity = 0, expected a positive multiple");
-  expect_invalid(
-      [] {
-        triangles(3, TRIANGLE, {0, 1, 3});
-      },
-      "triangles: node of element 0 = 3, expected 0 <= node < 3");
-  expect_invalid([] { triangles(3, TRIANGLE, {0, 1, -1}); }, "triangles: node of element 0 = -1");
-  expect_invalid(
-      [] {
-        triangles(3, {0, 0, 2, NAN, 0, 1}, {0, 1, 2});
-      },
-      "triangles: X of node 1, component 1 = nan");
-  expect_invalid(
-      [] {
-        triangles(3, TRIANGLE, {0, 1, 2, 0, 2, 1});
-      },
-      "triangles: area of element 1 = -1, expected > 0");
-  expect_invalid(
-      [] {
-        triangles(3, {0, 0, 1, 0, 2, 0}, {0, 1, 2});
-      },
-      "triangles: area of element 0 = 0, expected > 0");
-  expect_invalid(
-      [&] {
-        triangles(6, six, {0, 1, 2, 4, 3, 5});
-      },
-      "triangles: node 4 of element 0 is off the middle of the edge opposite vertex 0");
+  const auto expect = [](int nodes, const Points& X, const std::vector<int>& connectivity, const char* text) {
+    expect_invalid([&] { triangles(nodes, X, connectivity); }, std::string("triangles: ") + text);
+  };
+  expect(4, TRIANGLE, {0, 1, 2, 2}, "nodes_per_element = 4, expected 3 (P1) or 6 (P2)");
+  expect(3, {0, 0, 1}, {0, 1, 2}, "size of X = 3, expected an even number");
+  expect(3, TRIANGLE, {0, 1}, "size of connectivity = 2, expected a positive multiple");
+  expect(3, TRIANGLE, {}, "size of connectivity = 0, expected a positive multiple");
+  expect(3, TRIANGLE, {0, 1, 3}, "node of element 0 = 3, expected 0 <= node < 3");
+  expect(3, TRIANGLE, {0, 1, -1}, "node of element 0 = -1");
+  expect(3, {0, 0, 2, NAN, 0, 1}, {0, 1, 2}, "X of node 1, component 1 = nan");
+  expect(3, TRIANGLE, {0, 1, 2, 0, 2, 1}, "area of element 1 = -1, expected > 0");
+  expect(3, {0, 0, 1, 0, 2, 0}, {0, 1, 2}, "area of element 0 = 0, expected > 0");
+  expect(6, six, {0, 1, 2, 4, 3, 5}, "node 4 of element 0 is off the middle of the edge opposite vertex 0");
 }
