@@ -95,6 +95,19 @@ long statistic(const Method<H, StatisticTag>& m, string* const& name) {
   });
 }
 
+struct SecondsTag {};
+double seconds(const Method<H, SecondsTag>& m, string* const& phase) {
+  return guarded([&] {
+    const ContactObject& contact = m->get();
+    const auto counts = contact.session->started() ? contact.session->corrector().counts() : burnish::CorrectorCounts{};
+    if (*phase == "condensation") return counts.condensation_seconds + contact.condense_seconds;
+    if (*phase == "factorization") return counts.factorization_seconds;
+    if (*phase == "solve") return counts.solve_seconds;
+    if (*phase == "events") return contact.event_seconds;
+    burnish::fail("contact.seconds", "unknown phase \"" + *phase + "\", expected condensation, factorization, solve or events");
+  });
+}
+
 const burnish::ContactEvent<2>& event(H* h, long i) {
   const auto& log = h->get().session->log();
   burnish::require(i >= 0 && i < static_cast<long>(log.size()), "contact.event", "index", i, "less than eventnumber");
@@ -153,16 +166,17 @@ void register_contact_data() {
   number("spacing", spacing);
   number("residual", residual);
   number("loadscale", load_scale);
-  add_method<H, CountTag>("count", new OneOperator2_<long, Method<H, CountTag>, string*>(count));
-  add_method<H, StatisticTag>("statistic", new OneOperator2_<long, Method<H, StatisticTag>, string*>(statistic));
+  add_method<H, CountTag>("count", [] { return new OneOperator2_<long, Method<H, CountTag>, string*>(count); });
+  add_method<H, StatisticTag>("statistic", [] { return new OneOperator2_<long, Method<H, StatisticTag>, string*>(statistic); });
+  add_method<H, SecondsTag>("seconds", [] { return new OneOperator2_<double, Method<H, SecondsTag>, string*>(seconds); });
   Add<H*>("eventnumber", ".", new OneOperator1_<long, H*>(event_number));
   Add<H*>("leftout", ".", new OneOperator1s_<string*, H*>(left_out));
-  add_method<H, TimeTag>("eventtime", new OneOperator2_<double, Method<H, TimeTag>, long>(event_time));
-  add_method<H, KindTag>("eventkind", new OneOperator2s_<string*, Method<H, KindTag>, long>(event_kind));
-  add_method<H, NodeTag>("eventnode", new OneOperator2_<long, Method<H, NodeTag>, long>(event_node));
-  add_method<H, ToolTag>("eventtool", new OneOperator2s_<string*, Method<H, ToolTag>, long>(event_tool));
-  add_method<H, XTag>("eventx", new OneOperator2_<double, Method<H, XTag>, long>(event_x));
-  add_method<H, YTag>("eventy", new OneOperator2_<double, Method<H, YTag>, long>(event_y));
+  add_method<H, TimeTag>("eventtime", [] { return new OneOperator2_<double, Method<H, TimeTag>, long>(event_time); });
+  add_method<H, KindTag>("eventkind", [] { return new OneOperator2s_<string*, Method<H, KindTag>, long>(event_kind); });
+  add_method<H, NodeTag>("eventnode", [] { return new OneOperator2_<long, Method<H, NodeTag>, long>(event_node); });
+  add_method<H, ToolTag>("eventtool", [] { return new OneOperator2s_<string*, Method<H, ToolTag>, long>(event_tool); });
+  add_method<H, XTag>("eventx", [] { return new OneOperator2_<double, Method<H, XTag>, long>(event_x); });
+  add_method<H, YTag>("eventy", [] { return new OneOperator2_<double, Method<H, YTag>, long>(event_y); });
 }
 
 } // namespace rigidcontact

@@ -18,18 +18,19 @@ struct Condense {
                                          KN_<double> u, KN_<double> R) {
     ContactObject& contact = m->get();
     if (!contact.session->started()) burnish::fail("contact.condense", "call begin first");
+    const burnish::CpuTimer timer(contact.condense_seconds);
     const auto& blocks = contact.reader.read(view_of(K, "contact.condense"));
     const auto right = a.boolean("rates", false) ? burnish::RightHandSide::RATES : burnish::RightHandSide::TOTAL;
     const auto& system = contact.session->condense(blocks, to_vector(u, "contact.condense", "u"), to_vector(R, "contact.condense", "R"),
                                                    terms_of(a.text("terms", "complete")), right, a.boolean("symmetric", false));
-    contact.view.assign(system.rhs.data(), system.rhs.data() + system.rhs.size());
+    contact.rhs.assign(system.rhs.data(), system.rhs.data() + system.rhs.size());
     return to_freefem(a.stack(), system);
   }
 };
 basicAC_F0::name_and_type Condense::names[] = {{"terms", &typeid(string*)}, {"rates", &typeid(bool)}, {"symmetric", &typeid(bool)}};
 
 KN_<double> right_hand_side(Stack stack, ContactHandle* const& h) {
-  return guarded([&] { return new_array(stack, h->get().view); });
+  return guarded([&] { return new_array(stack, h->get().rhs); });
 }
 
 struct ExpandTag {};
@@ -47,10 +48,10 @@ double expand(Stack, const Method<ContactHandle, ExpandTag>& m, const KN_<double
 void register_contact_matrix() {
   using H = ContactHandle;
   using Array = KN_<double>;
-  add_method<H, CondenseTag>("condense", new NamedOperator<Condense, newpMatrice_Creuse<double>, Method<H, CondenseTag>,
-                                                           Matrice_Creuse<double>*, Array, Array>);
+  add_method<H, CondenseTag>("condense", [] { return new NamedOperator<Condense, newpMatrice_Creuse<double>, Method<H, CondenseTag>,
+                                                           Matrice_Creuse<double>*, Array, Array>; });
   Add<H*>("rhs", ".", new OneOperator1s_<Array, H*>(right_hand_side));
-  add_method<H, ExpandTag>("expand", new OneOperator3s_<double, Method<H, ExpandTag>, Array, Array>(expand));
+  add_method<H, ExpandTag>("expand", [] { return new OneOperator3s_<double, Method<H, ExpandTag>, Array, Array>(expand); });
 }
 
 } // namespace rigidcontact

@@ -55,7 +55,10 @@ bool factorize_material(const Method<ContactHandle, FactorizeTag>& m, MaterialHa
     const Eigen::VectorXd v = to_vector(u, "contact.factorize", "u");
     if (!session.started()) burnish::fail("contact.factorize", "call begin first");
     do {
-      object.body->tangent(object.tangent, burnish::TangentKind::CONSISTENT, session.corrector().elastic_blend());
+      {
+        const burnish::CpuTimer timer(object.assembly_seconds);
+        object.body->tangent(object.tangent, burnish::TangentKind::CONSISTENT, session.corrector().elastic_blend());
+      }
       if (session.factorize(object.tangent, v) == burnish::FactorStatus::OK) return true;
     } while (!session.corrector().blend_exhausted());
     return false;
@@ -74,6 +77,7 @@ struct EventsTag {};
 double events(Stack, const Method<ContactHandle, EventsTag>& m, const KN_<double>& u, const KN_<double>& R) {
   return guarded([&] {
     ContactObject& contact = m->get();
+    const burnish::CpuTimer timer(contact.event_seconds);
     contact.pending = contact.session->events(to_vector(u, "contact.events", "u"), to_vector(R, "contact.events", "R"));
     double first = 2;
     for (const auto& event : contact.pending) first = std::min(first, event.fraction);
@@ -97,6 +101,7 @@ struct RevertTag {};
 bool accept(Stack, const Method<ContactHandle, AcceptTag>& m, const KN_<double>& u, const KN_<double>& R) {
   return guarded([&] {
     ContactObject& contact = m->get();
+    const burnish::CpuTimer timer(contact.event_seconds);
     contact.session->accept(to_vector(u, "contact.accept", "u"), to_vector(R, "contact.accept", "R"), contact.pending);
     contact.pending.clear();
     return true;
@@ -118,16 +123,16 @@ string* reason(Stack stack, ContactHandle* const& h) {
 void register_contact_step() {
   using H = ContactHandle;
   using Array = KN_<double>;
-  add_method<H, BeginTag>("begin", new NamedOperator<Begin, bool, Method<H, BeginTag>, Array, double, double>);
-  add_method<H, CheckTag>("check", new OneOperator3s_<long, Method<H, CheckTag>, Array, Array>(check));
-  add_method<H, CorrectTag>("correct", new OneOperator3s_<long, Method<H, CorrectTag>, Array, Array>(correct));
+  add_method<H, BeginTag>("begin", [] { return new NamedOperator<Begin, bool, Method<H, BeginTag>, Array, double, double>; });
+  add_method<H, CheckTag>("check", [] { return new OneOperator3s_<long, Method<H, CheckTag>, Array, Array>(check); });
+  add_method<H, CorrectTag>("correct", [] { return new OneOperator3s_<long, Method<H, CorrectTag>, Array, Array>(correct); });
   add_method<H, FactorizeTag>(
-      "factorize", new OneOperator3_<bool, Method<H, FactorizeTag>, MaterialHandle*, Array>(factorize_material),
-      new OneOperator3_<bool, Method<H, FactorizeTag>, Matrice_Creuse<double>*, Array>(factorize_matrix));
-  add_method<H, EventsTag>("events", new OneOperator3s_<double, Method<H, EventsTag>, Array, Array>(events));
-  add_method<H, SwitchTag>("switchstates", new OneOperator1_<long, Method<H, SwitchTag>>(switch_states));
-  add_method<H, AcceptTag>("accept", new OneOperator3s_<bool, Method<H, AcceptTag>, Array, Array>(accept));
-  add_method<H, RevertTag>("revert", new OneOperator1_<bool, Method<H, RevertTag>>(revert));
+      "factorize", [] { return new OneOperator3_<bool, Method<H, FactorizeTag>, MaterialHandle*, Array>(factorize_material); },
+      [] { return new OneOperator3_<bool, Method<H, FactorizeTag>, Matrice_Creuse<double>*, Array>(factorize_matrix); });
+  add_method<H, EventsTag>("events", [] { return new OneOperator3s_<double, Method<H, EventsTag>, Array, Array>(events); });
+  add_method<H, SwitchTag>("switchstates", [] { return new OneOperator1_<long, Method<H, SwitchTag>>(switch_states); });
+  add_method<H, AcceptTag>("accept", [] { return new OneOperator3s_<bool, Method<H, AcceptTag>, Array, Array>(accept); });
+  add_method<H, RevertTag>("revert", [] { return new OneOperator1_<bool, Method<H, RevertTag>>(revert); });
   Add<H*>("reason", ".", new OneOperator1s_<string*, H*>(reason));
   long number = 0;
   for (const char* name : {"rcConverged", "rcIterate", "rcRefactorize", "rcHalved", "rcFailed"})

@@ -1,5 +1,5 @@
 // Script type `contact`: the surface of a workpiece that tools may touch.
-//   contact C(Vh, label=3, fixed=bc, friction=0.2);   bc: real[int], nonzero where the displacement is given
+//   contact C = rcContact(Vh, label=3, fixed=bc, friction=0.2);   bc: real[int], nonzero where the displacement is given
 //   C.add(roller);   C.add(roller, friction=0.3);     C.approach(roller, "r", u[]);
 // Named parameters of the constructor: label or labels, fixed, friction, tolerance, maxiterations, stepsperwidth is the
 // loop's. The solver's options have the defaults of stepping/options.hpp.
@@ -13,8 +13,7 @@ namespace {
 struct Construct {
   static const int n = 8;
   static basicAC_F0::name_and_type names[n];
-  static ContactHandle* call(const Named& a, ContactHandle* handle, pfes* space) {
-    handle->init();
+  static Made<ContactObject> call(const Named& a, pfes* space) {
     std::vector<long> labels;
     if (a.has("label")) labels.push_back(a.integer("label", 0));
     if (a.has("labels")) {
@@ -41,8 +40,7 @@ struct Construct {
     auto object = std::make_shared<ContactObject>();
     object->friction = burnish::make_coulomb(a.real("friction", 0));
     object->session = std::make_unique<Session<2>>(std::move(discretization), surface_of(space, labels, "contact"), fixed, options);
-    handle->set(std::move(object));
-    return handle;
+    return made(std::move(object));
   }
 };
 basicAC_F0::name_and_type Construct::names[] = {
@@ -89,10 +87,12 @@ void register_contact() {
   using H = ContactHandle;
   Dcl_Type<H*>(InitP<H>, Destroy<H>);
   zzzfff->Add("contact", atype<H*>());
-  TheOperators->Add("<-", new NamedOperator<Construct, H*, H*, pfes*>);
-  add_method<H, AddTag>("add", new NamedOperator<AddTool, bool, Method<H, AddTag>, ToolHandle*>);
+  Dcl_Type<Made<ContactObject>>();
+  TheOperators->Add("<-", new OneOperator2_<H*, H*, Made<ContactObject>>(take_over<ContactObject>));
+  Global.Add("rcContact", "(", new NamedOperator<Construct, Made<ContactObject>, pfes*>);
+  add_method<H, AddTag>("add", [] { return new NamedOperator<AddTool, bool, Method<H, AddTag>, ToolHandle*>; });
   add_method<H, ApproachTag>("approach",
-                             new OneOperator4_<double, Method<H, ApproachTag>, ToolHandle*, string*, KN_<double>>(approach));
+                             [] { return new OneOperator4_<double, Method<H, ApproachTag>, ToolHandle*, string*, KN_<double>>(approach); });
 }
 
 } // namespace rigidcontact

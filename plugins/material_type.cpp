@@ -1,5 +1,5 @@
 // Script type `material`: J2 plasticity with linear isotropic hardening in plane strain on a [P1,P1] or [P2,P2] space.
-//   material M(Vh, G=..., nu=..., sigY=..., H=...);    or E=...; update="substepped" | "single" | "euler"
+//   material M = rcMaterial(Vh, G=..., nu=..., sigY=..., H=...);    or E=...; update="substepped" | "single" | "euler"
 //   int st = M.update(u[], dt, it);   M.force(R);   M.accept();   M.revert();
 //   matrix K = M.tangent();           also kind="consistent" | "rate" | "elastic", blend=0..1
 //   M.stress(i), M.F(i), M.piola(i), M.moduli(i,j), M.plasticstrain, M.stresseq, M.nodal(values)
@@ -22,8 +22,7 @@ burnish::StressUpdate update_of(const std::string& name) {
 struct Construct {
   static const int n = 7;
   static basicAC_F0::name_and_type names[n];
-  static MaterialHandle* call(const Named& a, MaterialHandle* handle, pfes* space) {
-    handle->init();
+  static Made<MaterialObject> call(const Named& a, pfes* space) {
     for (const char* name : {"nu", "sigY", "H"})
       if (!a.has(name)) burnish::fail("material", std::string("parameter ") + name + " is missing: G= or E=, nu=, sigY=, H=");
     if (a.has("G") == a.has("E")) burnish::fail("material", "give exactly one of G= (shear modulus) and E= (Young's modulus)");
@@ -36,8 +35,7 @@ struct Construct {
     auto object = std::make_shared<MaterialObject>();
     object->body = std::make_unique<Workpiece<2>>(discretization_of(space, "material"), parameters, options);
     object->tangent = object->body->pattern();
-    handle->set(std::move(object));
-    return handle;
+    return made(std::move(object));
   }
 };
 basicAC_F0::name_and_type Construct::names[] = {
@@ -57,6 +55,7 @@ struct TangentTag {};
 
 long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>& u, const double& dt, const long& it) {
   return guarded([&] {
+    const burnish::CpuTimer timer(m->get().update_seconds);
     const auto result = m->get().body->update(to_vector(u, "material.update", "u"), dt, static_cast<int>(it));
     if (result.status == burnish::UpdateStatus::OK) return 0L;
     std::ostringstream text;
@@ -67,6 +66,7 @@ long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>
 }
 double force(Stack, const Method<MaterialHandle, ForceTag>& m, const KN_<double>& R) {
   return guarded([&] {
+    const burnish::CpuTimer timer(m->get().assembly_seconds);
     const Eigen::VectorXd f = m->get().body->internal_force();
     to_array(f, R, "material.force");
     return f.cwiseAbs().maxCoeff();
@@ -124,6 +124,14 @@ KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
     return new_array(stack, q);
   });
 }
+struct SecondsTag {};
+double seconds(const Method<MaterialHandle, SecondsTag>& m, string* const& phase) {
+  return guarded([&] {
+    if (*phase == "update") return m->get().update_seconds;
+    if (*phase == "assembly") return m->get().assembly_seconds;
+    burnish::fail("material.seconds", "unknown phase \"" + *phase + "\", expected update or assembly");
+  });
+}
 long number_of_points(MaterialHandle* const& h) {
   return guarded([&] { return static_cast<long>(h->get().body->discretization().num_points()); });
 }
@@ -152,17 +160,20 @@ void register_material() {
   using H = MaterialHandle;
   Dcl_Type<H*>(InitP<H>, Destroy<H>);
   zzzfff->Add("material", atype<H*>());
-  TheOperators->Add("<-", new NamedOperator<Construct, H*, H*, pfes*>);
-  add_method<H, UpdateTag>("update", new OneOperator4s_<long, Method<H, UpdateTag>, KN_<double>, double, long>(update));
-  add_method<H, ForceTag>("force", new OneOperator2s_<double, Method<H, ForceTag>, KN_<double>>(force));
-  add_method<H, AcceptTag>("accept", new OneOperator1_<bool, Method<H, AcceptTag>>(accept));
-  add_method<H, RevertTag>("revert", new OneOperator1_<bool, Method<H, RevertTag>>(revert));
-  add_method<H, NodalTag>("nodal", new OneOperator2s_<KN_<double>, Method<H, NodalTag>, KN_<double>>(nodal));
-  add_method<H, StressTag>("stress", new OneOperator2s_<KN_<double>, Method<H, StressTag>, long>(stress));
-  add_method<H, GradientTag>("F", new OneOperator2s_<KN_<double>, Method<H, GradientTag>, long>(gradient));
-  add_method<H, PiolaTag>("piola", new OneOperator2s_<KN_<double>, Method<H, PiolaTag>, long>(piola));
-  add_method<H, ModuliTag>("moduli", new OneOperator3s_<KN_<double>, Method<H, ModuliTag>, long, long>(moduli));
-  add_method<H, TangentTag>("tangent", new NamedOperator<Tangent, newpMatrice_Creuse<double>, Method<H, TangentTag>>);
+  Dcl_Type<Made<MaterialObject>>();
+  TheOperators->Add("<-", new OneOperator2_<H*, H*, Made<MaterialObject>>(take_over<MaterialObject>));
+  Global.Add("rcMaterial", "(", new NamedOperator<Construct, Made<MaterialObject>, pfes*>);
+  add_method<H, UpdateTag>("update", [] { return new OneOperator4s_<long, Method<H, UpdateTag>, KN_<double>, double, long>(update); });
+  add_method<H, ForceTag>("force", [] { return new OneOperator2s_<double, Method<H, ForceTag>, KN_<double>>(force); });
+  add_method<H, AcceptTag>("accept", [] { return new OneOperator1_<bool, Method<H, AcceptTag>>(accept); });
+  add_method<H, RevertTag>("revert", [] { return new OneOperator1_<bool, Method<H, RevertTag>>(revert); });
+  add_method<H, NodalTag>("nodal", [] { return new OneOperator2s_<KN_<double>, Method<H, NodalTag>, KN_<double>>(nodal); });
+  add_method<H, StressTag>("stress", [] { return new OneOperator2s_<KN_<double>, Method<H, StressTag>, long>(stress); });
+  add_method<H, GradientTag>("F", [] { return new OneOperator2s_<KN_<double>, Method<H, GradientTag>, long>(gradient); });
+  add_method<H, PiolaTag>("piola", [] { return new OneOperator2s_<KN_<double>, Method<H, PiolaTag>, long>(piola); });
+  add_method<H, ModuliTag>("moduli", [] { return new OneOperator3s_<KN_<double>, Method<H, ModuliTag>, long, long>(moduli); });
+  add_method<H, TangentTag>("tangent", [] { return new NamedOperator<Tangent, newpMatrice_Creuse<double>, Method<H, TangentTag>>; });
+  add_method<H, SecondsTag>("seconds", [] { return new OneOperator2_<double, Method<H, SecondsTag>, string*>(seconds); });
   Add<H*>("plasticstrain", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain));
   Add<H*>("stresseq", ".", new OneOperator1s_<KN_<double>, H*>(stress_eq));
   Add<H*>("points", ".", new OneOperator1_<long, H*>(number_of_points));

@@ -50,6 +50,17 @@ template <class T> struct Handle {
   void set(std::shared_ptr<T> object) { p = new std::shared_ptr<T>(std::move(object)); }
 };
 
+/// What a maker function returns (`contact C = rcContact(Vh, ...)`: FreeFEM's grammar has no fespace among the arguments
+/// of a declaration); the declaration takes the object over.
+template <class T> struct Made {
+  std::shared_ptr<T>* p;
+};
+template <class T> Made<T> made(std::shared_ptr<T> object) { return {new std::shared_ptr<T>(std::move(object))}; }
+template <class T> Handle<T>* take_over(Handle<T>* const& handle, const Made<T>& object) {
+  handle->p = object.p;
+  return handle;
+}
+
 /// A method `object.name(...)`: the dot gives this proxy, the parenthesis acts on it. Tag makes the type unique.
 template <class Object, class Tag> struct Method {
   Object* object;
@@ -57,13 +68,13 @@ template <class Object, class Tag> struct Method {
 };
 template <class Object, class Tag> Method<Object, Tag> method(Object* const& object) { return {object}; }
 
-/// Registers `type.name(args)`; `call` is an operator whose first argument is the proxy.
-template <class Object, class Tag> void add_method(const char* name, OneOperator* call, OneOperator* other = nullptr) {
+/// Registers `type.name(args)`; each maker returns an operator whose first argument is the proxy (made only after the
+/// proxy's type is known to FreeFEM).
+template <class Object, class Tag, class... Makers> void add_method(const char* name, Makers... makers) {
   using Proxy = Method<Object, Tag>;
   Dcl_Type<Proxy>();
   Add<Object*>(name, ".", new OneOperator1_<Proxy, Object*>(method<Object, Tag>));
-  Add<Proxy>("(", "", call);
-  if (other) Add<Proxy>("(", "", other);
+  (Add<Proxy>("(", "", makers()), ...);
 }
 
 /// Copy of a script array; refuses NaN and Inf with the place.

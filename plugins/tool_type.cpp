@@ -1,8 +1,9 @@
 // Script type `tool`: profile, coordinates, motion or force of each coordinate.
 //   tool roller(circle=R);                            also  inside=true, line=[x0,y0,x1,y1], name="roller"
 //   roller.coordinates("polar", x=0, y=0);            or "cartesian"
-//   roller.place("r", r0);  roller.move("phi", v);  roller.load("r", Q);
-//   roller.q, roller.force (live arrays), roller.q("r"), roller.force("r"), roller.name
+//   roller.place("r", r0);  roller.move("phi", v);  roller.force("r", Q);      (load is a keyword of FreeFEM)
+//   roller.value("r") present coordinate, roller.drive("r") generalized force received from the drive, roller.q and
+//   roller.Q all of them as arrays, roller.name
 #include "base/error.hpp"
 #include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
@@ -101,14 +102,14 @@ void register_tool() {
   Dcl_Type<ToolHandle*>(InitP<ToolHandle>, Destroy<ToolHandle>);
   zzzfff->Add("tool", atype<ToolHandle*>());
   TheOperators->Add("<-", new NamedOperator<Construct, ToolHandle*, ToolHandle*>);
-  add_method<ToolHandle, CoordinatesTag>("coordinates", new NamedOperator<Coordinates, bool, CoordinatesMethod, string*>);
-  add_method<ToolHandle, PlaceTag>("place", new OneOperator3_<double, Method<ToolHandle, PlaceTag>, string*, double>(place));
-  add_method<ToolHandle, MoveTag>("move", new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, double>(move));
-  add_method<ToolHandle, LoadTag>("load", new OneOperator3_<double, Method<ToolHandle, LoadTag>, string*, double>(load));
-  add_method<ToolHandle, ValueTag>("value", new OneOperator2_<double, Method<ToolHandle, ValueTag>, string*>(value_of));
-  add_method<ToolHandle, ForceTag>("drive", new OneOperator2_<double, Method<ToolHandle, ForceTag>, string*>(force_of));
+  add_method<ToolHandle, CoordinatesTag>("coordinates", [] { return new NamedOperator<Coordinates, bool, CoordinatesMethod, string*>; });
+  add_method<ToolHandle, PlaceTag>("place", [] { return new OneOperator3_<double, Method<ToolHandle, PlaceTag>, string*, double>(place); });
+  add_method<ToolHandle, MoveTag>("move", [] { return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, double>(move); });
+  add_method<ToolHandle, LoadTag>("force", [] { return new OneOperator3_<double, Method<ToolHandle, LoadTag>, string*, double>(load); });
+  add_method<ToolHandle, ValueTag>("value", [] { return new OneOperator2_<double, Method<ToolHandle, ValueTag>, string*>(value_of); });
+  add_method<ToolHandle, ForceTag>("drive", [] { return new OneOperator2_<double, Method<ToolHandle, ForceTag>, string*>(force_of); });
   Add<ToolHandle*>("q", ".", new OneOperator1s_<KN_<double>, ToolHandle*>(all_q));
-  Add<ToolHandle*>("force", ".", new OneOperator1s_<KN_<double>, ToolHandle*>(all_force));
+  Add<ToolHandle*>("Q", ".", new OneOperator1s_<KN_<double>, ToolHandle*>(all_force));
   Add<ToolHandle*>("name", ".", new OneOperator1s_<string*, ToolHandle*>(name_of_tool));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // The three script types and what they hold.
+#include "base/cpu_time.hpp"
 #include "kinematics/driven_tool.hpp"
 #include "plugin.hpp"
 #include "stepping/session.hpp"
@@ -16,13 +17,15 @@ struct ToolObject {
 struct MaterialObject {
   std::unique_ptr<Workpiece<2>> body;
   burnish::NodeBlockMatrix<2> tangent;
+  double update_seconds = 0, assembly_seconds = 0; // CPU
 };
 struct ContactObject {
   std::unique_ptr<Session<2>> session;
   std::shared_ptr<const burnish::FrictionLaw> friction; // default of add()
   burnish::TripletReader<2> reader;
   std::vector<burnish::ContactEvent<2>> pending; // found by events(), applied by accept() or switchstates()
-  std::vector<double> view;                      // last array handed out as a live view
+  std::vector<double> rhs;                       // of the last condensed matrix
+  double event_seconds = 0, condense_seconds = 0; // CPU
 };
 
 using ToolHandle = Handle<ToolObject>;

@@ -31,6 +31,15 @@ bool catch_interrupt(const long&) {
 bool was_interrupted(const long&) { return interrupted != 0; }
 string* blas(Stack stack, const long&) { return new_string(stack, burnish::blas_name()); }
 bool reference_blas(const long&) { return burnish::is_reference_blas(); }
+double number(string* const& name, string* const& text) {
+  return guarded([&] {
+    char* end = nullptr;
+    const double value = std::strtod(text->c_str(), &end);
+    if (text->empty() || *end != 0 || !std::isfinite(value))
+      burnish::fail("option", *name + " has the value \"" + *text + "\", expected a number");
+    return value;
+  });
+}
 bool make_folder(string* const& path) {
   return guarded([&] {
     std::error_code code;
@@ -104,14 +113,15 @@ void register_tools_of_the_trade() {
   Global.Add("rcInterrupted", "(", new OneOperator1_<bool, long>(was_interrupted));
   Global.Add("rcBlas", "(", new OneOperator1s_<string*, long>(blas));
   Global.Add("rcReferenceBlas", "(", new OneOperator1_<bool, long>(reference_blas));
+  Global.Add("rcNumber", "(", new OneOperator2_<double, string*, string*>(number));
   Global.Add("rcMakeFolder", "(", new OneOperator1_<bool, string*>(make_folder));
   Dcl_Type<H*>(InitP<H>, Destroy<H>);
   zzzfff->Add("stepcontrol", atype<H*>());
   TheOperators->Add("<-", new NamedOperator<Construct, H*, H*, double>);
-  add_method<H, ProposeTag>("propose", new OneOperator3_<double, Method<H, ProposeTag>, double, double>(propose));
-  add_method<H, AcceptedTag>("accepted", new OneOperator1_<bool, Method<H, AcceptedTag>>(accepted));
-  add_method<H, RejectedTag>("rejected", new OneOperator1_<bool, Method<H, RejectedTag>>(rejected));
-  add_method<H, CutTag>("cut", new OneOperator2_<double, Method<H, CutTag>, double>(cut));
+  add_method<H, ProposeTag>("propose", [] { return new OneOperator3_<double, Method<H, ProposeTag>, double, double>(propose); });
+  add_method<H, AcceptedTag>("accepted", [] { return new OneOperator1_<bool, Method<H, AcceptedTag>>(accepted); });
+  add_method<H, RejectedTag>("rejected", [] { return new OneOperator1_<bool, Method<H, RejectedTag>>(rejected); });
+  add_method<H, CutTag>("cut", [] { return new OneOperator2_<double, Method<H, CutTag>, double>(cut); });
   Add<H*>("t", ".", new OneOperator1_<double, H*>(time_of));
   Add<H*>("dt", ".", new OneOperator1_<double, H*>(dt_of));
   Add<H*>("finished", ".", new OneOperator1_<bool, H*>(finished));

@@ -1,4 +1,5 @@
 #include "stepping/corrector.hpp"
+#include "base/cpu_time.hpp"
 #include "base/error.hpp"
 #include <algorithm>
 #include <cmath>
@@ -89,8 +90,11 @@ template <int Dim> FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<
   if (!window_covers(u) || m_window.empty()) choose_window(u);
   std::vector<int> nodes;
   for (const int i : m_window) nodes.push_back(m_model.candidates[i]);
-  m_factor.analyze(K, m_body.fixed, nodes);
-  m_has_factor = m_factor.factorize(K) == FactorStatus::OK;
+  {
+    const CpuTimer timer(m_counts.factorization_seconds);
+    m_factor.analyze(K, m_body.fixed, nodes);
+    m_has_factor = m_factor.factorize(K) == FactorStatus::OK;
+  }
   ++m_counts.factorizations;
   m_counts.analyses = m_factor.analyses();
   m_mixer.clear();
@@ -100,6 +104,7 @@ template <int Dim> FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<
   }
   m_indefinite = 0;
   ++m_step_factorizations;
+  const CpuTimer timer(m_counts.condensation_seconds);
   m_flexibility = m_factor.candidate_flexibility();
   const double mean = m_flexibility.diagonal().mean();
   for (Eigen::Index d = 0; d < m_flexibility.rows(); ++d) // a dof held by the script gives way by nothing
@@ -130,12 +135,22 @@ WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, cons
   return problem;
 }
 
+template <int Dim> Eigen::VectorXd Corrector<Dim>::solve(const Eigen::VectorXd& b) {
+  const CpuTimer timer(m_counts.solve_seconds);
+  ++m_counts.solves;
+  return m_factor.solve(b);
+}
+
 template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   if (!m_has_factor) fail("contact.correct", "no factor: call factorize first");
   ++m_iteration;
   ++m_counts.iterations;
-  const Eigen::VectorXd u0 = m_factor.solve(-R);
-  const auto solution = solve_window(m_model, m_body, m_program, m_state, window_problem(u, R, u0));
+  const Eigen::VectorXd u0 = solve(-R);
+  WindowSolution<Dim> solution;
+  {
+    const CpuTimer timer(m_counts.condensation_seconds);
+    solution = solve_window(m_model, m_body, m_program, m_state, window_problem(u, R, u0));
+  }
   if (solution.singular) {
     m_reason = "singular contact block";
     if (solution.weakest_coordinate >= 0) {
@@ -146,8 +161,7 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
     return StepStatus::FAILED;
   }
   const Eigen::VectorXd b = scatter_window(solution.F) - R;
-  m_counts.solves += 2;
-  const Eigen::VectorXd du = m_factor.solve(b);
+  const Eigen::VectorXd du = solve(b);
   const Eigen::Index n = u.size(), nq = m_state.q.size();
   Eigen::VectorXd z(n + nq), g(n + nq);
   z << u, m_state.q;

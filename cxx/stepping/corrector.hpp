@@ -9,6 +9,9 @@ namespace burnish {
 
 struct CorrectorCounts {
   long iterations = 0, factorizations = 0, solves = 0, analyses = 0, halvings = 0;
+  double factorization_seconds = 0; ///< CPU: sparse factor
+  double condensation_seconds = 0;  ///< CPU: flexibility of the window and dense contact blocks
+  double solve_seconds = 0;         ///< CPU: back-substitutions
 };
 
 template <int Dim> class Corrector {
@@ -57,6 +60,7 @@ private:
   void choose_window(const Eigen::VectorXd& u);
   bool window_covers(const Eigen::VectorXd& u) const;
   std::vector<int> near_contact(const Eigen::VectorXd& u, double widths, double spacings) const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& b);
   void project(Eigen::VectorXd& u, bool keep_fresh);
   WindowProblem<Dim> window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
                                     const Eigen::VectorXd& free_increment) const;
