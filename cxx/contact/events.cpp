@@ -22,10 +22,11 @@ namespace {
 
 constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-// Fraction at which a quantity that is linear in the step falls through zero; 0 if it is already below.
-double crossing(double start, double end) {
-  if (end >= 0) return NEVER;
-  return start <= 0 ? 0 : start / (start - end);
+// Fraction at which a quantity that is linear in the step falls through zero: 0 if it was below from the start, 1 if it
+// ends within the tolerance.
+double crossing(double start, double end, double tolerance) {
+  if (end < -tolerance) return start <= 0 ? 0 : start / (start - end);
+  return end <= tolerance && start > tolerance ? 1 : NEVER;
 }
 
 template <int Dim> struct Forces {
@@ -51,15 +52,15 @@ double touch_fraction(const ContactModel<Dim>& model, const BodyView<Dim>& body,
     return nearest_tool(model, model.poses(q), x, step.start->nodes[i]).foot.gap;
   };
   double a = 0, b = 1, ga = gap(0), gb = gap(1);
-  if (gb >= -tolerance) return NEVER;
+  if (gb >= -tolerance) return crossing(ga, gb, tolerance);
   if (ga <= 0) return 0;
-  double f = crossing(ga, gb);
+  double f = ga / (ga - gb);
   for (int it = 0; it < 30; ++it) {
     const double g = gap(f);
     if (std::abs(g) <= 0.1 * tolerance) break;
     (g > 0 ? a : b) = f;
     (g > 0 ? ga : gb) = g;
-    f = a + (b - a) * crossing(ga, gb);
+    f = a + (b - a) * ga / (ga - gb);
   }
   return f;
 }
@@ -105,7 +106,7 @@ ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>
   const Vector<Dim> F0 = step.R_start->template segment<Dim>(Dim * node);
   const Vector<Dim> F1 = step.R_end->template segment<Dim>(Dim * node);
   const auto a = forces(model, poses0, n0, F0), b = forces(model, poses1, n1, F1);
-  double release = b.N < -tolerance.force ? crossing(a.N, b.N) : NEVER;
+  double release = crossing(a.N, b.N, tolerance.force);
   double change = NEVER;
   EventKind kind = EventKind::STICK_TO_SLIP;
   const bool frictionless = model.friction[n0.tool]->frictionless();
@@ -114,13 +115,14 @@ ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>
     kind = EventKind::SLIP_TO_STICK;
     if (!frictionless) change = stick_fraction(n0, n1, length, step.dt, tolerance.gap);
   } else {
-    const double over0 = a.limit - std::abs(a.T), over1 = b.limit - std::abs(b.T);
-    if (over1 < -tolerance.force) change = crossing(over0, over1);
+    change = crossing(a.limit - std::abs(a.T), b.limit - std::abs(b.T), tolerance.force);
     if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released
     release = NEVER;
   }
   if (release <= change) return make_event(body, step, model, i, EventKind::RELEASE, release, n0.tool);
-  return make_event(body, step, model, i, kind, change, n0.tool);
+  auto event = make_event(body, step, model, i, kind, change, n0.tool);
+  event.slip_sign = b.T > 0 ? -1 : 1;
+  return event;
 }
 
 } // namespace
@@ -172,7 +174,7 @@ std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, con
 
 template <int Dim>
 void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body, const std::vector<ContactEvent<Dim>>& events,
-                  const Eigen::VectorXd& u, const Eigen::VectorXd& R, ContactState<Dim>& state) {
+                  const Eigen::VectorXd& u, ContactState<Dim>& state) {
   const auto poses = model.poses(state.q);
   for (const auto& event : events) {
     if (event.candidate < 0) continue;
@@ -191,9 +193,8 @@ void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body, con
       node.state = NodeState::STICKING;
       node.slip_sign = 0;
     } else if (event.kind == EventKind::STICK_TO_SLIP) {
-      const auto f = forces(model, poses, node, Vector<Dim>(R.template segment<Dim>(Dim * mesh_node)));
       node.state = NodeState::SLIDING;
-      node.slip_sign = f.T > 0 ? -1 : 1;
+      node.slip_sign = event.slip_sign;
     }
     node.s_ref = node.s;
     node.slip_rate = 0;
@@ -218,7 +219,7 @@ template std::vector<ContactEvent<2>> earliest_events<2>(const ContactModel<2>&,
                                                          const EventTolerance&);
 template std::vector<ContactEvent<2>> state_changes<2>(const ContactModel<2>&, const BodyView<2>&, const StepEnds<2>&);
 template void apply_events<2>(const ContactModel<2>&, const BodyView<2>&, const std::vector<ContactEvent<2>>&,
-                              const Eigen::VectorXd&, const Eigen::VectorXd&, ContactState<2>&);
+                              const Eigen::VectorXd&, ContactState<2>&);
 template void settle_released<2>(const ContactModel<2>&, const BodyView<2>&, const Eigen::VectorXd&, double,
                                  ContactState<2>&);
 

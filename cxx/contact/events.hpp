@@ -17,6 +17,7 @@ template <int Dim> struct ContactEvent {
   int node = -1;           ///< mesh node, or quadrature point for element events
   int tool = -1;
   Vector<Dim> x = Vector<Dim>::Zero(); ///< place at that instant [length]
+  double slip_sign = 0;    ///< STICK_TO_SLIP: direction of the slip, against the tangential force at the end of the step
 };
 
 /// Both ends of a step that was solved with fixed states. R: internal minus external nodal force.
@@ -33,7 +34,8 @@ struct EventTolerance {
 };
 
 /// All events of the step that lie within the tolerance of the earliest; empty if the whole step is free of events.
-/// Fractions are those of linear interpolation; touch fractions are refined on the true gap.
+/// Fractions are those of linear interpolation; touch fractions are refined on the true gap. An event whose quantity
+/// comes within its tolerance at the end of the step, from above, has the fraction 1.
 template <int Dim>
 std::vector<ContactEvent<Dim>> earliest_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                                const StepEnds<Dim>& step, const EventTolerance& tolerance);
@@ -47,7 +49,7 @@ std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, con
 /// stick to slip -> SLIDING against the tangential force.
 template <int Dim>
 void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body, const std::vector<ContactEvent<Dim>>& events,
-                  const Eigen::VectorXd& u, const Eigen::VectorXd& R, ContactState<Dim>& state);
+                  const Eigen::VectorXd& u, ContactState<Dim>& state);
 
 /// LEAVING becomes RECEDING; RECEDING becomes FREE once its gap exceeds the tolerance.
 template <int Dim>

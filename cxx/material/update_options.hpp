@@ -6,7 +6,7 @@ namespace burnish {
 
 struct UpdateOptions {
   StressUpdate update = StressUpdate::SUBSTEPPED;
-  StrainFrame strain_frame = StrainFrame::MIDPOINT;
+  StrainFrame strain_frame = StrainFrame::END;
   double path_limit = 1.5;                 ///< L of algorithms.md section 2; 0: straight; infinite: no limit
   int min_substeps = 3, max_substeps = 20; ///< bounds of the number of substeps of a point
   double substep_strain = 0.3;             ///< substep when q(De) exceeds this fraction of sigma_y

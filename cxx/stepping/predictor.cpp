@@ -115,8 +115,8 @@ void carry_states(const ContactModel<Dim>& model, const BodyView<Dim>& body, con
 
 // Contact nodes onto their tools at the predicted coordinates.
 template <int Dim>
-void place_contact_nodes(const ContactModel<Dim>& model, const BodyView<Dim>& body, ContactState<Dim>& state,
-                         Eigen::VectorXd& u) {
+void place_contact_nodes(const ContactModel<Dim>& model, const BodyView<Dim>& body, bool may_stick,
+                         ContactState<Dim>& state, Eigen::VectorXd& u) {
   const auto poses = model.poses(state.q);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
@@ -127,7 +127,7 @@ void place_contact_nodes(const ContactModel<Dim>& model, const BodyView<Dim>& bo
     if (node.state == NodeState::SLIDING) {
       node.s = tool.closest_point(poses[node.tool], x, node.s_ref).s;
       const bool against = (node.s - node.s_ref)[0] * node.slip_sign < 0;
-      if (against && !model.friction[node.tool]->frictionless()) node.state = NodeState::STICKING;
+      if (may_stick && against && !model.friction[node.tool]->frictionless()) node.state = NodeState::STICKING;
     }
     if (holds(node.state)) {
       node.s = node.s_ref;
@@ -166,7 +166,7 @@ Prediction<Dim> predict(const ContactModel<Dim>& model, const BodyView<Dim>& bod
       if (!body.fixed[d]) result.u[d] += ratio * history.du[d];
   }
   // Without a step before, the nodes stay where they are: the first iteration brings them to the tool by an offset.
-  if (known) place_contact_nodes(model, body, result.state, result.u);
+  if (known) place_contact_nodes(model, body, carry, result.state, result.u);
   return result;
 }
 

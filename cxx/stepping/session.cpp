@@ -200,7 +200,7 @@ std::vector<ContactEvent<Dim>> Session<Dim>::events(const Eigen::VectorXd& u, co
 }
 
 template <int Dim> void Session<Dim>::switch_states(const std::vector<ContactEvent<Dim>>& events) {
-  apply_events(model(), m_corrector->body(), events, m_u, m_R, m_accepted);
+  apply_events(model(), m_corrector->body(), events, m_u, m_accepted);
   m_log.insert(m_log.end(), events.begin(), events.end());
 }
 
@@ -225,7 +225,7 @@ void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
   m_u = u;
   m_R = R;
   if (m_stepping == Stepping::EVENT) {
-    apply_events(model(), m_corrector->body(), events, u, R, state);
+    apply_events(model(), m_corrector->body(), events, u, state);
     settle_released(model(), m_corrector->body(), u, m_corrector->options().gap_tolerance * m_corrector->body().spacing, state);
     m_log.insert(m_log.end(), events.begin(), events.end());
   }
@@ -241,7 +241,7 @@ void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
 template <int Dim> void Session<Dim>::revert() {
   if (!m_corrector) return;
   m_corrector->state() = m_accepted;
-  m_corrector->drop_factor();
+  if (m_stepping == Stepping::IMPLICIT) m_corrector->drop_factor(); // an event step only becomes shorter
 }
 
 template <int Dim>
