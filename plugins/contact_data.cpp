@@ -1,8 +1,9 @@
 // What a script reads of a contact, all of the accepted state:
 //   arrays over the candidates, in order along the surface: C.nodes, C.x, C.y, C.gap, C.pressure, C.traction,
-//   C.normalforce, C.tangentialforce, C.state (0 free 1 touched 2 sliding 3 sticking 4 leaving 5 receding), C.s
-//   C.width, C.speed; C.count("sliding"); C.statistic("factorizations"); C.residual, C.loadscale
-//   event log as a table: C.eventnumber, C.eventtime(i), C.eventkind(i), C.eventnode(i), C.eventtool(i), C.eventx(i), C.eventy(i)
+//   C.normalforce, C.tangentialforce, C.state (0 free 1 touched 2 sliding 3 sticking 4 leaving 5 receding),
+//   C.s C.width, C.speed; C.count("sliding"); C.statistic("factorizations"); C.residual, C.loadscale event
+//   log as a table: C.eventnumber, C.eventtime(i), C.eventkind(i), C.eventnode(i), C.eventtool(i),
+//   C.eventx(i), C.eventy(i)
 #include "base/error.hpp"
 #include "named.hpp"
 #include "types.hpp"
@@ -15,8 +16,8 @@ using Array = KN_<double>;
 
 burnish::SurfaceReport<2> report(const Session<2>& s) {
   if (!s.started()) burnish::fail("contact", "no state yet: call approach or begin first");
-  return burnish::surface_report(s.model(), s.corrector().body(), s.accepted(), s.surface(), s.accepted_displacement(),
-                                 s.accepted_force());
+  return burnish::surface_report(s.model(), s.corrector().body(), s.accepted(), s.surface(),
+                                 s.accepted_displacement(), s.accepted_force());
 }
 template <Eigen::VectorXd burnish::SurfaceReport<2>::*member> Array from_report(Stack stack, H* const& h) {
   return guarded([&] { return new_array(stack, report(*h->get().session).*member); });
@@ -31,7 +32,8 @@ template <class F> Array per_candidate(Stack stack, H* const& h, F value) {
   });
 }
 Array nodes(Stack stack, H* const& h) {
-  return per_candidate(stack, h, [](const auto& s, std::size_t i) { return static_cast<double>(s.candidates()[i]); });
+  return per_candidate(stack, h,
+                       [](const auto& s, std::size_t i) { return static_cast<double>(s.candidates()[i]); });
 }
 template <int axis, bool reference> Array place(Stack stack, H* const& h) {
   return per_candidate(stack, h, [](const auto& s, std::size_t i) {
@@ -45,7 +47,8 @@ Array states(Stack stack, H* const& h) {
   });
 }
 Array parameters(Stack stack, H* const& h) {
-  return per_candidate(stack, h, [](const auto& s, std::size_t i) { return s.started() ? s.accepted().nodes[i].s[0] : 0.; });
+  return per_candidate(
+      stack, h, [](const auto& s, std::size_t i) { return s.started() ? s.accepted().nodes[i].s[0] : 0.; });
 }
 double width(H* const& h) {
   return guarded([&] { return h->get().session->contact_width(); });
@@ -60,10 +63,13 @@ double spacing(H* const& h) {
   });
 }
 double residual(H* const& h) {
-  return guarded([&] { return h->get().session->started() ? h->get().session->corrector().last_balance().residual : 0.; });
+  return guarded([&] {
+    return h->get().session->started() ? h->get().session->corrector().last_balance().residual : 0.;
+  });
 }
 double load_scale(H* const& h) {
-  return guarded([&] { return h->get().session->started() ? h->get().session->corrector().load_scale() : 0.; });
+  return guarded(
+      [&] { return h->get().session->started() ? h->get().session->corrector().load_scale() : 0.; });
 }
 
 struct CountTag {};
@@ -72,8 +78,12 @@ long count(const Method<H, CountTag>& m, string* const& state) {
     const Session<2>& s = *m->get().session;
     bool known = *state == "contact";
     long n = 0;
-    for (int k = 0; k < 6; ++k) known = known || *state == burnish::name_of(static_cast<burnish::NodeState>(k));
-    if (!known) burnish::fail("contact.count", "unknown state \"" + *state + "\", expected free, touched, sliding, sticking, leaving, receding or contact");
+    for (int k = 0; k < 6; ++k)
+      known = known || *state == burnish::name_of(static_cast<burnish::NodeState>(k));
+    if (!known)
+      burnish::fail("contact.count",
+                    "unknown state \"" + *state +
+                        "\", expected free, touched, sliding, sticking, leaving, receding or contact");
     if (s.started())
       for (const auto& node : s.accepted().nodes)
         n += *state == "contact" ? burnish::in_contact(node.state) : *state == burnish::name_of(node.state);
@@ -91,7 +101,9 @@ long statistic(const Method<H, StatisticTag>& m, string* const& name) {
     if (*name == "solves") return counts.solves;
     if (*name == "analyses") return counts.analyses;
     if (*name == "halvings") return counts.halvings;
-    burnish::fail("contact.statistic", "unknown name \"" + *name + "\", expected iterations, factorizations, solves, analyses or halvings");
+    burnish::fail("contact.statistic",
+                  "unknown name \"" + *name +
+                      "\", expected iterations, factorizations, solves, analyses or halvings");
   });
 }
 
@@ -99,18 +111,21 @@ struct SecondsTag {};
 double seconds(const Method<H, SecondsTag>& m, string* const& phase) {
   return guarded([&] {
     const ContactObject& contact = m->get();
-    const auto counts = contact.session->started() ? contact.session->corrector().counts() : burnish::CorrectorCounts{};
+    const auto counts =
+        contact.session->started() ? contact.session->corrector().counts() : burnish::CorrectorCounts{};
     if (*phase == "condensation") return counts.condensation_seconds + contact.condense_seconds;
     if (*phase == "factorization") return counts.factorization_seconds;
     if (*phase == "solve") return counts.solve_seconds;
     if (*phase == "events") return contact.event_seconds;
-    burnish::fail("contact.seconds", "unknown phase \"" + *phase + "\", expected condensation, factorization, solve or events");
+    burnish::fail("contact.seconds",
+                  "unknown phase \"" + *phase + "\", expected condensation, factorization, solve or events");
   });
 }
 
 const burnish::ContactEvent<2>& event(H* h, long i) {
   const auto& log = h->get().session->log();
-  burnish::require(i >= 0 && i < static_cast<long>(log.size()), "contact.event", "index", i, "less than eventnumber");
+  burnish::require(i >= 0 && i < static_cast<long>(log.size()), "contact.event", "index", i,
+                   "less than eventnumber");
   return log[static_cast<std::size_t>(i)];
 }
 struct TimeTag {};
@@ -119,19 +134,27 @@ struct NodeTag {};
 struct ToolTag {};
 struct XTag {};
 struct YTag {};
-double event_time(const Method<H, TimeTag>& m, const long& i) { return guarded([&] { return event(m.object, i).t; }); }
+double event_time(const Method<H, TimeTag>& m, const long& i) {
+  return guarded([&] { return event(m.object, i).t; });
+}
 string* event_kind(Stack stack, const Method<H, KindTag>& m, const long& i) {
   return guarded([&] { return new_string(stack, burnish::name_of(event(m.object, i).kind)); });
 }
-long event_node(const Method<H, NodeTag>& m, const long& i) { return guarded([&] { return static_cast<long>(event(m.object, i).node); }); }
+long event_node(const Method<H, NodeTag>& m, const long& i) {
+  return guarded([&] { return static_cast<long>(event(m.object, i).node); });
+}
 string* event_tool(Stack stack, const Method<H, ToolTag>& m, const long& i) {
   return guarded([&] {
     const int t = event(m.object, i).tool;
     return new_string(stack, t < 0 ? "" : m->get().session->tools()[t]->name());
   });
 }
-double event_x(const Method<H, XTag>& m, const long& i) { return guarded([&] { return event(m.object, i).x[0]; }); }
-double event_y(const Method<H, YTag>& m, const long& i) { return guarded([&] { return event(m.object, i).x[1]; }); }
+double event_x(const Method<H, XTag>& m, const long& i) {
+  return guarded([&] { return event(m.object, i).x[0]; });
+}
+double event_y(const Method<H, YTag>& m, const long& i) {
+  return guarded([&] { return event(m.object, i).x[1]; });
+}
 long event_number(H* const& h) {
   return guarded([&] { return static_cast<long>(h->get().session->log().size()); });
 }
@@ -147,7 +170,9 @@ string* left_out(Stack stack, H* const& h) {
 
 void register_contact_data() {
   using Report = burnish::SurfaceReport<2>;
-  const auto array = [](const char* name, Array (*f)(Stack, H* const&)) { Add<H*>(name, ".", new OneOperator1s_<Array, H*>(f)); };
+  const auto array = [](const char* name, Array (*f)(Stack, H* const&)) {
+    Add<H*>(name, ".", new OneOperator1s_<Array, H*>(f));
+  };
   array("nodes", nodes);
   array("x", place<0, false>);
   array("y", place<1, false>);
@@ -160,21 +185,30 @@ void register_contact_data() {
   array("traction", from_report<&Report::traction_tangential>);
   array("normalforce", from_report<&Report::normal_force>);
   array("tangentialforce", from_report<&Report::tangential_force>);
-  const auto number = [](const char* name, double (*f)(H* const&)) { Add<H*>(name, ".", new OneOperator1_<double, H*>(f)); };
+  const auto number = [](const char* name, double (*f)(H* const&)) {
+    Add<H*>(name, ".", new OneOperator1_<double, H*>(f));
+  };
   number("width", width);
   number("speed", speed);
   number("spacing", spacing);
   number("residual", residual);
   number("loadscale", load_scale);
-  add_method<H, CountTag>("count", [] { return new OneOperator2_<long, Method<H, CountTag>, string*>(count); });
-  add_method<H, StatisticTag>("statistic", [] { return new OneOperator2_<long, Method<H, StatisticTag>, string*>(statistic); });
-  add_method<H, SecondsTag>("seconds", [] { return new OneOperator2_<double, Method<H, SecondsTag>, string*>(seconds); });
+  add_method<H, CountTag>("count",
+                          [] { return new OneOperator2_<long, Method<H, CountTag>, string*>(count); });
+  add_method<H, StatisticTag>(
+      "statistic", [] { return new OneOperator2_<long, Method<H, StatisticTag>, string*>(statistic); });
+  add_method<H, SecondsTag>(
+      "seconds", [] { return new OneOperator2_<double, Method<H, SecondsTag>, string*>(seconds); });
   Add<H*>("eventnumber", ".", new OneOperator1_<long, H*>(event_number));
   Add<H*>("leftout", ".", new OneOperator1s_<string*, H*>(left_out));
-  add_method<H, TimeTag>("eventtime", [] { return new OneOperator2_<double, Method<H, TimeTag>, long>(event_time); });
-  add_method<H, KindTag>("eventkind", [] { return new OneOperator2s_<string*, Method<H, KindTag>, long>(event_kind); });
-  add_method<H, NodeTag>("eventnode", [] { return new OneOperator2_<long, Method<H, NodeTag>, long>(event_node); });
-  add_method<H, ToolTag>("eventtool", [] { return new OneOperator2s_<string*, Method<H, ToolTag>, long>(event_tool); });
+  add_method<H, TimeTag>("eventtime",
+                         [] { return new OneOperator2_<double, Method<H, TimeTag>, long>(event_time); });
+  add_method<H, KindTag>("eventkind",
+                         [] { return new OneOperator2s_<string*, Method<H, KindTag>, long>(event_kind); });
+  add_method<H, NodeTag>("eventnode",
+                         [] { return new OneOperator2_<long, Method<H, NodeTag>, long>(event_node); });
+  add_method<H, ToolTag>("eventtool",
+                         [] { return new OneOperator2s_<string*, Method<H, ToolTag>, long>(event_tool); });
   add_method<H, XTag>("eventx", [] { return new OneOperator2_<double, Method<H, XTag>, long>(event_x); });
   add_method<H, YTag>("eventy", [] { return new OneOperator2_<double, Method<H, YTag>, long>(event_y); });
 }

@@ -1,8 +1,8 @@
 // Script type `contact`: the surface of a workpiece that tools may touch.
-//   contact C = rcContact(Vh, label=3, fixed=bc, friction=0.2);   bc: real[int], nonzero where the displacement is given
-//   C.add(roller);   C.add(roller, friction=0.3);     C.approach(roller, "r", u[]);
-// Named parameters of the constructor: label or labels, fixed, friction, tolerance, maxiterations, stepsperwidth is the
-// loop's. The solver's options have the defaults of stepping/options.hpp.
+//   contact C = rcContact(Vh, label=3, fixed=bc, friction=0.2);   bc: real[int], nonzero where the
+//   displacement is given C.add(roller);   C.add(roller, friction=0.3);     C.approach(roller, "r", u[]);
+// Named parameters of the constructor: label or labels, fixed, friction, tolerance, maxiterations,
+// stepsperwidth is the loop's. The solver's options have the defaults of stepping/options.hpp.
 #include "base/error.hpp"
 #include "named.hpp"
 #include "types.hpp"
@@ -25,13 +25,14 @@ struct Construct {
     std::vector<char> fixed(discretization.num_dofs(), 0);
     if (a.has("fixed")) {
       const Eigen::VectorXd flags = to_vector(a.array("fixed"), "contact", "fixed");
-      burnish::require(flags.size() == static_cast<long>(fixed.size()), "contact", "size of fixed", flags.size(),
-                       "one number per degree of freedom of the space");
+      burnish::require(flags.size() == static_cast<long>(fixed.size()), "contact", "size of fixed",
+                       flags.size(), "one number per degree of freedom of the space");
       for (std::size_t d = 0; d < fixed.size(); ++d) fixed[d] = flags[static_cast<long>(d)] != 0;
     }
     burnish::StepOptions options;
     options.tolerance = a.real("tolerance", options.tolerance);
-    burnish::require(options.tolerance > 0 && options.tolerance < 1, "contact", "tolerance", options.tolerance, "0 < tolerance < 1");
+    burnish::require(options.tolerance > 0 && options.tolerance < 1, "contact", "tolerance",
+                     options.tolerance, "0 < tolerance < 1");
     options.max_iterations = static_cast<int>(a.integer("maxiterations", options.max_iterations));
     burnish::require(options.max_iterations > 0, "contact", "maxiterations", options.max_iterations, "> 0");
     options.anderson_memory = static_cast<int>(a.integer("memory", options.anderson_memory));
@@ -39,14 +40,15 @@ struct Construct {
     options.terms = terms_of(a.text("terms", "complete"));
     auto object = std::make_shared<ContactObject>();
     object->friction = burnish::make_coulomb(a.real("friction", 0));
-    object->session = std::make_unique<Session<2>>(std::move(discretization), surface_of(space, labels, "contact"), fixed, options);
+    object->session = std::make_unique<Session<2>>(std::move(discretization),
+                                                   surface_of(space, labels, "contact"), fixed, options);
     return made(std::move(object));
   }
 };
 basicAC_F0::name_and_type Construct::names[] = {
-    {"label", &typeid(long)},       {"labels", &typeid(KN_<long>)},    {"fixed", &typeid(KN_<double>)},
-    {"friction", &typeid(double)},  {"tolerance", &typeid(double)},    {"maxiterations", &typeid(long)},
-    {"memory", &typeid(long)},      {"terms", &typeid(string*)}};
+    {"label", &typeid(long)},      {"labels", &typeid(KN_<long>)}, {"fixed", &typeid(KN_<double>)},
+    {"friction", &typeid(double)}, {"tolerance", &typeid(double)}, {"maxiterations", &typeid(long)},
+    {"memory", &typeid(long)},     {"terms", &typeid(string*)}};
 
 struct AddTag {};
 struct AddTool {
@@ -62,8 +64,8 @@ struct AddTool {
 basicAC_F0::name_and_type AddTool::names[] = {{"friction", &typeid(double)}};
 
 struct ApproachTag {};
-double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& tool, string* const& coordinate,
-                const KN_<double>& u) {
+double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& tool,
+                string* const& coordinate, const KN_<double>& u) {
   return guarded([&] {
     Session<2>& session = *m->get().session;
     const auto& tools = session.tools();
@@ -90,9 +92,11 @@ void register_contact() {
   Dcl_Type<Made<ContactObject>>();
   TheOperators->Add("<-", new OneOperator2_<H*, H*, Made<ContactObject>>(take_over<ContactObject>));
   Global.Add("rcContact", "(", new NamedOperator<Construct, Made<ContactObject>, pfes*>);
-  add_method<H, AddTag>("add", [] { return new NamedOperator<AddTool, bool, Method<H, AddTag>, ToolHandle*>; });
-  add_method<H, ApproachTag>("approach",
-                             [] { return new OneOperator4_<double, Method<H, ApproachTag>, ToolHandle*, string*, KN_<double>>(approach); });
+  add_method<H, AddTag>("add",
+                        [] { return new NamedOperator<AddTool, bool, Method<H, AddTag>, ToolHandle*>; });
+  add_method<H, ApproachTag>("approach", [] {
+    return new OneOperator4_<double, Method<H, ApproachTag>, ToolHandle*, string*, KN_<double>>(approach);
+  });
 }
 
 } // namespace rigidcontact

@@ -1,13 +1,14 @@
-// Script type `material`: J2 plasticity with linear isotropic hardening in plane strain on a [P1,P1] or [P2,P2] space.
-//   material M = rcMaterial(Vh, G=..., nu=..., sigY=..., H=...);    or E=...; update="substepped" | "single" | "euler"
-//   int st = M.update(u[], dt, it);   M.force(R);   M.accept();   M.revert();
-//   matrix K = M.tangent();           also kind="consistent" | "rate" | "elastic", blend=0..1
-//   M.stress(i), M.F(i), M.piola(i), M.moduli(i,j), M.plasticstrain, M.stresseq, M.nodal(values)
+// Script type `material`: J2 plasticity with linear isotropic hardening in plane strain on a [P1,P1] or
+// [P2,P2] space.
+//   material M = rcMaterial(Vh, G=..., nu=..., sigY=..., H=...);    or E=...; update="substepped" | "single"
+//   | "euler" int st = M.update(u[], dt, it);   M.force(R);   M.accept();   M.revert(); matrix K =
+//   M.tangent();           also kind="consistent" | "rate" | "elastic", blend=0..1 M.stress(i), M.F(i),
+//   M.piola(i), M.moduli(i,j), M.plasticstrain, M.stresseq, M.nodal(values)
 #include "base/error.hpp"
+#include "matrix.hpp"
 #include "named.hpp"
 #include "types.hpp"
 #include "workpiece/nodal_average.hpp"
-#include "matrix.hpp"
 
 namespace rigidcontact {
 namespace {
@@ -16,7 +17,8 @@ burnish::StressUpdate update_of(const std::string& name) {
   if (name == "substepped") return burnish::StressUpdate::SUBSTEPPED;
   if (name == "single") return burnish::StressUpdate::SINGLE;
   if (name == "euler") return burnish::StressUpdate::FORWARD_EULER;
-  burnish::fail("material", "unknown update \"" + name + "\", expected \"substepped\", \"single\" or \"euler\"");
+  burnish::fail("material",
+                "unknown update \"" + name + "\", expected \"substepped\", \"single\" or \"euler\"");
 }
 
 struct Construct {
@@ -24,8 +26,10 @@ struct Construct {
   static basicAC_F0::name_and_type names[n];
   static Made<MaterialObject> call(const Named& a, pfes* space) {
     for (const char* name : {"nu", "sigY", "H"})
-      if (!a.has(name)) burnish::fail("material", std::string("parameter ") + name + " is missing: G= or E=, nu=, sigY=, H=");
-    if (a.has("G") == a.has("E")) burnish::fail("material", "give exactly one of G= (shear modulus) and E= (Young's modulus)");
+      if (!a.has(name))
+        burnish::fail("material", std::string("parameter ") + name + " is missing: G= or E=, nu=, sigY=, H=");
+    if (a.has("G") == a.has("E"))
+      burnish::fail("material", "give exactly one of G= (shear modulus) and E= (Young's modulus)");
     const double nu = a.real("nu", 0), sigY = a.real("sigY", 0), H = a.real("H", 0);
     const auto parameters = a.has("G") ? burnish::J2Parameters::from_shear(a.real("G", 0), nu, sigY, H)
                                        : burnish::J2Parameters::from_young(a.real("E", 0), nu, sigY, H);
@@ -38,9 +42,10 @@ struct Construct {
     return made(std::move(object));
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {
-    {"G", &typeid(double)}, {"E", &typeid(double)},       {"nu", &typeid(double)},       {"sigY", &typeid(double)},
-    {"H", &typeid(double)}, {"update", &typeid(string*)}, {"pathlimit", &typeid(double)}};
+basicAC_F0::name_and_type Construct::names[] = {{"G", &typeid(double)},        {"E", &typeid(double)},
+                                                {"nu", &typeid(double)},       {"sigY", &typeid(double)},
+                                                {"H", &typeid(double)},        {"update", &typeid(string*)},
+                                                {"pathlimit", &typeid(double)}};
 
 struct UpdateTag {};
 struct ForceTag {};
@@ -53,7 +58,8 @@ struct PiolaTag {};
 struct ModuliTag {};
 struct TangentTag {};
 
-long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>& u, const double& dt, const long& it) {
+long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>& u, const double& dt,
+            const long& it) {
   return guarded([&] {
     const burnish::CpuTimer timer(m->get().update_seconds);
     const auto result = m->get().body->update(to_vector(u, "material.update", "u"), dt, static_cast<int>(it));
@@ -72,12 +78,17 @@ double force(Stack, const Method<MaterialHandle, ForceTag>& m, const KN_<double>
     return f.cwiseAbs().maxCoeff();
   });
 }
-bool accept(const Method<MaterialHandle, AcceptTag>& m) { return guarded([&] { return m->get().body->accept(), true; }); }
-bool revert(const Method<MaterialHandle, RevertTag>& m) { return guarded([&] { return m->get().body->revert(), true; }); }
+bool accept(const Method<MaterialHandle, AcceptTag>& m) {
+  return guarded([&] { return m->get().body->accept(), true; });
+}
+bool revert(const Method<MaterialHandle, RevertTag>& m) {
+  return guarded([&] { return m->get().body->revert(), true; });
+}
 
 KN_<double> nodal(Stack stack, const Method<MaterialHandle, NodalTag>& m, const KN_<double>& values) {
   return guarded([&] {
-    return new_array(stack, burnish::nodal_average(m->get().body->discretization(), to_vector(values, "material.nodal", "values")));
+    return new_array(stack, burnish::nodal_average(m->get().body->discretization(),
+                                                   to_vector(values, "material.nodal", "values")));
   });
 }
 
@@ -153,7 +164,8 @@ burnish::TangentKind tangent_kind(const std::string& name) {
   if (name == "consistent") return burnish::TangentKind::CONSISTENT;
   if (name == "rate") return burnish::TangentKind::RATE;
   if (name == "elastic") return burnish::TangentKind::ELASTIC;
-  burnish::fail("material.tangent", "unknown kind \"" + name + "\", expected \"consistent\", \"rate\" or \"elastic\"");
+  burnish::fail("material.tangent",
+                "unknown kind \"" + name + "\", expected \"consistent\", \"rate\" or \"elastic\"");
 }
 
 void register_material() {
@@ -163,17 +175,28 @@ void register_material() {
   Dcl_Type<Made<MaterialObject>>();
   TheOperators->Add("<-", new OneOperator2_<H*, H*, Made<MaterialObject>>(take_over<MaterialObject>));
   Global.Add("rcMaterial", "(", new NamedOperator<Construct, Made<MaterialObject>, pfes*>);
-  add_method<H, UpdateTag>("update", [] { return new OneOperator4s_<long, Method<H, UpdateTag>, KN_<double>, double, long>(update); });
-  add_method<H, ForceTag>("force", [] { return new OneOperator2s_<double, Method<H, ForceTag>, KN_<double>>(force); });
+  add_method<H, UpdateTag>("update", [] {
+    return new OneOperator4s_<long, Method<H, UpdateTag>, KN_<double>, double, long>(update);
+  });
+  add_method<H, ForceTag>("force",
+                          [] { return new OneOperator2s_<double, Method<H, ForceTag>, KN_<double>>(force); });
   add_method<H, AcceptTag>("accept", [] { return new OneOperator1_<bool, Method<H, AcceptTag>>(accept); });
   add_method<H, RevertTag>("revert", [] { return new OneOperator1_<bool, Method<H, RevertTag>>(revert); });
-  add_method<H, NodalTag>("nodal", [] { return new OneOperator2s_<KN_<double>, Method<H, NodalTag>, KN_<double>>(nodal); });
-  add_method<H, StressTag>("stress", [] { return new OneOperator2s_<KN_<double>, Method<H, StressTag>, long>(stress); });
-  add_method<H, GradientTag>("F", [] { return new OneOperator2s_<KN_<double>, Method<H, GradientTag>, long>(gradient); });
-  add_method<H, PiolaTag>("piola", [] { return new OneOperator2s_<KN_<double>, Method<H, PiolaTag>, long>(piola); });
-  add_method<H, ModuliTag>("moduli", [] { return new OneOperator3s_<KN_<double>, Method<H, ModuliTag>, long, long>(moduli); });
-  add_method<H, TangentTag>("tangent", [] { return new NamedOperator<Tangent, newpMatrice_Creuse<double>, Method<H, TangentTag>>; });
-  add_method<H, SecondsTag>("seconds", [] { return new OneOperator2_<double, Method<H, SecondsTag>, string*>(seconds); });
+  add_method<H, NodalTag>(
+      "nodal", [] { return new OneOperator2s_<KN_<double>, Method<H, NodalTag>, KN_<double>>(nodal); });
+  add_method<H, StressTag>(
+      "stress", [] { return new OneOperator2s_<KN_<double>, Method<H, StressTag>, long>(stress); });
+  add_method<H, GradientTag>(
+      "F", [] { return new OneOperator2s_<KN_<double>, Method<H, GradientTag>, long>(gradient); });
+  add_method<H, PiolaTag>("piola",
+                          [] { return new OneOperator2s_<KN_<double>, Method<H, PiolaTag>, long>(piola); });
+  add_method<H, ModuliTag>(
+      "moduli", [] { return new OneOperator3s_<KN_<double>, Method<H, ModuliTag>, long, long>(moduli); });
+  add_method<H, TangentTag>("tangent", [] {
+    return new NamedOperator<Tangent, newpMatrice_Creuse<double>, Method<H, TangentTag>>;
+  });
+  add_method<H, SecondsTag>(
+      "seconds", [] { return new OneOperator2_<double, Method<H, SecondsTag>, string*>(seconds); });
   Add<H*>("plasticstrain", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain));
   Add<H*>("stresseq", ".", new OneOperator1s_<KN_<double>, H*>(stress_eq));
   Add<H*>("points", ".", new OneOperator1_<long, H*>(number_of_points));

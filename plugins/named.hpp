@@ -32,7 +32,8 @@ public:
   std::vector<double> list(const char* name) const {
     const E_Array* a = dynamic_cast<const E_Array*>(find(name));
     std::vector<double> values;
-    for (int i = 0; a && i < a->size(); ++i) values.push_back(GetAny<double>((*CastTo<double>((*a)[i]))(m_stack)));
+    for (int i = 0; a && i < a->size(); ++i)
+      values.push_back(GetAny<double>((*CastTo<double>((*a)[i]))(m_stack)));
     return values;
   }
   Stack stack() const { return m_stack; }
@@ -60,14 +61,16 @@ public:
     Op(const basicAC_F0& args, aType* types) {
       for (int i = 0; i < Spec::n; ++i) nargs[i] = nullptr;
       args.SetNameParam(Spec::n, Spec::names, nargs);
-      for (std::size_t i = 0; i < sizeof...(Args); ++i) positional[i] = types[i]->CastTo(args[static_cast<int>(i)]);
+      for (std::size_t i = 0; i < sizeof...(Args); ++i)
+        positional[i] = types[i]->CastTo(args[static_cast<int>(i)]);
     }
     AnyType operator()(Stack stack) const override { return run(stack, std::index_sequence_for<Args...>()); }
 
   private:
     template <std::size_t... I> AnyType run(Stack stack, std::index_sequence<I...>) const {
       const Named named(stack, nargs, Spec::names, Spec::n);
-      return SetAny<Result>(guarded([&] { return Spec::call(named, GetAny<Args>((*positional[I])(stack))...); }));
+      return SetAny<Result>(
+          guarded([&] { return Spec::call(named, GetAny<Args>((*positional[I])(stack))...); }));
     }
   };
   NamedOperator() : OneOperator(atype<Result>(), atype<Args>()...) {}

@@ -22,7 +22,8 @@ Eigen::VectorXd to_vector(const KN_<double>& a, const char* where, const char* n
 }
 
 void to_array(const Eigen::VectorXd& v, KN_<double> a, const char* where) {
-  burnish::require(a.N() == v.size(), where, "size of the array", a.N(), ("an array of " + std::to_string(v.size())).c_str());
+  burnish::require(a.N() == v.size(), where, "size of the array", a.N(),
+                   ("an array of " + std::to_string(v.size())).c_str());
   for (long i = 0; i < a.N(); ++i) a[i] = v[i];
 }
 
@@ -32,7 +33,9 @@ KN_<double> new_array(Stack stack, const double* data, std::size_t n) {
   return *r;
 }
 
-string* new_string(Stack stack, const std::string& text) { return Add2StackOfPtr2Free(stack, new string(text)); }
+string* new_string(Stack stack, const std::string& text) {
+  return Add2StackOfPtr2Free(stack, new string(text));
+}
 
 static void init() {
   register_tool();

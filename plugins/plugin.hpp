@@ -2,8 +2,8 @@
 // What every entry of the plugin shares: handles for script variables, the error frame, argument checks.
 #include <Eigen/Dense>
 
-#include "ff++.hpp"
 #include "AFunction_ext.hpp"
+#include "ff++.hpp"
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -50,26 +50,27 @@ template <class T> struct Handle {
   void set(std::shared_ptr<T> object) { p = new std::shared_ptr<T>(std::move(object)); }
 };
 
-/// What a maker function returns (`contact C = rcContact(Vh, ...)`: FreeFEM's grammar has no fespace among the arguments
-/// of a declaration); the declaration takes the object over.
-template <class T> struct Made {
-  std::shared_ptr<T>* p;
-};
-template <class T> Made<T> made(std::shared_ptr<T> object) { return {new std::shared_ptr<T>(std::move(object))}; }
+/// What a maker function returns (`contact C = rcContact(Vh, ...)`: FreeFEM's grammar has no fespace among
+/// the arguments of a declaration); the declaration takes the object over.
+template <class T> struct Made { std::shared_ptr<T>* p; };
+template <class T> Made<T> made(std::shared_ptr<T> object) {
+  return {new std::shared_ptr<T>(std::move(object))};
+}
 template <class T> Handle<T>* take_over(Handle<T>* const& handle, const Made<T>& object) {
   handle->p = object.p;
   return handle;
 }
 
-/// A method `object.name(...)`: the dot gives this proxy, the parenthesis acts on it. Tag makes the type unique.
+/// A method `object.name(...)`: the dot gives this proxy, the parenthesis acts on it. Tag makes the type
+/// unique.
 template <class Object, class Tag> struct Method {
   Object* object;
   Object* operator->() const { return object; }
 };
 template <class Object, class Tag> Method<Object, Tag> method(Object* const& object) { return {object}; }
 
-/// Registers `type.name(args)`; each maker returns an operator whose first argument is the proxy (made only after the
-/// proxy's type is known to FreeFEM).
+/// Registers `type.name(args)`; each maker returns an operator whose first argument is the proxy (made only
+/// after the proxy's type is known to FreeFEM).
 template <class Object, class Tag, class... Makers> void add_method(const char* name, Makers... makers) {
   using Proxy = Method<Object, Tag>;
   Dcl_Type<Proxy>();
@@ -82,7 +83,9 @@ Eigen::VectorXd to_vector(const KN_<double>& a, const char* where, const char* n
 void to_array(const Eigen::VectorXd& v, KN_<double> a, const char* where);
 /// Array result that FreeFEM frees.
 KN_<double> new_array(Stack stack, const double* data, std::size_t n);
-inline KN_<double> new_array(Stack stack, const std::vector<double>& v) { return new_array(stack, v.data(), v.size()); }
+inline KN_<double> new_array(Stack stack, const std::vector<double>& v) {
+  return new_array(stack, v.data(), v.size());
+}
 inline KN_<double> new_array(Stack stack, const Eigen::VectorXd& v) {
   return new_array(stack, v.data(), static_cast<std::size_t>(v.size()));
 }

@@ -1,9 +1,9 @@
-// Registers the solver "BURNISH": set(Khat, solver="BURNISH"). Symmetric part by CHOLMOD, the nonsymmetric contact
-// rows as a dense border, UMFPACK where that does not apply. Values changed in place are noticed.
+// Registers the solver "BURNISH": set(Khat, solver="BURNISH"). Symmetric part by CHOLMOD, the nonsymmetric
+// contact rows as a dense border, UMFPACK where that does not apply. Values changed in place are noticed.
+#include "VirtualSolver.hpp"
 #include "plugin.hpp"
 #include "solver/bordered_solver.hpp"
 #include "solver/unsymmetric_solver.hpp"
-#include "VirtualSolver.hpp"
 #include <algorithm>
 
 namespace rigidcontact {
@@ -28,7 +28,9 @@ struct Rows {
       }
     }
   }
-  burnish::SparseView view(int n, bool half) const { return {n, row_start.data(), col.data(), value.data(), half}; }
+  burnish::SparseView view(int n, bool half) const {
+    return {n, row_start.data(), col.data(), value.data(), half};
+  }
 };
 
 // Solvers with their analysis outlive FreeFEM's objects, which are made anew at every set(): a small pool.
@@ -45,7 +47,8 @@ class BurnishSolver : public VirtualSolver<int, double> {
 public:
   static const int orTypeSol = 1 | 2 | 4 | 8 | 16 | 32;
   BurnishSolver(HashMatrix<int, double>& A, const Data_Sparse_Solver&, Stack) : m_A(A) {
-    if (pool().empty()) m_pair = std::make_unique<Pair>();
+    if (pool().empty())
+      m_pair = std::make_unique<Pair>();
     else {
       m_pair = std::move(pool().back());
       pool().pop_back();
@@ -71,8 +74,10 @@ public:
       for (int c = 0; c < columns; ++c) {
         const Eigen::VectorXd right = Eigen::Map<Eigen::VectorXd>(b + static_cast<long>(c) * m_A.n, m_A.n);
         Eigen::Map<Eigen::VectorXd> left(x + static_cast<long>(c) * m_A.n, m_A.n);
-        if (m_bordered) left = transposed ? m_pair->bordered.solve_transposed(right) : m_pair->bordered.solve(right);
-        else left = transposed ? m_pair->general.solve_transposed(right) : m_pair->general.solve(right);
+        if (m_bordered)
+          left = transposed ? m_pair->bordered.solve_transposed(right) : m_pair->bordered.solve(right);
+        else
+          left = transposed ? m_pair->general.solve_transposed(right) : m_pair->general.solve(right);
       }
     });
   }

@@ -6,11 +6,13 @@
 namespace rigidcontact {
 namespace {
 
-// Node numbers of element k: dof/2 of the first component, in FreeFEM's local order (vertices, then mid-edges).
+// Node numbers of element k: dof/2 of the first component, in FreeFEM's local order (vertices, then
+// mid-edges).
 std::vector<int> element_nodes(const FESpace& V, int k, const char* where) {
   const FElement K = V[k];
   const int dofs = K.NbDoF();
-  if (K.N != 2 || (dofs != 6 && dofs != 12)) burnish::fail(where, "the space must be [P1,P1] or [P2,P2] on a 2D mesh");
+  if (K.N != 2 || (dofs != 6 && dofs != 12))
+    burnish::fail(where, "the space must be [P1,P1] or [P2,P2] on a 2D mesh");
   std::vector<int> nodes;
   for (int a = 0; a < dofs / 2; ++a) {
     if (K(a) % 2 != 0 || K(a + dofs / 2) != K(a) + 1)
@@ -47,7 +49,8 @@ burnish::Discretization<2> discretization_of(pfes* const& space, const char* whe
   return burnish::triangles(per_element, std::move(X), std::move(connectivity));
 }
 
-std::vector<burnish::SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels, const char* where) {
+std::vector<burnish::SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels,
+                                             const char* where) {
   const FESpace& V = space_of(space, where);
   const Mesh& Th = V.Th;
   std::vector<burnish::SurfaceEdge> edges;

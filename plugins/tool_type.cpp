@@ -2,8 +2,8 @@
 //   tool roller(circle=R);                            also  inside=true, line=[x0,y0,x1,y1], name="roller"
 //   roller.coordinates("polar", x=0, y=0);            or "cartesian"
 //   roller.place("r", r0);  roller.move("phi", v);  roller.force("r", Q);      (load is a keyword of FreeFEM)
-//   roller.value("r") present coordinate, roller.drive("r") generalized force received from the drive, roller.q and
-//   roller.Q all of them as arrays, roller.name
+//   roller.value("r") present coordinate, roller.drive("r") generalized force received from the drive,
+//   roller.q and roller.Q all of them as arrays, roller.name
 #include "base/error.hpp"
 #include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
@@ -29,7 +29,8 @@ struct Construct {
     } else {
       const std::vector<double> p = named.list("line");
       burnish::require(p.size() == 4, "tool", "number of values in line", p.size(), "4: [x0,y0,x1,y1]");
-      profile = std::make_shared<burnish::Segment>(burnish::Vector<2>(p[0], p[1]), burnish::Vector<2>(p[2], p[3]));
+      profile =
+          std::make_shared<burnish::Segment>(burnish::Vector<2>(p[0], p[1]), burnish::Vector<2>(p[2], p[3]));
     }
     const std::string name = named.text("name", "tool " + std::to_string(++count));
     auto object = std::make_shared<ToolObject>();
@@ -38,8 +39,10 @@ struct Construct {
     return handle;
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {
-    {"circle", &typeid(double)}, {"line", &typeid(E_Array)}, {"inside", &typeid(bool)}, {"name", &typeid(string*)}};
+basicAC_F0::name_and_type Construct::names[] = {{"circle", &typeid(double)},
+                                                {"line", &typeid(E_Array)},
+                                                {"inside", &typeid(bool)},
+                                                {"name", &typeid(string*)}};
 
 struct CoordinatesTag {};
 using CoordinatesMethod = Method<ToolHandle, CoordinatesTag>;
@@ -49,9 +52,13 @@ struct Coordinates {
   static bool call(const Named& named, CoordinatesMethod m, string* kind) {
     std::shared_ptr<const burnish::Coordinates<2>> coordinates;
     if (*kind == "polar")
-      coordinates = std::make_shared<burnish::Polar>(burnish::Vector<2>(named.real("x", 0), named.real("y", 0)));
-    else if (*kind == "cartesian") coordinates = std::make_shared<burnish::Cartesian>();
-    else burnish::fail("tool.coordinates", "unknown kind \"" + *kind + "\", expected \"polar\" or \"cartesian\"");
+      coordinates =
+          std::make_shared<burnish::Polar>(burnish::Vector<2>(named.real("x", 0), named.real("y", 0)));
+    else if (*kind == "cartesian")
+      coordinates = std::make_shared<burnish::Cartesian>();
+    else
+      burnish::fail("tool.coordinates",
+                    "unknown kind \"" + *kind + "\", expected \"polar\" or \"cartesian\"");
     m->get().tool->set_coordinates(coordinates);
     return true;
   }
@@ -102,12 +109,19 @@ void register_tool() {
   Dcl_Type<ToolHandle*>(InitP<ToolHandle>, Destroy<ToolHandle>);
   zzzfff->Add("tool", atype<ToolHandle*>());
   TheOperators->Add("<-", new NamedOperator<Construct, ToolHandle*, ToolHandle*>);
-  add_method<ToolHandle, CoordinatesTag>("coordinates", [] { return new NamedOperator<Coordinates, bool, CoordinatesMethod, string*>; });
-  add_method<ToolHandle, PlaceTag>("place", [] { return new OneOperator3_<double, Method<ToolHandle, PlaceTag>, string*, double>(place); });
-  add_method<ToolHandle, MoveTag>("move", [] { return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, double>(move); });
-  add_method<ToolHandle, LoadTag>("force", [] { return new OneOperator3_<double, Method<ToolHandle, LoadTag>, string*, double>(load); });
-  add_method<ToolHandle, ValueTag>("value", [] { return new OneOperator2_<double, Method<ToolHandle, ValueTag>, string*>(value_of); });
-  add_method<ToolHandle, ForceTag>("drive", [] { return new OneOperator2_<double, Method<ToolHandle, ForceTag>, string*>(force_of); });
+  add_method<ToolHandle, CoordinatesTag>(
+      "coordinates", [] { return new NamedOperator<Coordinates, bool, CoordinatesMethod, string*>; });
+  add_method<ToolHandle, PlaceTag>("place", [] {
+    return new OneOperator3_<double, Method<ToolHandle, PlaceTag>, string*, double>(place);
+  });
+  add_method<ToolHandle, MoveTag>(
+      "move", [] { return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, double>(move); });
+  add_method<ToolHandle, LoadTag>(
+      "force", [] { return new OneOperator3_<double, Method<ToolHandle, LoadTag>, string*, double>(load); });
+  add_method<ToolHandle, ValueTag>(
+      "value", [] { return new OneOperator2_<double, Method<ToolHandle, ValueTag>, string*>(value_of); });
+  add_method<ToolHandle, ForceTag>(
+      "drive", [] { return new OneOperator2_<double, Method<ToolHandle, ForceTag>, string*>(force_of); });
   Add<ToolHandle*>("q", ".", new OneOperator1s_<KN_<double>, ToolHandle*>(all_q));
   Add<ToolHandle*>("Q", ".", new OneOperator1s_<KN_<double>, ToolHandle*>(all_force));
   Add<ToolHandle*>("name", ".", new OneOperator1s_<string*, ToolHandle*>(name_of_tool));

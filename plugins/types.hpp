@@ -23,8 +23,8 @@ struct ContactObject {
   std::unique_ptr<Session<2>> session;
   std::shared_ptr<const burnish::FrictionLaw> friction; // default of add()
   burnish::TripletReader<2> reader;
-  std::vector<burnish::ContactEvent<2>> pending; // found by events(), applied by accept() or switchstates()
-  std::vector<double> rhs;                       // of the last condensed matrix
+  std::vector<burnish::ContactEvent<2>> pending;  // found by events(), applied by accept() or switchstates()
+  std::vector<double> rhs;                        // of the last condensed matrix
   double event_seconds = 0, condense_seconds = 0; // CPU
 };
 
@@ -32,12 +32,14 @@ using ToolHandle = Handle<ToolObject>;
 using MaterialHandle = Handle<MaterialObject>;
 using ContactHandle = Handle<ContactObject>;
 
-/// Reference nodes and elements of a [P1,P1] or [P2,P2] space on a 2D mesh; the dofs of a node must be adjacent.
+/// Reference nodes and elements of a [P1,P1] or [P2,P2] space on a 2D mesh; the dofs of a node must be
+/// adjacent.
 /// @throws std::invalid_argument for any other space
 burnish::Discretization<2> discretization_of(pfes* const& space, const char* where);
 /// Boundary edges with the given labels, as nodes of the space.
 /// @throws std::invalid_argument if no edge bears a label
-std::vector<burnish::SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels, const char* where);
+std::vector<burnish::SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels,
+                                             const char* where);
 
 /// "complete", "article" or "none". @throws std::invalid_argument for another name
 burnish::GeometricTerms terms_of(const std::string& name);

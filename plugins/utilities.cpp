@@ -1,7 +1,7 @@
 // Small things a step loop needs from the machine, and the step control.
-//   rcLastError(), rcWallTime(), rcInterrupted(), rcBlas(), rcReferenceBlas(), rcVersion(), rcMakeFolder(path)
-//   stepcontrol S(tend, dtmax=..., stepsperwidth=14, dtmin=...);  S.propose(width, speed), S.accepted(), S.rejected(),
-//   S.cut(f), S.t, S.dt, S.finished
+//   rcLastError(), rcWallTime(), rcInterrupted(), rcBlas(), rcReferenceBlas(), rcVersion(),
+//   rcMakeFolder(path) stepcontrol S(tend, dtmax=..., stepsperwidth=14, dtmin=...);  S.propose(width, speed),
+//   S.accepted(), S.rejected(), S.cut(f), S.t, S.dt, S.finished
 #include "base/error.hpp"
 #include "named.hpp"
 #include "solver/blas_info.hpp"
@@ -80,8 +80,10 @@ struct Construct {
     return handle;
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {
-    {"dtmax", &typeid(double)}, {"dtmin", &typeid(double)}, {"stepsperwidth", &typeid(double)}, {"output", &typeid(KN_<double>)}};
+basicAC_F0::name_and_type Construct::names[] = {{"dtmax", &typeid(double)},
+                                                {"dtmin", &typeid(double)},
+                                                {"stepsperwidth", &typeid(double)},
+                                                {"output", &typeid(KN_<double>)}};
 
 struct ProposeTag {};
 struct AcceptedTag {};
@@ -90,8 +92,12 @@ struct CutTag {};
 double propose(const Method<ControlHandle, ProposeTag>& m, const double& width, const double& speed) {
   return guarded([&] { return m->get().control->propose(width, speed); });
 }
-bool accepted(const Method<ControlHandle, AcceptedTag>& m) { return guarded([&] { return m->get().control->accepted(), true; }); }
-bool rejected(const Method<ControlHandle, RejectedTag>& m) { return guarded([&] { return m->get().control->rejected(); }); }
+bool accepted(const Method<ControlHandle, AcceptedTag>& m) {
+  return guarded([&] { return m->get().control->accepted(), true; });
+}
+bool rejected(const Method<ControlHandle, RejectedTag>& m) {
+  return guarded([&] { return m->get().control->rejected(); });
+}
 double cut(const Method<ControlHandle, CutTag>& m, const double& f) {
   return guarded([&] {
     m->get().control->cut(f);
@@ -118,9 +124,12 @@ void register_tools_of_the_trade() {
   Dcl_Type<H*>(InitP<H>, Destroy<H>);
   zzzfff->Add("stepcontrol", atype<H*>());
   TheOperators->Add("<-", new NamedOperator<Construct, H*, H*, double>);
-  add_method<H, ProposeTag>("propose", [] { return new OneOperator3_<double, Method<H, ProposeTag>, double, double>(propose); });
-  add_method<H, AcceptedTag>("accepted", [] { return new OneOperator1_<bool, Method<H, AcceptedTag>>(accepted); });
-  add_method<H, RejectedTag>("rejected", [] { return new OneOperator1_<bool, Method<H, RejectedTag>>(rejected); });
+  add_method<H, ProposeTag>(
+      "propose", [] { return new OneOperator3_<double, Method<H, ProposeTag>, double, double>(propose); });
+  add_method<H, AcceptedTag>("accepted",
+                             [] { return new OneOperator1_<bool, Method<H, AcceptedTag>>(accepted); });
+  add_method<H, RejectedTag>("rejected",
+                             [] { return new OneOperator1_<bool, Method<H, RejectedTag>>(rejected); });
   add_method<H, CutTag>("cut", [] { return new OneOperator2_<double, Method<H, CutTag>, double>(cut); });
   Add<H*>("t", ".", new OneOperator1_<double, H*>(time_of));
   Add<H*>("dt", ".", new OneOperator1_<double, H*>(dt_of));

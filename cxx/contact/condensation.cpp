@@ -6,7 +6,8 @@
 namespace burnish {
 
 template <int Dim> double& Condensation<Dim>::at(int row, int column) {
-  const auto first = m_full.col.begin() + m_full.row_start[row], last = m_full.col.begin() + m_full.row_start[row + 1];
+  const auto first = m_full.col.begin() + m_full.row_start[row],
+             last = m_full.col.begin() + m_full.row_start[row + 1];
   return m_full.value[static_cast<std::size_t>(std::lower_bound(first, last, column) - m_full.col.begin())];
 }
 
@@ -41,8 +42,8 @@ template <int Dim> void Condensation<Dim>::build_pattern(const NodeBlockMatrix<D
 }
 
 template <int Dim>
-void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                                  const Program& program, GeometricTerms terms) {
+void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                                  const Eigen::VectorXd& R, const Program& program, GeometricTerms terms) {
   const auto poses = m_model.poses(state.q);
   m_nodes.clear();
   m_contact_of.assign(m_body.X.size() / Dim, -1);
@@ -128,14 +129,14 @@ template <int Dim> void Condensation<Dim>::add_geometric_terms() {
 
 template <int Dim>
 void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Program& program,
-                                            const Program& program_old, const Eigen::VectorXd& R, RightHandSide right) {
+                                            const Program& program_old, const Eigen::VectorXd& R,
+                                            RightHandSide right) {
   const bool total = right == RightHandSide::TOTAL;
   const int ndof = K.size(), nq = m_model.num_coordinates();
   Eigen::VectorXd force = -K.multiply(m_shift);
   if (total) force -= R;
   m_full.rhs = Eigen::VectorXd::Zero(m_full.n);
-  for (int k = 0; k < nq; ++k)
-    m_full.rhs[ndof + k] = program.value[k] - (total ? 0 : program_old.value[k]);
+  for (int k = 0; k < nq; ++k) m_full.rhs[ndof + k] = program.value[k] - (total ? 0 : program_old.value[k]);
   for (int m = 0; m < K.num_nodes; ++m) {
     const Map row = map_of(m);
     const Vector<Dim> f = force.template segment<Dim>(Dim * m);
@@ -147,8 +148,8 @@ void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const
   }
 }
 
-// Given unknowns: zero row and column, `scale` on the diagonal. The columns of coordinates under motion are already on
-// the right-hand side (m_shift).
+// Given unknowns: zero row and column, `scale` on the diagonal. The columns of coordinates under motion are
+// already on the right-hand side (m_shift).
 template <int Dim>
 void Condensation<Dim>::set_given(const Program& program, const ContactState<Dim>& state, double scale) {
   const int ndof = static_cast<int>(m_body.X.size());
@@ -156,7 +157,8 @@ void Condensation<Dim>::set_given(const Program& program, const ContactState<Dim
   Eigen::VectorXd given = Eigen::VectorXd::Zero(m_full.n);
   for (int d = 0; d < ndof; ++d) m_given[d] = m_body.fixed[d];
   for (const auto& node : m_nodes)
-    for (int c = node.sliding ? 1 : 0; c < Dim; ++c) m_given[Dim * m_model.candidates[node.candidate] + c] = 1;
+    for (int c = node.sliding ? 1 : 0; c < Dim; ++c)
+      m_given[Dim * m_model.candidates[node.candidate] + c] = 1;
   for (int k = 0; k < m_model.num_coordinates(); ++k)
     if (program.is_motion[k]) {
       m_given[ndof + k] = 1;
@@ -188,11 +190,12 @@ template <int Dim> void Condensation<Dim>::keep_lower() {
 }
 
 template <int Dim>
-const CondensedSystem& Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
-                                                   const Program& program, const Program& program_old,
-                                                   const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                                                   GeometricTerms terms, RightHandSide right, bool half) {
-  require(K.size() == m_body.X.size(), "condense", "size of K", K.size(), "number of dofs of the contact's space");
+const CondensedSystem&
+Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
+                            const Program& program, const Program& program_old, const Eigen::VectorXd& u,
+                            const Eigen::VectorXd& R, GeometricTerms terms, RightHandSide right, bool half) {
+  require(K.size() == m_body.X.size(), "condense", "size of K", K.size(),
+          "number of dofs of the contact's space");
   if (half && !m_model.symmetric()) fail("condense", "symmetric storage needs a contact without friction");
   if (half && terms == GeometricTerms::ARTICLE) fail("condense", "the article's terms are not symmetric");
   build_pattern(K);
@@ -209,12 +212,14 @@ const CondensedSystem& Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K
   return m_half;
 }
 
-template <int Dim> typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::VectorXd& z) const {
+template <int Dim>
+typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::VectorXd& z) const {
   require(z.size() == m_full.n && m_full.n > 0, "expand", "size of the solution", z.size(),
           "the size of the last condensed matrix");
   if (!z.allFinite()) fail("expand", "the solution holds NaN or Inf");
   const Eigen::Index ndof = m_body.X.size();
-  Expansion result{z.head(ndof), Eigen::VectorXd::Zero(m_model.candidates.size()), z.tail(m_model.num_coordinates())};
+  Expansion result{z.head(ndof), Eigen::VectorXd::Zero(m_model.candidates.size()),
+                   z.tail(m_model.num_coordinates())};
   for (const auto& node : m_nodes) {
     const int dof = Dim * m_model.candidates[node.candidate];
     Vector<Dim> du = m_shift.template segment<Dim>(dof);

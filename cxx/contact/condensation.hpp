@@ -1,6 +1,6 @@
 #pragma once
-// The condensed sparse system K^ z = r^ in nodes, slips and tool coordinates: K^ = W' K A + Geo (method.md section 3,
-// article eq. 1.13-1.21). One matrix for any sparse solver; the pattern is fixed for the run.
+// The condensed sparse system K^ z = r^ in nodes, slips and tool coordinates: K^ = W' K A + Geo (method.md
+// section 3, article eq. 1.13-1.21). One matrix for any sparse solver; the pattern is fixed for the run.
 #include "contact/linearization.hpp"
 #include "solver/node_block_matrix.hpp"
 #include "stepping/balance.hpp"
@@ -22,19 +22,21 @@ enum class RightHandSide {
   RATES, ///< increments of the applied forces and motions only: the article's pure rates
 };
 
-/// Unknowns: dof d of a free node at position d; a sliding node has its slip ds at its first dof and zero at the
-/// others; a sticking node zeros; coordinates follow after all dofs. Unknowns that are given (fixed dofs, zeros,
-/// coordinates under motion) keep a diagonal entry and their value on the right-hand side.
+/// Unknowns: dof d of a free node at position d; a sliding node has its slip ds at its first dof and zero at
+/// the others; a sticking node zeros; coordinates follow after all dofs. Unknowns that are given (fixed dofs,
+/// zeros, coordinates under motion) keep a diagonal entry and their value on the right-hand side.
 template <int Dim> class Condensation {
 public:
   Condensation(const ContactModel<Dim>& model, const BodyView<Dim>& body) : m_model(model), m_body(body) {}
-  /// @param K tangent of the body, symmetric; @param u displacement, R internal minus external nodal force, num_dofs
+  /// @param K tangent of the body, symmetric; @param u displacement, R internal minus external nodal force,
+  /// num_dofs
   /// @param program values at the end of the step; @param program_old at its start (used by RATES)
   /// @param half store the lower triangle only (no friction, COMPLETE or NONE terms)
   /// @throws std::invalid_argument if K has another size than the body, or half with friction
-  const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state, const Program& program,
-                                  const Program& program_old, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                                  GeometricTerms terms, RightHandSide right, bool half);
+  const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
+                                  const Program& program, const Program& program_old,
+                                  const Eigen::VectorXd& u, const Eigen::VectorXd& R, GeometricTerms terms,
+                                  RightHandSide right, bool half);
   /// Solution in nodes, slips and coordinates.
   struct Expansion {
     Eigen::VectorXd du; ///< num_dofs [length]
@@ -46,8 +48,8 @@ public:
 
 private:
   struct Map {
-    Tensor<Dim> W, A;                      // local rows and columns
-    const NodeLinearization<Dim>* node;    // nullptr for a free node
+    Tensor<Dim> W, A;                   // local rows and columns
+    const NodeLinearization<Dim>* node; // nullptr for a free node
   };
   void build_pattern(const NodeBlockMatrix<Dim>& K);
   Map map_of(int node) const;
@@ -66,10 +68,10 @@ private:
   const NodeBlockMatrix<Dim>* m_pattern_of = nullptr;
   std::vector<int> m_pattern_col;
   CondensedSystem m_full, m_half;
-  std::vector<int> m_contact_of;                  // per node: index into m_nodes or -1
+  std::vector<int> m_contact_of; // per node: index into m_nodes or -1
   std::vector<NodeLinearization<Dim>> m_nodes;
-  std::vector<char> m_given;                      // per unknown
-  Eigen::VectorXd m_shift;                        // displacement increment that is known: offsets and motions
+  std::vector<char> m_given; // per unknown
+  Eigen::VectorXd m_shift;   // displacement increment that is known: offsets and motions
 };
 
 } // namespace burnish

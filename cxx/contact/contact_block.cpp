@@ -12,7 +12,8 @@ template <int Dim> struct Columns {
 };
 
 template <int Dim>
-Columns<Dim> assemble_columns(const ContactModel<Dim>& model, const std::vector<NodeLinearization<Dim>>& nodes) {
+Columns<Dim> assemble_columns(const ContactModel<Dim>& model,
+                              const std::vector<NodeLinearization<Dim>>& nodes) {
   Columns<Dim> c;
   for (const auto& node : nodes) c.slide_column.push_back(node.sliding ? c.num_sliding++ : -1);
   const Eigen::Index rows = Dim * static_cast<Eigen::Index>(nodes.size());
@@ -48,8 +49,8 @@ void add_geometric_terms(const ContactModel<Dim>& model, const std::vector<NodeL
 }
 
 // Replaces rows of prescribed coordinates; returns the scale of every unknown.
-void prescribe_motion(const Program& program, const Eigen::VectorXd& q, Eigen::Index first, Eigen::MatrixXd& matrix,
-                      Eigen::VectorXd& rhs) {
+void prescribe_motion(const Program& program, const Eigen::VectorXd& q, Eigen::Index first,
+                      Eigen::MatrixXd& matrix, Eigen::VectorXd& rhs) {
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     if (!program.is_motion[k]) continue;
     const double pivot = std::max(std::abs(matrix(first + k, first + k)), 1e-300);
@@ -60,8 +61,8 @@ void prescribe_motion(const Program& program, const Eigen::VectorXd& q, Eigen::I
 }
 
 // Solves with rows and columns equilibrated; reports the coordinate that nothing resists.
-bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eigen::Index first, Eigen::VectorXd& z,
-                  int& weakest) {
+bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eigen::Index first,
+                  Eigen::VectorXd& z, int& weakest) {
   const Eigen::Index n = matrix.rows();
   Eigen::VectorXd scale(n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -121,7 +122,7 @@ ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model, co
   return solution;
 }
 
-template ContactBlockSolution<2> solve_contact_block<2>(const ContactModel<2>&, const Program&, const Eigen::VectorXd&,
-                                                        const ContactBlockInput<2>&);
+template ContactBlockSolution<2> solve_contact_block<2>(const ContactModel<2>&, const Program&,
+                                                        const Eigen::VectorXd&, const ContactBlockInput<2>&);
 
 } // namespace burnish

@@ -4,12 +4,18 @@ namespace burnish {
 
 const char* name_of(NodeState state) {
   switch (state) {
-  case NodeState::FREE: return "free";
-  case NodeState::TOUCHED: return "touched";
-  case NodeState::SLIDING: return "sliding";
-  case NodeState::STICKING: return "sticking";
-  case NodeState::LEAVING: return "leaving";
-  case NodeState::RECEDING: return "receding";
+  case NodeState::FREE:
+    return "free";
+  case NodeState::TOUCHED:
+    return "touched";
+  case NodeState::SLIDING:
+    return "sliding";
+  case NodeState::STICKING:
+    return "sticking";
+  case NodeState::LEAVING:
+    return "leaving";
+  case NodeState::RECEDING:
+    return "receding";
   }
   return "?";
 }
@@ -29,8 +35,8 @@ template <int Dim> bool ContactModel<Dim>::symmetric() const {
 }
 
 template <int Dim>
-NearestTool<Dim> nearest_tool(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses, const Vector<Dim>& x,
-                              const ContactNode<Dim>& near) {
+NearestTool<Dim> nearest_tool(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses,
+                              const Vector<Dim>& x, const ContactNode<Dim>& near) {
   NearestTool<Dim> best;
   for (std::size_t i = 0; i < model.tools.size(); ++i) {
     const int t = static_cast<int>(i);

@@ -7,13 +7,20 @@ namespace burnish {
 
 const char* name_of(EventKind kind) {
   switch (kind) {
-  case EventKind::TOUCH: return "touch";
-  case EventKind::RELEASE: return "release";
-  case EventKind::SLIP_TO_STICK: return "slip-to-stick";
-  case EventKind::STICK_TO_SLIP: return "stick-to-slip";
-  case EventKind::NEXT_PIECE: return "next-piece";
-  case EventKind::YIELD: return "yield";
-  case EventKind::UNLOADING: return "unloading";
+  case EventKind::TOUCH:
+    return "touch";
+  case EventKind::RELEASE:
+    return "release";
+  case EventKind::SLIP_TO_STICK:
+    return "slip-to-stick";
+  case EventKind::STICK_TO_SLIP:
+    return "stick-to-slip";
+  case EventKind::NEXT_PIECE:
+    return "next-piece";
+  case EventKind::YIELD:
+    return "yield";
+  case EventKind::UNLOADING:
+    return "unloading";
   }
   return "?";
 }
@@ -22,20 +29,18 @@ namespace {
 
 constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-// Fraction at which a quantity that is linear in the step falls through zero: 0 if it was below from the start, 1 if it
-// ends within the tolerance.
+// Fraction at which a quantity that is linear in the step falls through zero: 0 if it was below from the
+// start, 1 if it ends within the tolerance.
 double crossing(double start, double end, double tolerance) {
   if (end < -tolerance) return start <= 0 ? 0 : start / (start - end);
   return end <= tolerance && start > tolerance ? 1 : NEVER;
 }
 
-template <int Dim> struct Forces {
-  double N, T, limit;
-};
+template <int Dim> struct Forces { double N, T, limit; };
 
 template <int Dim>
-Forces<Dim> forces(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses, const ContactNode<Dim>& node,
-                   const Vector<Dim>& F) {
+Forces<Dim> forces(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses,
+                   const ContactNode<Dim>& node, const Vector<Dim>& F) {
   const auto p = model.tools[node.tool]->surface(poses[node.tool], node.s);
   const double N = F.dot(p.n);
   return {N, F.dot(p.x_s.col(0)) / p.x_s.col(0).norm(), model.friction[node.tool]->limit(std::max(N, 0.))};
@@ -77,8 +82,9 @@ double stick_fraction(const ContactNode<Dim>& start, const ContactNode<Dim>& end
 }
 
 template <int Dim>
-ContactEvent<Dim> make_event(const BodyView<Dim>& body, const StepEnds<Dim>& step, const ContactModel<Dim>& model,
-                             std::size_t i, EventKind kind, double fraction, int tool) {
+ContactEvent<Dim> make_event(const BodyView<Dim>& body, const StepEnds<Dim>& step,
+                             const ContactModel<Dim>& model, std::size_t i, EventKind kind, double fraction,
+                             int tool) {
   ContactEvent<Dim> event;
   const int node = model.candidates[i];
   event.fraction = fraction;
@@ -93,8 +99,9 @@ ContactEvent<Dim> make_event(const BodyView<Dim>& body, const StepEnds<Dim>& ste
 
 // Earliest event of one candidate, fraction NEVER if none.
 template <int Dim>
-ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>& body, const StepEnds<Dim>& step,
-                             const std::vector<Pose<Dim>>& poses0, const std::vector<Pose<Dim>>& poses1, std::size_t i,
+ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                             const StepEnds<Dim>& step, const std::vector<Pose<Dim>>& poses0,
+                             const std::vector<Pose<Dim>>& poses1, std::size_t i,
                              const EventTolerance& tolerance) {
   const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
   const int node = model.candidates[i];
@@ -173,8 +180,9 @@ std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, con
 }
 
 template <int Dim>
-void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body, const std::vector<ContactEvent<Dim>>& events,
-                  const Eigen::VectorXd& u, ContactState<Dim>& state) {
+void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                  const std::vector<ContactEvent<Dim>>& events, const Eigen::VectorXd& u,
+                  ContactState<Dim>& state) {
   const auto poses = model.poses(state.q);
   for (const auto& event : events) {
     if (event.candidate < 0) continue;
@@ -202,8 +210,8 @@ void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body, con
 }
 
 template <int Dim>
-void settle_released(const ContactModel<Dim>& model, const BodyView<Dim>& body, const Eigen::VectorXd& u, double gap,
-                     ContactState<Dim>& state) {
+void settle_released(const ContactModel<Dim>& model, const BodyView<Dim>& body, const Eigen::VectorXd& u,
+                     double gap, ContactState<Dim>& state) {
   const auto poses = model.poses(state.q);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
@@ -215,9 +223,10 @@ void settle_released(const ContactModel<Dim>& model, const BodyView<Dim>& body, 
   }
 }
 
-template std::vector<ContactEvent<2>> earliest_events<2>(const ContactModel<2>&, const BodyView<2>&, const StepEnds<2>&,
-                                                         const EventTolerance&);
-template std::vector<ContactEvent<2>> state_changes<2>(const ContactModel<2>&, const BodyView<2>&, const StepEnds<2>&);
+template std::vector<ContactEvent<2>> earliest_events<2>(const ContactModel<2>&, const BodyView<2>&,
+                                                         const StepEnds<2>&, const EventTolerance&);
+template std::vector<ContactEvent<2>> state_changes<2>(const ContactModel<2>&, const BodyView<2>&,
+                                                       const StepEnds<2>&);
 template void apply_events<2>(const ContactModel<2>&, const BodyView<2>&, const std::vector<ContactEvent<2>>&,
                               const Eigen::VectorXd&, ContactState<2>&);
 template void settle_released<2>(const ContactModel<2>&, const BodyView<2>&, const Eigen::VectorXd&, double,

@@ -1,6 +1,6 @@
 #pragma once
-// Contact events inside a step: everything is linear in the fraction of the step; the earliest one is located and all
-// within its tolerance are taken together (article section 2; method.md section 4).
+// Contact events inside a step: everything is linear in the fraction of the step; the earliest one is located
+// and all within its tolerance are taken together (article section 2; method.md section 4).
 #include "stepping/balance.hpp"
 #include <string>
 
@@ -10,14 +10,15 @@ enum class EventKind : char { TOUCH, RELEASE, SLIP_TO_STICK, STICK_TO_SLIP, NEXT
 const char* name_of(EventKind kind);
 
 template <int Dim> struct ContactEvent {
-  double t = 0;            ///< instant [time]
-  double fraction = 0;     ///< of the step, 0..1
+  double t = 0;        ///< instant [time]
+  double fraction = 0; ///< of the step, 0..1
   EventKind kind = EventKind::TOUCH;
-  int candidate = -1;      ///< index into ContactModel::candidates, -1 for element events
-  int node = -1;           ///< mesh node, or quadrature point for element events
+  int candidate = -1; ///< index into ContactModel::candidates, -1 for element events
+  int node = -1;      ///< mesh node, or quadrature point for element events
   int tool = -1;
   Vector<Dim> x = Vector<Dim>::Zero(); ///< place at that instant [length]
-  double slip_sign = 0;    ///< STICK_TO_SLIP: direction of the slip, against the tangential force at the end of the step
+  double slip_sign =
+      0; ///< STICK_TO_SLIP: direction of the slip, against the tangential force at the end of the step
 };
 
 /// Both ends of a step that was solved with fixed states. R: internal minus external nodal force.
@@ -28,14 +29,14 @@ template <int Dim> struct StepEnds {
 };
 
 struct EventTolerance {
-  double force = 0;     ///< absolute, of N and of mu N - |T| [force]
-  double gap = 0;       ///< absolute [length]
+  double force = 0;       ///< absolute, of N and of mu N - |T| [force]
+  double gap = 0;         ///< absolute [length]
   double fraction = 1e-3; ///< events this close to the earliest one are taken with it
 };
 
-/// All events of the step that lie within the tolerance of the earliest; empty if the whole step is free of events.
-/// Fractions are those of linear interpolation; touch fractions are refined on the true gap. An event whose quantity
-/// comes within its tolerance at the end of the step, from above, has the fraction 1.
+/// All events of the step that lie within the tolerance of the earliest; empty if the whole step is free of
+/// events. Fractions are those of linear interpolation; touch fractions are refined on the true gap. An event
+/// whose quantity comes within its tolerance at the end of the step, from above, has the fraction 1.
 template <int Dim>
 std::vector<ContactEvent<Dim>> earliest_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                                const StepEnds<Dim>& step, const EventTolerance& tolerance);
@@ -45,15 +46,16 @@ template <int Dim>
 std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                              const StepEnds<Dim>& step);
 
-/// Changes the states of the nodes concerned: touch -> TOUCHED, release -> LEAVING, slip to stick -> STICKING,
-/// stick to slip -> SLIDING against the tangential force.
+/// Changes the states of the nodes concerned: touch -> TOUCHED, release -> LEAVING, slip to stick ->
+/// STICKING, stick to slip -> SLIDING against the tangential force.
 template <int Dim>
-void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body, const std::vector<ContactEvent<Dim>>& events,
-                  const Eigen::VectorXd& u, ContactState<Dim>& state);
+void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                  const std::vector<ContactEvent<Dim>>& events, const Eigen::VectorXd& u,
+                  ContactState<Dim>& state);
 
 /// LEAVING becomes RECEDING; RECEDING becomes FREE once its gap exceeds the tolerance.
 template <int Dim>
-void settle_released(const ContactModel<Dim>& model, const BodyView<Dim>& body, const Eigen::VectorXd& u, double gap,
-                     ContactState<Dim>& state);
+void settle_released(const ContactModel<Dim>& model, const BodyView<Dim>& body, const Eigen::VectorXd& u,
+                     double gap, ContactState<Dim>& state);
 
 } // namespace burnish

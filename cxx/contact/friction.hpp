@@ -4,7 +4,8 @@
 
 namespace burnish {
 
-/// Friction limit g(N) and its slope g'(N); a node sticks while |T| <= g(N) and slides with |T| = g(N), opposing slip.
+/// Friction limit g(N) and its slope g'(N); a node sticks while |T| <= g(N) and slides with |T| = g(N),
+/// opposing slip.
 class FrictionLaw {
 public:
   virtual ~FrictionLaw() = default;

@@ -26,8 +26,9 @@ void add_sliding_terms(NodeLinearization<2>& node, const FrictionLaw& law, doubl
 } // namespace
 
 template <int Dim>
-NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node, int candidate,
-                                      const std::vector<Pose<Dim>>& poses, const Vector<Dim>& F, GeometricTerms terms) {
+NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node,
+                                      int candidate, const std::vector<Pose<Dim>>& poses,
+                                      const Vector<Dim>& F, GeometricTerms terms) {
   static_assert(Dim == 2, "sliding in space needs the rows r_j of method.md section 3");
   NodeLinearization<Dim> result;
   result.candidate = candidate;
@@ -48,7 +49,8 @@ template <int Dim> double sliding_residual(const NodeLinearization<Dim>& node, c
 }
 
 template NodeLinearization<2> linearize_node<2>(const ContactModel<2>&, const ContactNode<2>&, int,
-                                                const std::vector<Pose<2>>&, const Vector<2>&, GeometricTerms);
+                                                const std::vector<Pose<2>>&, const Vector<2>&,
+                                                GeometricTerms);
 template double sliding_residual<2>(const NodeLinearization<2>&, const Vector<2>&);
 
 } // namespace burnish

@@ -1,5 +1,6 @@
 #pragma once
-// Residual and linearization of one contact node: the rows W, the columns A and the geometric terms of method.md 3.
+// Residual and linearization of one contact node: the rows W, the columns A and the geometric terms of
+// method.md 3.
 #include "contact/contact_model.hpp"
 
 namespace burnish {
@@ -28,8 +29,9 @@ template <int Dim> struct NodeLinearization {
 /// @param F internal nodal force at the linearization point, Dim [force]
 /// Plane only for sliding nodes (one tangent); sticking nodes in any dimension.
 template <int Dim>
-NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node, int candidate,
-                                      const std::vector<Pose<Dim>>& poses, const Vector<Dim>& F, GeometricTerms terms);
+NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node,
+                                      int candidate, const std::vector<Pose<Dim>>& poses,
+                                      const Vector<Dim>& F, GeometricTerms terms);
 
 /// Residual of a sliding node, X_s . F + sgn |X_s| g(F . n)  [force x length / parameter].
 template <int Dim> double sliding_residual(const NodeLinearization<Dim>& node, const Vector<Dim>& F);

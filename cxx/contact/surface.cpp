@@ -92,8 +92,8 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
   return report;
 }
 
-template SurfaceReport<2> surface_report<2>(const ContactModel<2>&, const BodyView<2>&, const ContactState<2>&,
-                                            const std::vector<SurfaceEdge>&, const Eigen::VectorXd&,
-                                            const Eigen::VectorXd&);
+template SurfaceReport<2> surface_report<2>(const ContactModel<2>&, const BodyView<2>&,
+                                            const ContactState<2>&, const std::vector<SurfaceEdge>&,
+                                            const Eigen::VectorXd&, const Eigen::VectorXd&);
 
 } // namespace burnish

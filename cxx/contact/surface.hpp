@@ -12,8 +12,8 @@ struct SurfaceEdge {
 /// Nodes of the edges, each once, neighbours after one another along every chain of edges.
 std::vector<int> nodes_along(const std::vector<SurfaceEdge>& edges);
 
-/// State of the candidates, one entry each. Pressure and traction are nodal forces over the tributary length in the
-/// present configuration (1/2 : 1/2 of a linear edge, 1/6 : 2/3 : 1/6 of a quadratic one).
+/// State of the candidates, one entry each. Pressure and traction are nodal forces over the tributary length
+/// in the present configuration (1/2 : 1/2 of a linear edge, 1/6 : 2/3 : 1/6 of a quadratic one).
 template <int Dim> struct SurfaceReport {
   Eigen::VectorXd gap;                 ///< positive = open, zero in contact [length]
   Eigen::VectorXd normal_force;        ///< N >= 0 [force]

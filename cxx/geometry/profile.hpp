@@ -7,18 +7,18 @@ namespace burnish {
 
 /// Point of a profile with its derivatives along the surface parameters s.
 template <int Dim> struct ProfilePoint {
-  Vector<Dim> x;                              ///< point [length]
-  Tangents<Dim> x_s;                          ///< dx/ds
-  std::array<Tangents<Dim>, Dim - 1> x_ss;    ///< x_ss[a].col(b) = d2x/ds^a ds^b
-  Vector<Dim> n;                              ///< unit normal, out of the tool [-]
-  Tangents<Dim> n_s;                          ///< dn/ds
+  Vector<Dim> x;                           ///< point [length]
+  Tangents<Dim> x_s;                       ///< dx/ds
+  std::array<Tangents<Dim>, Dim - 1> x_ss; ///< x_ss[a].col(b) = d2x/ds^a ds^b
+  Vector<Dim> n;                           ///< unit normal, out of the tool [-]
+  Tangents<Dim> n_s;                       ///< dn/ds
 };
 
 /// Nearest point of a profile.
 template <int Dim> struct ClosestPoint {
-  Param<Dim> s;   ///< parameter of the foot point
-  double gap;     ///< signed distance along n, positive outside the tool [length]
-  bool on_end;    ///< true if the foot point is an end of the profile (no normal projection)
+  Param<Dim> s; ///< parameter of the foot point
+  double gap;   ///< signed distance along n, positive outside the tool [length]
+  bool on_end;  ///< true if the foot point is an end of the profile (no normal projection)
 };
 
 template <int Dim> class Profile {

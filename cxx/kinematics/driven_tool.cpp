@@ -11,7 +11,8 @@ DrivenTool<Dim>::DrivenTool(std::string name, std::shared_ptr<const Profile<Dim>
   if (!m_profile) fail("tool", "no profile");
 }
 
-template <int Dim> void DrivenTool<Dim>::set_coordinates(std::shared_ptr<const Coordinates<Dim>> coordinates) {
+template <int Dim>
+void DrivenTool<Dim>::set_coordinates(std::shared_ptr<const Coordinates<Dim>> coordinates) {
   m_tool = std::make_shared<Tool<Dim>>(m_name, m_profile, coordinates);
   m_drive.emplace(m_name, coordinates->names());
   m_q = m_force = Eigen::VectorXd::Zero(coordinates->size());

@@ -6,7 +6,8 @@
 
 namespace burnish {
 
-/// Built in two stages: a profile first, coordinates later. q is the accepted position; sessions keep it up to date.
+/// Built in two stages: a profile first, coordinates later. q is the accepted position; sessions keep it up
+/// to date.
 template <int Dim> class DrivenTool {
 public:
   /// @throws std::invalid_argument for an empty name or a null profile
@@ -22,7 +23,8 @@ public:
   Eigen::VectorXd& q();
   /// Generalized forces that the tool receives from its drive at the accepted state [force, force length].
   Eigen::VectorXd& force();
-  /// Sets one coordinate by name. @throws std::invalid_argument for an unknown name or a value that is not finite
+  /// Sets one coordinate by name. @throws std::invalid_argument for an unknown name or a value that is not
+  /// finite
   void place(const std::string& coordinate, double value);
   /// Index of a coordinate. @throws std::invalid_argument for an unknown name (lists the names)
   int index(const std::string& coordinate) const;

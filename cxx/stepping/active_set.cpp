@@ -4,7 +4,6 @@
 namespace burnish {
 namespace {
 
-
 template <int Dim>
 std::vector<int> active_positions(const ContactState<Dim>& state, const std::vector<int>& window) {
   std::vector<int> active;
@@ -18,15 +17,16 @@ template <int Dim> Eigen::MatrixXd sub_matrix(const Eigen::MatrixXd& C, const st
   Eigen::MatrixXd result(Dim * n, Dim * n);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j)
-      result.template block<Dim, Dim>(Dim * i, Dim * j) = C.template block<Dim, Dim>(Dim * at[i], Dim * at[j]);
+      result.template block<Dim, Dim>(Dim * i, Dim * j) =
+          C.template block<Dim, Dim>(Dim * at[i], Dim * at[j]);
   return result;
 }
 
 // Dense block of the active nodes at fixed states; F on the window and the states moved by ds, dq.
 template <int Dim>
 bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body, const Program& program,
-                  const ContactState<Dim>& start, const ContactState<Dim>& trial, const WindowProblem<Dim>& problem,
-                  WindowSolution<Dim>& out) {
+                  const ContactState<Dim>& start, const ContactState<Dim>& trial,
+                  const WindowProblem<Dim>& problem, WindowSolution<Dim>& out) {
   const std::vector<int>& window = *problem.window;
   const std::vector<int> active = active_positions(trial, window);
   const auto poses = model.poses(start.q);
@@ -37,10 +37,12 @@ bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body, con
   for (std::size_t a = 0; a < active.size(); ++a) {
     const int candidate = window[active[a]], mesh_node = model.candidates[candidate];
     const bool was = in_contact(start.nodes[candidate].state);
-    const Vector<Dim> F = was ? Vector<Dim>(problem.R->template segment<Dim>(Dim * mesh_node)) : Vector<Dim>::Zero();
+    const Vector<Dim> F =
+        was ? Vector<Dim>(problem.R->template segment<Dim>(Dim * mesh_node)) : Vector<Dim>::Zero();
     nodes.push_back(linearize_node(model, trial.nodes[candidate], candidate, poses, F, problem.terms));
     input.offset.template segment<Dim>(Dim * a) = nodes.back().point.x - body.position(*problem.u, mesh_node);
-    input.free_increment.template segment<Dim>(Dim * a) = problem.free_increment.template segment<Dim>(Dim * active[a]);
+    input.free_increment.template segment<Dim>(Dim * a) =
+        problem.free_increment.template segment<Dim>(Dim * active[a]);
   }
   const Eigen::MatrixXd C = sub_matrix<Dim>(*problem.flexibility, active);
   input.nodes = &nodes;
@@ -62,7 +64,8 @@ bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body, con
 // Tests a node in contact; returns true if its state changed. `solved` holds s + ds, `trial` is changed.
 template <int Dim>
 bool test_contact(const FrictionLaw& law, const SurfacePoint<Dim>& p, const Vector<Dim>& F,
-                  const ContactNode<Dim>& solved, ContactNode<Dim>& trial, const WindowProblem<Dim>& problem) {
+                  const ContactNode<Dim>& solved, ContactNode<Dim>& trial,
+                  const WindowProblem<Dim>& problem) {
   const double length = p.x_s.col(0).norm();
   const double N = F.dot(p.n), T = F.dot(p.x_s.col(0)) / length;
   if (trial.state == NodeState::SLIDING) {
@@ -119,7 +122,8 @@ int test_window(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
       const Vector<Dim> F = solution.F.template segment<Dim>(Dim * w);
       changes += test_contact(*model.friction[node.tool], p, F, solution.state.nodes[i], node, problem);
     } else {
-      const Vector<Dim> x = body.position(*problem.u, model.candidates[i]) + du.template segment<Dim>(Dim * w);
+      const Vector<Dim> x =
+          body.position(*problem.u, model.candidates[i]) + du.template segment<Dim>(Dim * w);
       changes += test_free(model, poses, x, (*problem.entry)[i], node, problem.gap_tolerance);
     }
   }
@@ -166,8 +170,9 @@ int ensure_support(const ContactModel<Dim>& model, const Program& program, Conta
 }
 
 template <int Dim>
-WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<Dim>& body, const Program& program,
-                                 const ContactState<Dim>& state, const WindowProblem<Dim>& problem) {
+WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                 const Program& program, const ContactState<Dim>& state,
+                                 const WindowProblem<Dim>& problem) {
   WindowSolution<Dim> solution;
   ContactState<Dim> trial = state;
   for (solution.passes = 1;; ++solution.passes) {

@@ -5,16 +5,18 @@
 
 namespace burnish {
 
-/// One linear contact problem: the window of candidates that the factor keeps, and the increment without contact.
+/// One linear contact problem: the window of candidates that the factor keeps, and the increment without
+/// contact.
 template <int Dim> struct WindowProblem {
-  const std::vector<int>* window = nullptr;      ///< candidate numbers (index into ContactModel::candidates)
-  const Eigen::MatrixXd* flexibility = nullptr;  ///< C over the window
-  Eigen::VectorXd free_increment;                ///< (K^-1(-R)) on the window
-  const Eigen::VectorXd* u = nullptr;            ///< displacement at the linearization point, num_dofs
-  const Eigen::VectorXd* R = nullptr;            ///< residual force there, num_dofs
-  const std::vector<ContactNode<Dim>>* entry = nullptr; ///< per candidate: where a node that touches now would stick
+  const std::vector<int>* window = nullptr;     ///< candidate numbers (index into ContactModel::candidates)
+  const Eigen::MatrixXd* flexibility = nullptr; ///< C over the window
+  Eigen::VectorXd free_increment;               ///< (K^-1(-R)) on the window
+  const Eigen::VectorXd* u = nullptr;           ///< displacement at the linearization point, num_dofs
+  const Eigen::VectorXd* R = nullptr;           ///< residual force there, num_dofs
+  const std::vector<ContactNode<Dim>>* entry =
+      nullptr; ///< per candidate: where a node that touches now would stick
   double force_tolerance = 0, gap_tolerance = 0;
-  bool adapt = true;                             ///< false: states stay as they are (event stepping)
+  bool adapt = true; ///< false: states stay as they are (event stepping)
   int max_passes = 12;
   GeometricTerms terms = GeometricTerms::COMPLETE;
 };
@@ -23,16 +25,17 @@ template <int Dim> struct WindowSolution {
   bool singular = false;
   int weakest_coordinate = -1;
   int passes = 0;
-  ContactState<Dim> state;         ///< states, s + ds and q + dq
-  std::vector<char> fresh;         ///< per candidate: came into contact in this call
-  Eigen::VectorXd F;               ///< contact force on the window, Dim*window [force]
+  ContactState<Dim> state; ///< states, s + ds and q + dq
+  std::vector<char> fresh; ///< per candidate: came into contact in this call
+  Eigen::VectorXd F;       ///< contact force on the window, Dim*window [force]
 };
 
 /// Solves the block, tests every window node, changes states and repeats until nothing changes.
 /// A sticking node with N < 0 first slides; only a sliding node is released (method.md section 5).
 template <int Dim>
-WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<Dim>& body, const Program& program,
-                                 const ContactState<Dim>& state, const WindowProblem<Dim>& problem);
+WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                 const Program& program, const ContactState<Dim>& state,
+                                 const WindowProblem<Dim>& problem);
 
 /// Makes one node of a tool stick where a coordinate under force would otherwise only meet sliding friction:
 /// the sliding node with the smallest slip. @returns its candidate number or -1 if nothing had to be done

@@ -2,7 +2,8 @@
 
 namespace burnish {
 
-Eigen::VectorXd AndersonMixer::mix(const Eigen::VectorXd& z, const Eigen::VectorXd& g, const Eigen::VectorXd& b) {
+Eigen::VectorXd AndersonMixer::mix(const Eigen::VectorXd& z, const Eigen::VectorXd& g,
+                                   const Eigen::VectorXd& b) {
   m_mixed = false;
   m_history.push_back({z, g, b});
   if (static_cast<int>(m_history.size()) > m_memory + 1) m_history.pop_front();

@@ -5,13 +5,15 @@
 
 namespace burnish {
 
-/// Fixed-point acceleration of z := z + g(z), where g = K^-1 b, so that g_i . K g_j = g_i . b_j costs nothing.
+/// Fixed-point acceleration of z := z + g(z), where g = K^-1 b, so that g_i . K g_j = g_i . b_j costs
+/// nothing.
 class AndersonMixer {
 public:
   explicit AndersonMixer(int memory) : m_memory(memory) {}
   void clear() { m_history.clear(); }
   /// Coefficients and mixed update: returns the increment to add to z instead of g.
-  /// @param z iterate, n; @param g correction, n; @param b right-hand side with K g = b, n (its first entries may be
+  /// @param z iterate, n; @param g correction, n; @param b right-hand side with K g = b, n (its first entries
+  /// may be
   ///          shorter than z: the product runs over b.size() entries)
   /// Skipped (returns g) without history or when a coefficient exceeds 5.
   Eigen::VectorXd mix(const Eigen::VectorXd& z, const Eigen::VectorXd& g, const Eigen::VectorXd& b);

@@ -67,7 +67,8 @@ double candidate_spacing(const Eigen::VectorXd& X, int dim, const std::vector<in
     double best = -1;
     for (std::size_t j = 0; j < candidates.size(); ++j) {
       if (i == j) continue;
-      const double d = (X.segment(dim * candidates[i], dim) - X.segment(dim * candidates[j], dim)).squaredNorm();
+      const double d =
+          (X.segment(dim * candidates[i], dim) - X.segment(dim * candidates[j], dim)).squaredNorm();
       if (best < 0 || d < best) best = d;
     }
     if (best > 0) nearest.push_back(std::sqrt(best));
@@ -79,8 +80,8 @@ double candidate_spacing(const Eigen::VectorXd& X, int dim, const std::vector<in
 
 template <int Dim>
 Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-                const Program& program, const Eigen::VectorXd& u, const Eigen::VectorXd& R, double force_tolerance,
-                double gap_tolerance, double offset_tolerance) {
+                const Program& program, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                double force_tolerance, double gap_tolerance, double offset_tolerance) {
   Balance result;
   const Eigen::Index nq = model.num_coordinates();
   result.tool_force = Eigen::VectorXd::Zero(nq);
@@ -111,7 +112,8 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
 }
 
 template struct BodyView<2>;
-template Balance balance<2>(const ContactModel<2>&, const BodyView<2>&, const ContactState<2>&, const Program&,
-                            const Eigen::VectorXd&, const Eigen::VectorXd&, double, double, double);
+template Balance balance<2>(const ContactModel<2>&, const BodyView<2>&, const ContactState<2>&,
+                            const Program&, const Eigen::VectorXd&, const Eigen::VectorXd&, double, double,
+                            double);
 
 } // namespace burnish

@@ -7,12 +7,14 @@
 namespace burnish {
 
 template <int Dim>
-Corrector<Dim>::Corrector(ContactModel<Dim> model, Eigen::VectorXd X, std::vector<char> fixed, StepOptions options)
+Corrector<Dim>::Corrector(ContactModel<Dim> model, Eigen::VectorXd X, std::vector<char> fixed,
+                          StepOptions options)
     : m_model(std::move(model)), m_options(options), m_mixer(options.anderson_memory) {
-  require(!m_model.candidates.empty(), "contact", "number of candidate nodes", 0, "at least one node on the label");
+  require(!m_model.candidates.empty(), "contact", "number of candidate nodes", 0,
+          "at least one node on the label");
   require(!m_model.tools.empty(), "contact", "number of tools", 0, "at least one tool");
-  require(X.size() == static_cast<Eigen::Index>(fixed.size()), "contact", "number of fixed flags", fixed.size(),
-          "one per degree of freedom");
+  require(X.size() == static_cast<Eigen::Index>(fixed.size()), "contact", "number of fixed flags",
+          fixed.size(), "one per degree of freedom");
   if (!X.allFinite()) fail("contact", "a node coordinate is not finite");
   m_body.X = std::move(X);
   m_body.fixed = std::move(fixed);
@@ -38,7 +40,8 @@ void Corrector<Dim>::begin(const Program& program, const ContactState<Dim>& pred
 }
 
 template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
-  require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(), "number of dofs");
+  require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(),
+          "number of dofs");
   if (!R.allFinite()) fail("contact.check", "the force array holds NaN or Inf");
   const double h = m_body.spacing;
   double scale = m_load_scale;
@@ -85,7 +88,8 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
              : StepStatus::ITERATE;
 }
 
-template <int Dim> FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
+template <int Dim>
+FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
   require(K.size() == m_body.X.size(), "contact.factorize", "size of K", K.size(), "number of dofs");
   if (!window_covers(u) || m_window.empty()) choose_window(u);
   std::vector<int> nodes;
@@ -99,7 +103,8 @@ template <int Dim> FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<
   m_counts.analyses = m_factor.analyses();
   m_mixer.clear();
   if (!m_has_factor) {
-    if (++m_indefinite > 3) m_reason = "the tangent is not positive definite: loss of stability or limit load";
+    if (++m_indefinite > 3)
+      m_reason = "the tangent is not positive definite: loss of stability or limit load";
     return FactorStatus::NOT_POSITIVE_DEFINITE;
   }
   m_indefinite = 0;
@@ -114,7 +119,8 @@ template <int Dim> FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<
 
 template <int Dim> double Corrector<Dim>::elastic_blend() const {
   constexpr double by_factorization[] = {0, 0.2, 0.2, 0.4}, by_failure[] = {0, 0.05, 0.2, 0.8};
-  return std::max(by_factorization[std::min(m_step_factorizations, 3)], by_failure[std::min(m_indefinite, 3)]);
+  return std::max(by_factorization[std::min(m_step_factorizations, 3)],
+                  by_failure[std::min(m_indefinite, 3)]);
 }
 
 template <int Dim>
@@ -177,8 +183,8 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
   return StepStatus::ITERATE;
 }
 
-// Puts the contact nodes onto their tools: sliding nodes at the projection, sticking ones at their place. Nodes that
-// came into contact in this iteration keep an interpolated position (algorithms.md 5.6).
+// Puts the contact nodes onto their tools: sliding nodes at the projection, sticking ones at their place.
+// Nodes that came into contact in this iteration keep an interpolated position (algorithms.md 5.6).
 template <int Dim> void Corrector<Dim>::project(Eigen::VectorXd& u, bool keep_fresh) {
   const auto poses = m_model.poses(m_state.q);
   for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
@@ -208,7 +214,8 @@ template <int Dim> double Corrector<Dim>::contact_width(const Eigen::VectorXd& u
 
 // Candidates near a contact node, or near the closest free node when nothing is in contact.
 template <int Dim>
-std::vector<int> Corrector<Dim>::near_contact(const Eigen::VectorXd& u, double widths, double spacings) const {
+std::vector<int> Corrector<Dim>::near_contact(const Eigen::VectorXd& u, double widths,
+                                              double spacings) const {
   std::vector<char> chosen(m_state.nodes.size(), 0);
   const auto poses = m_model.poses(m_state.q);
   for (std::size_t t = 0; t < m_model.tools.size(); ++t) {
@@ -247,8 +254,7 @@ std::vector<int> Corrector<Dim>::near_contact(const Eigen::VectorXd& u, double w
 }
 
 template <int Dim> bool Corrector<Dim>::window_covers(const Eigen::VectorXd& u) const {
-  const std::vector<int> needed =
-      near_contact(u, 0.3 * m_options.window_width, 0.3 * m_options.window_nodes);
+  const std::vector<int> needed = near_contact(u, 0.3 * m_options.window_width, 0.3 * m_options.window_nodes);
   return std::includes(m_window.begin(), m_window.end(), needed.begin(), needed.end());
 }
 
@@ -266,7 +272,8 @@ template <int Dim> Eigen::VectorXd Corrector<Dim>::on_window(const Eigen::Vector
 template <int Dim> Eigen::VectorXd Corrector<Dim>::scatter_window(const Eigen::VectorXd& window) const {
   Eigen::VectorXd full = Eigen::VectorXd::Zero(m_body.X.size());
   for (std::size_t w = 0; w < m_window.size(); ++w)
-    full.template segment<Dim>(Dim * m_model.candidates[m_window[w]]) += window.template segment<Dim>(Dim * w);
+    full.template segment<Dim>(Dim * m_model.candidates[m_window[w]]) +=
+        window.template segment<Dim>(Dim * w);
   return full;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The iteration inside a step: residual test, factorization at the predicted state, contact states on the dense block,
-// Anderson mixing and halving (algorithms.md section 5). Knows the body only through K and R.
+// The iteration inside a step: residual test, factorization at the predicted state, contact states on the
+// dense block, Anderson mixing and halving (algorithms.md section 5). Knows the body only through K and R.
 #include "solver/schur_factor.hpp"
 #include "stepping/active_set.hpp"
 #include "stepping/anderson.hpp"
@@ -26,18 +26,19 @@ public:
   const ContactState<Dim>& state() const { return m_state; }
   ContactState<Dim>& state() { return m_state; }
 
-  /// Starts a step from an accepted state. @param entry per candidate, where a node touching in this step would stick
+  /// Starts a step from an accepted state. @param entry per candidate, where a node touching in this step
+  /// would stick
   /// @param adapt false: contact states stay fixed (event stepping)
   /// @param keep_factor start with the factor of an earlier step if there is one
-  void begin(const Program& program, const ContactState<Dim>& predicted, std::vector<ContactNode<Dim>> entry, bool adapt,
-             bool keep_factor = false);
+  void begin(const Program& program, const ContactState<Dim>& predicted, std::vector<ContactNode<Dim>> entry,
+             bool adapt, bool keep_factor = false);
   /// Convergence test at displacement u with residual force R (internal minus external nodal force).
   /// May move u half way back (HALVED). @throws std::invalid_argument for wrong sizes or NaN in R
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   /// Factor of the tangent for the steps to come. NOT_POSITIVE_DEFINITE leaves no factor.
   FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
-  /// Share of the elastic moduli to mix into the next tangent: none at the predicted state, more at every further
-  /// factorization of a step (it breaks cycles of plastic points) and after a loss of definiteness.
+  /// Share of the elastic moduli to mix into the next tangent: none at the predicted state, more at every
+  /// further factorization of a step (it breaks cycles of plastic points) and after a loss of definiteness.
   double elastic_blend() const;
   bool blend_exhausted() const { return m_indefinite > 3; } ///< the tangent stays indefinite: a limit load
   bool has_factor() const { return m_has_factor; }

@@ -44,7 +44,8 @@ template <int Dim> int MeshLocator<Dim>::find(const Vector<Dim>& P, int near, do
   for (int walk = 0; element >= 0 && walk < m_d->num_elements; ++walk) {
     Eigen::Matrix<double, Dim + 1, 1> l = barycentric(element, P);
     int next = -1;
-    for (int tried = 0; tried <= Dim && next < 0; ++tried) { // leave through the most negative face that has a neighbour
+    for (int tried = 0; tried <= Dim && next < 0;
+         ++tried) { // leave through the most negative face that has a neighbour
       Eigen::Index v;
       if (l.minCoeff(&v) >= -1e-10) break;
       next = m_neighbour[element * (Dim + 1) + static_cast<int>(v)];

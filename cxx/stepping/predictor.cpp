@@ -6,12 +6,14 @@ namespace {
 
 // Coordinates under motion go to their target, those under force continue at their last rate.
 template <int Dim>
-Eigen::VectorXd predict_coordinates(const Program& program, const Eigen::VectorXd& q, const StepHistory<Dim>& history,
-                                    double ratio) {
+Eigen::VectorXd predict_coordinates(const Program& program, const Eigen::VectorXd& q,
+                                    const StepHistory<Dim>& history, double ratio) {
   Eigen::VectorXd result = q;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    if (program.is_motion[k]) result[k] = program.value[k];
-    else if (history.dq.size() == q.size()) result[k] += ratio * history.dq[k];
+    if (program.is_motion[k])
+      result[k] = program.value[k];
+    else if (history.dq.size() == q.size())
+      result[k] += ratio * history.dq[k];
   }
   return result;
 }
@@ -37,10 +39,10 @@ Shift<Dim> shift_of(const ContactModel<Dim>& model, int tool, const Eigen::Vecto
 
 // u + ratio * turned last increment, taken from where the point was seen from the tool one step ago.
 template <int Dim>
-Eigen::VectorXd carry_increment(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                                const MeshLocator<Dim>& locator, const Discretization<Dim>& d,
-                                const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                                const StepHistory<Dim>& history, const std::vector<Shift<Dim>>& shifts, double ratio) {
+Eigen::VectorXd
+carry_increment(const ContactModel<Dim>& model, const BodyView<Dim>& body, const MeshLocator<Dim>& locator,
+                const Discretization<Dim>& d, const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                const StepHistory<Dim>& history, const std::vector<Shift<Dim>>& shifts, double ratio) {
   Eigen::VectorXd result = u;
   const auto poses = model.poses(state.q);
   double N[16];
@@ -127,7 +129,8 @@ void place_contact_nodes(const ContactModel<Dim>& model, const BodyView<Dim>& bo
     if (node.state == NodeState::SLIDING) {
       node.s = tool.closest_point(poses[node.tool], x, node.s_ref).s;
       const bool against = (node.s - node.s_ref)[0] * node.slip_sign < 0;
-      if (may_stick && against && !model.friction[node.tool]->frictionless()) node.state = NodeState::STICKING;
+      if (may_stick && against && !model.friction[node.tool]->frictionless())
+        node.state = NodeState::STICKING;
     }
     if (holds(node.state)) {
       node.s = node.s_ref;
@@ -142,10 +145,10 @@ void place_contact_nodes(const ContactModel<Dim>& model, const BodyView<Dim>& bo
 } // namespace
 
 template <int Dim>
-Prediction<Dim> predict(const ContactModel<Dim>& model, const BodyView<Dim>& body, const MeshLocator<Dim>& locator,
-                        const Discretization<Dim>& discretization, const Program& program,
-                        const ContactState<Dim>& state, const Eigen::VectorXd& u, const StepHistory<Dim>& history,
-                        double dt, bool carry) {
+Prediction<Dim> predict(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                        const MeshLocator<Dim>& locator, const Discretization<Dim>& discretization,
+                        const Program& program, const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                        const StepHistory<Dim>& history, double dt, bool carry) {
   Prediction<Dim> result;
   const bool known = history.dt > 0 && history.du.size() == u.size();
   const double ratio = known ? dt / history.dt : 0;
@@ -165,7 +168,8 @@ Prediction<Dim> predict(const ContactModel<Dim>& model, const BodyView<Dim>& bod
     for (Eigen::Index d = 0; d < u.size(); ++d)
       if (!body.fixed[d]) result.u[d] += ratio * history.du[d];
   }
-  // Without a step before, the nodes stay where they are: the first iteration brings them to the tool by an offset.
+  // Without a step before, the nodes stay where they are: the first iteration brings them to the tool by an
+  // offset.
   if (known) place_contact_nodes(model, body, carry, result.state, result.u);
   return result;
 }

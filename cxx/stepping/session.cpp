@@ -6,23 +6,25 @@
 namespace burnish {
 
 template <int Dim>
-Session<Dim>::Session(Discretization<Dim> discretization, std::vector<SurfaceEdge> surface, std::vector<char> fixed,
-                      StepOptions options)
+Session<Dim>::Session(Discretization<Dim> discretization, std::vector<SurfaceEdge> surface,
+                      std::vector<char> fixed, StepOptions options)
     : m_discretization(std::make_shared<const Discretization<Dim>>(std::move(discretization))),
       m_surface(std::move(surface)), m_fixed(std::move(fixed)), m_options(options) {
-  require(static_cast<int>(m_fixed.size()) == m_discretization->num_dofs(), "contact", "number of fixed flags",
-          m_fixed.size(), "one per degree of freedom");
+  require(static_cast<int>(m_fixed.size()) == m_discretization->num_dofs(), "contact",
+          "number of fixed flags", m_fixed.size(), "one per degree of freedom");
   for (const int node : nodes_along(m_surface)) {
     bool held = true;
     for (int c = 0; c < Dim; ++c) held = held && m_fixed[Dim * node + c];
     if (!held) m_candidates.push_back(node);
   }
-  require(!m_candidates.empty(), "contact", "number of candidate nodes", 0, "at least one node that may move");
+  require(!m_candidates.empty(), "contact", "number of candidate nodes", 0,
+          "at least one node that may move");
   m_u = m_R = Eigen::VectorXd::Zero(m_discretization->num_dofs());
 }
 
 template <int Dim>
-void Session<Dim>::add_tool(std::shared_ptr<DrivenTool<Dim>> tool, std::shared_ptr<const FrictionLaw> friction) {
+void Session<Dim>::add_tool(std::shared_ptr<DrivenTool<Dim>> tool,
+                            std::shared_ptr<const FrictionLaw> friction) {
   if (m_corrector) fail("contact.add", "tools must be added before the first step");
   tool->tool();
   for (const auto& other : m_tools)
@@ -41,7 +43,8 @@ template <int Dim> void Session<Dim>::start() {
   }
   const auto& X = m_discretization->X;
   m_corrector = std::make_unique<Corrector<Dim>>(
-      m_model, Eigen::Map<const Eigen::VectorXd>(X.data(), static_cast<Eigen::Index>(X.size())), m_fixed, m_options);
+      m_model, Eigen::Map<const Eigen::VectorXd>(X.data(), static_cast<Eigen::Index>(X.size())), m_fixed,
+      m_options);
   m_locator = std::make_unique<MeshLocator<Dim>>(*m_discretization);
   m_condensation = std::make_unique<Condensation<Dim>>(m_corrector->model(), m_corrector->body());
   m_accepted = m_corrector->state();
@@ -51,7 +54,8 @@ template <int Dim> void Session<Dim>::start() {
 
 template <int Dim>
 double Session<Dim>::approach(int tool, const std::string& coordinate, const Eigen::VectorXd& u) {
-  require(tool >= 0 && tool < static_cast<int>(m_tools.size()), "contact.approach", "tool", tool, "a tool that was added");
+  require(tool >= 0 && tool < static_cast<int>(m_tools.size()), "contact.approach", "tool", tool,
+          "a tool that was added");
   require(u.size() == m_u.size(), "contact.approach", "size of u", u.size(), "number of dofs");
   start();
   const int k = m_model.first[tool] + m_tools[tool]->index(coordinate);
@@ -64,7 +68,8 @@ double Session<Dim>::approach(int tool, const std::string& coordinate, const Eig
     double least = 0, slope = 0;
     touching.clear();
     for (std::size_t i = 0; i < m_candidates.size(); ++i) {
-      const auto foot = m_model.tools[tool]->closest_point(pose, body.position(u, m_candidates[i]), m_accepted.nodes[i].s);
+      const auto foot =
+          m_model.tools[tool]->closest_point(pose, body.position(u, m_candidates[i]), m_accepted.nodes[i].s);
       if (i > 0 && foot.gap >= least + 1e-9 * h) continue;
       const auto p = m_model.tools[tool]->surface(pose, foot.s);
       if (i == 0 || foot.gap < least - 1e-9 * h) touching.clear();
@@ -87,8 +92,9 @@ double Session<Dim>::approach(int tool, const std::string& coordinate, const Eig
     if (std::abs(slope) < 1e-9) break;
     m_accepted.q[k] -= least / slope;
   }
-  fail("contact.approach", "coordinate \"" + coordinate + "\" of tool \"" + m_tools[tool]->name() +
-                               "\" alone does not bring it to the body; place the tool opposite the contact surface first");
+  fail("contact.approach",
+       "coordinate \"" + coordinate + "\" of tool \"" + m_tools[tool]->name() +
+           "\" alone does not bring it to the body; place the tool opposite the contact surface first");
 }
 
 template <int Dim> Program Session<Dim>::read_program() {
@@ -112,9 +118,9 @@ template <int Dim> void Session<Dim>::check_not_inside(const Eigen::VectorXd& u)
     const auto nearest = nearest_tool(m_model, poses, body.position(u, m_candidates[i]), m_accepted.nodes[i]);
     if (nearest.foot.gap >= -1e-3 * body.spacing) continue;
     std::ostringstream text;
-    text << "tool \"" << m_tools[nearest.tool]->name() << "\" starts inside the workpiece: node " << m_candidates[i]
-         << " at " << body.position(u, m_candidates[i]).transpose() << " penetrates by " << -nearest.foot.gap
-         << "; place the tool outside and call approach";
+    text << "tool \"" << m_tools[nearest.tool]->name() << "\" starts inside the workpiece: node "
+         << m_candidates[i] << " at " << body.position(u, m_candidates[i]).transpose() << " penetrates by "
+         << -nearest.foot.gap << "; place the tool outside and call approach";
     fail("contact.begin", text.str());
   }
 }
@@ -135,12 +141,15 @@ template <int Dim> void Session<Dim>::drop_unresisted(Program& program) {
     for (Eigen::Index k = 0; k < along.size(); ++k) {
       const int q = m_model.first[t] + static_cast<int>(k);
       if (program.is_motion[q] || along[k] > 1e-9 * size[k]) continue;
-      const std::string what = "coordinate \"" + m_tools[t]->drive().names()[k] + "\" of tool \"" + m_tools[t]->name() + "\"";
+      const std::string what =
+          "coordinate \"" + m_tools[t]->drive().names()[k] + "\" of tool \"" + m_tools[t]->name() + "\"";
       if (program.value[q] != 0)
-        fail("contact.begin", what + " has a force but without friction nothing resists it; give it a motion or friction");
+        fail("contact.begin",
+             what + " has a force but without friction nothing resists it; give it a motion or friction");
       program.is_motion[q] = 1;
       program.value[q] = m_accepted.q[q];
-      if (std::find(m_left_out.begin(), m_left_out.end(), what) == m_left_out.end()) m_left_out.push_back(what);
+      if (std::find(m_left_out.begin(), m_left_out.end(), what) == m_left_out.end())
+        m_left_out.push_back(what);
     }
   }
 }
@@ -148,13 +157,15 @@ template <int Dim> void Session<Dim>::drop_unresisted(Program& program) {
 template <int Dim> void Session<Dim>::check_support(const Program& program) const {
   for (std::size_t t = 0; t < m_tools.size(); ++t) {
     bool touches = false;
-    for (const auto& node : m_accepted.nodes) touches = touches || (in_contact(node.state) && node.tool == static_cast<int>(t));
+    for (const auto& node : m_accepted.nodes)
+      touches = touches || (in_contact(node.state) && node.tool == static_cast<int>(t));
     if (touches) continue;
     for (int k = 0; k < m_tools[t]->q().size(); ++k)
       if (!program.is_motion[m_model.first[t] + k])
-        fail("contact.begin", "coordinate \"" + m_tools[t]->drive().names()[k] + "\" of tool \"" + m_tools[t]->name() +
-                                  "\" is under force but the tool touches nothing, so it has no support; bring the tool "
-                                  "into contact by motion or with approach first, or give the coordinate a motion");
+        fail("contact.begin",
+             "coordinate \"" + m_tools[t]->drive().names()[k] + "\" of tool \"" + m_tools[t]->name() +
+                 "\" is under force but the tool touches nothing, so it has no support; bring the tool "
+                 "into contact by motion or with approach first, or give the coordinate a motion");
   }
 }
 
@@ -177,25 +188,29 @@ template <int Dim> void Session<Dim>::begin(Eigen::VectorXd& u, double t, double
     for (Eigen::Index k = 0; k < m_program.value.size(); ++k)
       m_program_old.value[k] = m_program.is_motion[k] ? m_accepted.q[k] : 0;
   }
-  auto prediction = predict(m_model, m_corrector->body(), *m_locator, *m_discretization, m_program, m_accepted, u,
-                            m_history, dt, stepping == Stepping::IMPLICIT);
+  auto prediction = predict(m_model, m_corrector->body(), *m_locator, *m_discretization, m_program,
+                            m_accepted, u, m_history, dt, stepping == Stepping::IMPLICIT);
   u = prediction.u;
   const bool keep = stepping == Stepping::EVENT && m_steps_since_factor < 2;
-  m_corrector->begin(m_program, prediction.state, std::move(prediction.entry), stepping == Stepping::IMPLICIT, keep);
+  m_corrector->begin(m_program, prediction.state, std::move(prediction.entry), stepping == Stepping::IMPLICIT,
+                     keep);
 }
 
-template <int Dim> FactorStatus Session<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
+template <int Dim>
+FactorStatus Session<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
   m_steps_since_factor = 0;
   return m_corrector->factorize(K, u);
 }
 
 template <int Dim>
-std::vector<ContactEvent<Dim>> Session<Dim>::events(const Eigen::VectorXd& u, const Eigen::VectorXd& R) const {
+std::vector<ContactEvent<Dim>> Session<Dim>::events(const Eigen::VectorXd& u,
+                                                    const Eigen::VectorXd& R) const {
   const auto& options = m_corrector->options();
   const double h = m_corrector->body().spacing;
   const EventTolerance tolerance{options.tolerance * std::max(m_corrector->load_scale(), 1e-300),
                                  options.gap_tolerance * h, 1e-3};
-  return earliest_events(model(), m_corrector->body(), StepEnds<Dim>{&m_accepted, &m_corrector->state(), &m_u, &u, &m_R, &R, m_t, m_dt},
+  return earliest_events(model(), m_corrector->body(),
+                         StepEnds<Dim>{&m_accepted, &m_corrector->state(), &m_u, &u, &m_R, &R, m_t, m_dt},
                          tolerance);
 }
 
@@ -207,10 +222,12 @@ template <int Dim> void Session<Dim>::switch_states(const std::vector<ContactEve
 template <int Dim>
 void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
                           const std::vector<ContactEvent<Dim>>& events) {
-  require(u.size() == m_u.size() && R.size() == m_u.size(), "contact.accept", "size of the arrays", u.size(), "number of dofs");
+  require(u.size() == m_u.size() && R.size() == m_u.size(), "contact.accept", "size of the arrays", u.size(),
+          "number of dofs");
   auto& state = m_corrector->state();
   if (m_stepping == Stepping::IMPLICIT) {
-    const auto changes = state_changes(model(), m_corrector->body(), StepEnds<Dim>{&m_accepted, &state, &m_u, &u, &m_R, &R, m_t, m_dt});
+    const auto changes = state_changes(model(), m_corrector->body(),
+                                       StepEnds<Dim>{&m_accepted, &state, &m_u, &u, &m_R, &R, m_t, m_dt});
     m_log.insert(m_log.end(), changes.begin(), changes.end());
   }
   const auto poses = model().poses(state.q);
@@ -226,7 +243,8 @@ void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
   m_R = R;
   if (m_stepping == Stepping::EVENT) {
     apply_events(model(), m_corrector->body(), events, u, state);
-    settle_released(model(), m_corrector->body(), u, m_corrector->options().gap_tolerance * m_corrector->body().spacing, state);
+    settle_released(model(), m_corrector->body(), u,
+                    m_corrector->options().gap_tolerance * m_corrector->body().spacing, state);
     m_log.insert(m_log.end(), events.begin(), events.end());
   }
   m_accepted = state;
@@ -246,12 +264,14 @@ template <int Dim> void Session<Dim>::revert() {
 
 template <int Dim>
 const CondensedSystem& Session<Dim>::condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u,
-                                              const Eigen::VectorXd& R, GeometricTerms terms, RightHandSide right,
-                                              bool half) {
+                                              const Eigen::VectorXd& R, GeometricTerms terms,
+                                              RightHandSide right, bool half) {
   if (!m_corrector) fail("contact.condense", "call begin first");
-  require(u.size() == m_u.size() && R.size() == m_u.size(), "contact.condense", "size of the arrays", R.size(), "number of dofs");
+  require(u.size() == m_u.size() && R.size() == m_u.size(), "contact.condense", "size of the arrays",
+          R.size(), "number of dofs");
   if (!R.allFinite()) fail("contact.condense", "the force array holds NaN or Inf");
-  return m_condensation->condense(K, m_corrector->state(), m_program, m_program_old, u, R, terms, right, half);
+  return m_condensation->condense(K, m_corrector->state(), m_program, m_program_old, u, R, terms, right,
+                                  half);
 }
 
 template <int Dim> double Session<Dim>::expand(const Eigen::VectorXd& z, Eigen::VectorXd& u) {
@@ -261,7 +281,8 @@ template <int Dim> double Session<Dim>::expand(const Eigen::VectorXd& z, Eigen::
   auto& state = m_corrector->state();
   u += increment.du;
   state.q += increment.dq;
-  for (std::size_t i = 0; i < state.nodes.size(); ++i) state.nodes[i].s[0] += increment.ds[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    state.nodes[i].s[0] += increment.ds[static_cast<Eigen::Index>(i)];
   return increment.du.cwiseAbs().maxCoeff();
 }
 
@@ -278,8 +299,9 @@ template <int Dim> double Session<Dim>::contact_speed() const {
   if (m_history.dt == 0) return 0;
   const auto poses = m_model.poses(m_accepted.q);
   for (std::size_t t = 0; t < m_tools.size(); ++t) {
-    const auto carrier = m_model.tools[t]->coordinates().carrier(m_model.tool_q(m_history.q_old, static_cast<int>(t)),
-                                                                  m_model.tool_q(m_accepted.q, static_cast<int>(t)));
+    const auto carrier =
+        m_model.tools[t]->coordinates().carrier(m_model.tool_q(m_history.q_old, static_cast<int>(t)),
+                                                m_model.tool_q(m_accepted.q, static_cast<int>(t)));
     for (std::size_t i = 0; i < m_accepted.nodes.size(); ++i) {
       const auto& node = m_accepted.nodes[i];
       if (!in_contact(node.state) || node.tool != static_cast<int>(t)) continue;

@@ -1,6 +1,6 @@
 #pragma once
-// Everything a step loop needs, behind a few verbs: start, begin, check, factorize, correct, events, accept, revert.
-// One object per contact set; the loop itself stays a script.
+// Everything a step loop needs, behind a few verbs: start, begin, check, factorize, correct, events, accept,
+// revert. One object per contact set; the loop itself stays a script.
 #include "contact/condensation.hpp"
 #include "contact/events.hpp"
 #include "contact/surface.hpp"
@@ -26,13 +26,14 @@ public:
   /// @throws std::invalid_argument after the first step began
   void add_tool(std::shared_ptr<DrivenTool<Dim>> tool, std::shared_ptr<const FrictionLaw> friction);
   /// Moves one coordinate until the tool just touches the body and puts the touching nodes in contact.
-  /// @returns the coordinate's value. @throws std::invalid_argument if it cannot touch by this coordinate alone
+  /// @returns the coordinate's value. @throws std::invalid_argument if it cannot touch by this coordinate
+  /// alone
   double approach(int tool, const std::string& coordinate, const Eigen::VectorXd& u);
 
   // --- one step
   /// @param u in: accepted displacement; out: predicted one. Drives hold the values at the end of the step.
-  /// @throws std::invalid_argument for dt <= 0, an undriven coordinate, force control without contact, a tool that
-  /// starts inside the body, wrong sizes, NaN
+  /// @throws std::invalid_argument for dt <= 0, an undriven coordinate, force control without contact, a tool
+  /// that starts inside the body, wrong sizes, NaN
   void begin(Eigen::VectorXd& u, double t, double dt, Stepping stepping);
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R) { return m_corrector->check(u, R); }
   FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
@@ -42,12 +43,14 @@ public:
   /// Changes states at the accepted state without moving (events at fraction zero).
   void switch_states(const std::vector<ContactEvent<Dim>>& events);
   /// The end of the step becomes the accepted state. @param events those located at the end (event stepping)
-  void accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R, const std::vector<ContactEvent<Dim>>& events);
+  void accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+              const std::vector<ContactEvent<Dim>>& events);
   void revert();
 
   // --- the same step by a sparse solver of the caller's choice
-  const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                                  GeometricTerms terms, RightHandSide right, bool half);
+  const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u,
+                                  const Eigen::VectorXd& R, GeometricTerms terms, RightHandSide right,
+                                  bool half);
   /// Adds the solution to u and to the states. @returns the largest displacement increment [length]
   double expand(const Eigen::VectorXd& z, Eigen::VectorXd& u);
 
@@ -64,8 +67,11 @@ public:
   const Eigen::VectorXd& accepted_displacement() const { return m_u; }
   const Eigen::VectorXd& accepted_force() const { return m_R; }
   const std::vector<ContactEvent<Dim>>& log() const { return m_log; }
-  const std::vector<std::string>& left_out() const { return m_left_out; } ///< coordinates that nothing resists
-  /// Contact width and speed of the contact along the body in the last step, for the step control; 0 if unknown.
+  const std::vector<std::string>& left_out() const {
+    return m_left_out;
+  } ///< coordinates that nothing resists
+  /// Contact width and speed of the contact along the body in the last step, for the step control; 0 if
+  /// unknown.
   double contact_width() const;
   double contact_speed() const;
   /// Starts the correctors; called by the first begin() or approach().

@@ -5,7 +5,8 @@
 
 namespace burnish {
 
-StepControl::StepControl(double t_start, StepControlOptions options) : m_options(std::move(options)), m_t(t_start) {
+StepControl::StepControl(double t_start, StepControlOptions options)
+    : m_options(std::move(options)), m_t(t_start) {
   auto& o = m_options;
   require(o.t_end > t_start, "StepControl", "t_end", o.t_end, "later than the start");
   if (o.dt_max == 0) o.dt_max = (o.t_end - t_start) / 100;
@@ -35,14 +36,18 @@ bool StepControl::at_output() const {
 
 double StepControl::propose(double width, double speed) {
   double dt = std::min(m_options.dt_max, m_cap);
-  if (m_first) dt = std::min(dt, m_options.dt_max / 4);
-  else dt = std::min(dt, m_options.growth * m_last_dt);
+  if (m_first)
+    dt = std::min(dt, m_options.dt_max / 4);
+  else
+    dt = std::min(dt, m_options.growth * m_last_dt);
   if (!m_first && m_options.steps_per_width > 0 && width > 0 && speed > 0)
     dt = std::min(dt, std::max(width / m_options.steps_per_width / speed, 0.5 * m_last_dt));
   dt = std::max(dt, m_options.dt_min);
   const double rest = next_stop() - m_t;
-  if (dt > rest * (1 - 1e-9)) dt = rest;
-  else if (2 * dt > rest) dt = 0.5 * rest; // less than two steps remain: split evenly
+  if (dt > rest * (1 - 1e-9))
+    dt = rest;
+  else if (2 * dt > rest)
+    dt = 0.5 * rest; // less than two steps remain: split evenly
   return m_dt = dt;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Length of the next step: tied to the contact width, to failures and to output times (algorithms.md section 1).
+// Length of the next step: tied to the contact width, to failures and to output times (algorithms.md section
+// 1).
 #include <string>
 #include <vector>
 
@@ -19,10 +20,10 @@ class StepControl {
 public:
   /// @throws std::invalid_argument for t_end <= t_start, negative numbers, dt_min > dt_max
   StepControl(double t_start, StepControlOptions options);
-  double time() const { return m_t; }       ///< start of the step to come
-  double dt() const { return m_dt; }        ///< its length
+  double time() const { return m_t; } ///< start of the step to come
+  double dt() const { return m_dt; }  ///< its length
   bool finished() const;
-  bool at_output() const;                   ///< time() is an output time or the end
+  bool at_output() const; ///< time() is an output time or the end
   /// Chooses the next step. @param width contact width [length]; @param speed of the contact along the body
   /// [length/time]; either 0: unknown
   double propose(double width, double speed);

@@ -5,7 +5,8 @@
 namespace burnish {
 namespace {
 
-// Value of the element's linear field at local node a: points are the middles of the edges opposite the vertices.
+// Value of the element's linear field at local node a: points are the middles of the edges opposite the
+// vertices.
 double at_node(const double* v, int points, int a) {
   if (points == 1) return v[0];
   if (a >= 3) return v[a - 3];
@@ -15,7 +16,8 @@ double at_node(const double* v, int points, int a) {
 } // namespace
 
 Eigen::VectorXd nodal_average(const Discretization<2>& d, const Eigen::VectorXd& values) {
-  require(values.size() == d.num_points(), "nodal_average", "number of values", values.size(), "one per quadrature point");
+  require(values.size() == d.num_points(), "nodal_average", "number of values", values.size(),
+          "one per quadrature point");
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(d.num_nodes), weight = sum;
   std::vector<double> low(d.num_nodes, 1e300), high(d.num_nodes, -1e300);
   for (int e = 0; e < d.num_elements; ++e) {
