@@ -2,8 +2,10 @@
 // What every entry of the plugin shares: handles for script variables, the error frame, argument checks.
 #include <Eigen/Dense>
 
-#include "AFunction_ext.hpp"
 #include "ff++.hpp"
+
+#include "AFunction_ext.hpp" // after ff++.hpp
+
 #include <cmath>
 #include <memory>
 #include <stdexcept>

@@ -1,7 +1,8 @@
 // Registers the solver "BURNISH": set(Khat, solver="BURNISH"). Symmetric part by CHOLMOD, the nonsymmetric
 // contact rows as a dense border, UMFPACK where that does not apply. Values changed in place are noticed.
-#include "VirtualSolver.hpp"
 #include "plugin.hpp"
+
+#include "VirtualSolver.hpp"
 #include "solver/bordered_solver.hpp"
 #include "solver/unsymmetric_solver.hpp"
 #include <algorithm>
