@@ -3,6 +3,7 @@
 //   rcMakeFolder(path) stepcontrol S(tend, dtmax=..., stepsperwidth=14, dtmin=...);  S.propose(width, speed),
 //   S.accepted(), S.rejected(), S.cut(f), S.t, S.dt, S.finished
 #include "base/error.hpp"
+#include "base/version.hpp"
 #include "named.hpp"
 #include "solver/blas_info.hpp"
 #include "stepping/step_control.hpp"
@@ -30,6 +31,14 @@ bool catch_interrupt(const long&) {
 }
 bool was_interrupted(const long&) { return interrupted != 0; }
 string* blas(Stack stack, const long&) { return new_string(stack, burnish::blas_name()); }
+// JSON object of the versions in use. FreeFEM's is a script's global.
+string* versions(Stack stack, const long&) {
+  std::ostringstream text;
+  text << "{\"burnish\": \"" << BURNISH_VERSION << "\", \"eigen\": \"" << EIGEN_WORLD_VERSION << "."
+       << EIGEN_MAJOR_VERSION << "." << EIGEN_MINOR_VERSION << "\", \"blas\": \"" << burnish::blas_name()
+       << "\", \"compiler\": \"" << __VERSION__ << "\"}";
+  return new_string(stack, text.str());
+}
 bool reference_blas(const long&) { return burnish::is_reference_blas(); }
 double number(string* const& name, string* const& text) {
   return guarded([&] {
@@ -118,6 +127,7 @@ void register_tools_of_the_trade() {
   Global.Add("rcCatchInterrupt", "(", new OneOperator1_<bool, long>(catch_interrupt));
   Global.Add("rcInterrupted", "(", new OneOperator1_<bool, long>(was_interrupted));
   Global.Add("rcBlas", "(", new OneOperator1s_<string*, long>(blas));
+  Global.Add("rcVersions", "(", new OneOperator1s_<string*, long>(versions));
   Global.Add("rcReferenceBlas", "(", new OneOperator1_<bool, long>(reference_blas));
   Global.Add("rcNumber", "(", new OneOperator2_<double, string*, string*>(number));
   Global.Add("rcMakeFolder", "(", new OneOperator1_<bool, string*>(make_folder));

@@ -5,12 +5,40 @@
 namespace burnish {
 namespace {
 
-// Value of the element's linear field at local node a: points are the middles of the edges opposite the
-// vertices.
-double at_node(const double* v, int points, int a) {
-  if (points == 1) return v[0];
-  if (a >= 3) return v[a - 3];
-  return v[(a + 1) % 3] + v[(a + 2) % 3] - v[a];
+// Elements of every node.
+std::vector<std::vector<int>> elements_of_nodes(const Discretization<2>& d) {
+  std::vector<std::vector<int>> elements(d.num_nodes);
+  for (int e = 0; e < d.num_elements; ++e)
+    for (int a = 0; a < d.nodes_per_element; ++a) elements[d.element(e)[a]].push_back(e);
+  return elements;
+}
+
+// Linear least-squares fit over the points of a patch, evaluated at the node.
+double fit_at_node(const Discretization<2>& d, const std::vector<int>& patch, const Vector<2>& node,
+                   const Eigen::VectorXd& values) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  double low = values[patch[0] * d.points_per_element], high = low, size2 = 0;
+  int count = 0;
+  for (const int pass : {0, 1}) // the size of the patch first, to make the fit free of units
+    for (const int e : patch)
+      for (int q = 0; q < d.points_per_element; ++q) {
+        const int p = e * d.points_per_element + q;
+        const Vector<2> r = Vector<2>(d.point[2 * p], d.point[2 * p + 1]) - node;
+        if (pass == 0) {
+          size2 = std::max(size2, r.squaredNorm());
+          continue;
+        }
+        const Eigen::Vector3d row(1, r[0] / std::sqrt(size2), r[1] / std::sqrt(size2));
+        normal += row * row.transpose();
+        right += values[p] * row;
+        low = std::min(low, values[p]);
+        high = std::max(high, values[p]);
+        ++count;
+      }
+  const double mean = right[0] / count;
+  if (count < 4 || std::abs(normal.determinant()) < 1e-4 * count * count * count) return mean;
+  return std::clamp(normal.ldlt().solve(right)[0], low, high);
 }
 
 } // namespace
@@ -18,23 +46,11 @@ double at_node(const double* v, int points, int a) {
 Eigen::VectorXd nodal_average(const Discretization<2>& d, const Eigen::VectorXd& values) {
   require(values.size() == d.num_points(), "nodal_average", "number of values", values.size(),
           "one per quadrature point");
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(d.num_nodes), weight = sum;
-  std::vector<double> low(d.num_nodes, 1e300), high(d.num_nodes, -1e300);
-  for (int e = 0; e < d.num_elements; ++e) {
-    const double* v = values.data() + e * d.points_per_element;
-    double volume = 0;
-    for (int q = 0; q < d.points_per_element; ++q) volume += d.weight[e * d.points_per_element + q];
-    const auto [least, most] = std::minmax_element(v, v + d.points_per_element);
-    for (int a = 0; a < d.nodes_per_element; ++a) {
-      const int node = d.element(e)[a];
-      sum[node] += volume * at_node(v, d.points_per_element, a);
-      weight[node] += volume;
-      low[node] = std::min(low[node], *least);
-      high[node] = std::max(high[node], *most);
-    }
-  }
-  for (int n = 0; n < d.num_nodes; ++n) sum[n] = std::clamp(sum[n] / weight[n], low[n], high[n]);
-  return sum;
+  const auto patches = elements_of_nodes(d);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(d.num_nodes);
+  for (int n = 0; n < d.num_nodes; ++n)
+    if (!patches[n].empty()) result[n] = fit_at_node(d, patches[n], d.node(n), values);
+  return result;
 }
 
 } // namespace burnish
