@@ -1,5 +1,6 @@
 // What a script reads of a contact, all of the accepted state:
 //   arrays over the candidates, in order along the surface: C.nodes, C.x, C.y, C.gap, C.pressure, C.traction,
+//   C.pressurefit, C.tractionfit,
 //   C.normalforce, C.tangentialforce, C.state (0 free 1 touched 2 sliding 3 sticking 4 leaving 5 receding),
 //   C.s C.width, C.speed; C.count("sliding"); C.statistic("factorizations"); C.residual, C.loadscale event
 //   log as a table: C.eventnumber, C.eventtime(i), C.eventkind(i), C.eventnode(i), C.eventtool(i),
@@ -183,6 +184,8 @@ void register_contact_data() {
   array("gap", from_report<&Report::gap>);
   array("pressure", from_report<&Report::pressure>);
   array("traction", from_report<&Report::traction_tangential>);
+  array("pressurefit", from_report<&Report::pressure_fit>);
+  array("tractionfit", from_report<&Report::traction_fit>);
   array("normalforce", from_report<&Report::normal_force>);
   array("tangentialforce", from_report<&Report::tangential_force>);
   const auto number = [](const char* name, double (*f)(H* const&)) {

@@ -93,6 +93,12 @@ def shade_sticking(axes, arc, surface):
     return bool(parts)
 
 
+def nodal_dots(axes, arc, shown, values, color, dot):
+    """Nodal forces over tributary lengths behind the fitted line."""
+    if dot:
+        axes.plot(arc[shown], MPA * values[shown], color=color, marker=dot, markersize=3, linestyle="none", alpha=0.35)
+
+
 def traction_figure(surface, mu, title):
     """Contact pressure and tangential traction along the arc; mu: coefficient of friction or None."""
     figure, axes = new_figure(8.0, 5.4)
@@ -105,13 +111,17 @@ def traction_figure(surface, mu, title):
     reach = 1.25 * np.abs(arc[touching(surface)]).max() + 2 * np.abs(np.diff(arc)).max()
     shown = np.abs(arc) <= reach
     dot = "o" if shown.sum() < 120 else None
-    pressure, traction = MPA * surface["pressure"], MPA * surface["traction_tangential"]
-    handles = axes.plot(arc[shown], pressure[shown], color=BLUE, marker=dot, markersize=3.5, label="pressure p")
+    pressure, traction = MPA * surface["pressure_fit"], MPA * surface["traction_fit"]
+    handles = axes.plot(arc[shown], pressure[shown], color=BLUE, label="pressure p")
     if traction.any():
-        handles += axes.plot(arc[shown], traction[shown], color=RED, marker=dot, markersize=3.5,
-                             label="tangential traction")
+        handles += axes.plot(arc[shown], traction[shown], color=RED, label="tangential traction")
+        nodal_dots(axes, arc, shown, surface["traction_tangential"], RED, dot)
     else:
         handles.append(Line2D([], [], linestyle="none", label="no friction"))
+    nodal_dots(axes, arc, shown, surface["pressure"], BLUE, dot)
+    if dot:
+        handles.append(Line2D([], [], color=GRAY, marker=dot, markersize=3, linestyle="none", alpha=0.5,
+                              label="nodal force / length"))
     if mu:
         for sign in (1, -1):
             line, = axes.plot(arc[shown], sign * mu * pressure[shown], color=GRAY, linewidth=0.9, linestyle="--",
@@ -123,7 +133,7 @@ def traction_figure(surface, mu, title):
     axes.set_xlim(-reach, reach)
     axes.set_xlabel("length along the arc from the middle of the contact, clockwise [mm]")
     angle_axis(axes, arc, polar_degrees(surface["x"], surface["y"]))
-    key_below(axes, handles, len(handles))
+    key_below(axes, handles, 3)
     return figure
 
 

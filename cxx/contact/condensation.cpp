@@ -148,8 +148,22 @@ void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const
   }
 }
 
-// Given unknowns: zero row and column, `scale` on the diagonal. The columns of coordinates under motion are
-// already on the right-hand side (m_shift).
+// The geometric terms in the columns of coordinates under motion are known: they go to the right-hand side.
+// The rest of those columns is there already (m_shift).
+template <int Dim>
+void Condensation<Dim>::move_geometric_columns(const Program& program, const ContactState<Dim>& state) {
+  const int ndof = static_cast<int>(m_body.X.size());
+  for (const auto& node : m_nodes)
+    for (Eigen::Index k = 0; k < node.geo_sq.size(); ++k) {
+      const int q = m_model.first[node.tool] + static_cast<int>(k);
+      if (!program.is_motion[q]) continue;
+      const double dq = program.value[q] - state.q[q];
+      m_full.rhs.segment(ndof + m_model.first[node.tool], node.geo_qq.rows()) -= dq * node.geo_qq.col(k);
+      if (node.sliding) m_full.rhs[Dim * m_model.candidates[node.candidate]] -= dq * node.geo_sq[k];
+    }
+}
+
+// Given unknowns: zero row and column, `scale` on the diagonal.
 template <int Dim>
 void Condensation<Dim>::set_given(const Program& program, const ContactState<Dim>& state, double scale) {
   const int ndof = static_cast<int>(m_body.X.size());
@@ -204,6 +218,7 @@ Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K, const ContactState<Di
   add_blocks(K);
   add_geometric_terms();
   set_right_hand_side(K, program, program_old, R, right);
+  move_geometric_columns(program, state);
   double scale = 0;
   for (int m = 0; m < K.num_nodes; ++m) scale = std::max(scale, std::abs(*K.block(K.find(m, m))));
   set_given(program, state, scale);

@@ -19,7 +19,8 @@ struct CondensedSystem {
 /// What the right-hand side holds.
 enum class RightHandSide {
   TOTAL, ///< applied generalized forces minus the total internal forces
-  RATES, ///< increments of the applied forces and motions only: the article's pure rates
+  RATES, ///< increments of the applied forces and motions only: the article's pure rates. Nodes lie on their
+         ///< tools, and what a release left behind is taken off (article section 2)
 };
 
 /// Unknowns: dof d of a free node at position d; a sliding node has its slip ds at its first dof and zero at
@@ -54,11 +55,12 @@ private:
   void build_pattern(const NodeBlockMatrix<Dim>& K);
   Map map_of(int node) const;
   void linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                 const Program& program, GeometricTerms terms);
+                 const Program& program, GeometricTerms terms, RightHandSide right);
   void add_blocks(const NodeBlockMatrix<Dim>& K);
   void add_geometric_terms();
   void set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Program& program, const Program& program_old,
                            const Eigen::VectorXd& R, RightHandSide right);
+  void move_geometric_columns(const Program& program, const ContactState<Dim>& state);
   void set_given(const Program& program, const ContactState<Dim>& state, double scale);
   void keep_lower();
   double& at(int row, int column);

@@ -102,7 +102,7 @@ template <int Dim>
 ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                              const StepEnds<Dim>& step, const std::vector<Pose<Dim>>& poses0,
                              const std::vector<Pose<Dim>>& poses1, std::size_t i,
-                             const EventTolerance& tolerance) {
+                             const EventTolerance& tolerance, bool support) {
   const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
   const int node = model.candidates[i];
   if (!in_contact(n0.state)) {
@@ -121,7 +121,7 @@ ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>
     const double length = model.tools[n0.tool]->surface(poses0[n0.tool], n0.s).x_s.col(0).norm();
     kind = EventKind::SLIP_TO_STICK;
     if (!frictionless) change = stick_fraction(n0, n1, length, step.dt, tolerance.gap);
-  } else {
+  } else if (!support) {
     change = crossing(a.limit - std::abs(a.T), b.limit - std::abs(b.T), tolerance.force);
     if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released
     release = NEVER;
@@ -136,12 +136,14 @@ ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>
 
 template <int Dim>
 std::vector<ContactEvent<Dim>> earliest_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                                               const StepEnds<Dim>& step, const EventTolerance& tolerance) {
+                                               const StepEnds<Dim>& step, const EventTolerance& tolerance,
+                                               const std::vector<int>& supports) {
   const auto poses0 = model.poses(step.start->q), poses1 = model.poses(step.end->q);
   std::vector<ContactEvent<Dim>> found;
   double earliest = NEVER;
   for (std::size_t i = 0; i < model.candidates.size(); ++i) {
-    const auto event = node_event(model, body, step, poses0, poses1, i, tolerance);
+    const bool support = std::find(supports.begin(), supports.end(), static_cast<int>(i)) != supports.end();
+    const auto event = node_event(model, body, step, poses0, poses1, i, tolerance, support);
     if (!(event.fraction <= 1)) continue;
     earliest = std::min(earliest, event.fraction);
     found.push_back(event);
@@ -224,7 +226,8 @@ void settle_released(const ContactModel<Dim>& model, const BodyView<Dim>& body, 
 }
 
 template std::vector<ContactEvent<2>> earliest_events<2>(const ContactModel<2>&, const BodyView<2>&,
-                                                         const StepEnds<2>&, const EventTolerance&);
+                                                         const StepEnds<2>&, const EventTolerance&,
+                                                         const std::vector<int>&);
 template std::vector<ContactEvent<2>> state_changes<2>(const ContactModel<2>&, const BodyView<2>&,
                                                        const StepEnds<2>&);
 template void apply_events<2>(const ContactModel<2>&, const BodyView<2>&, const std::vector<ContactEvent<2>>&,

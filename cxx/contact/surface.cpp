@@ -64,6 +64,64 @@ Eigen::VectorXd tributary_lengths(const ContactModel<Dim>& model, const BodyView
   return length;
 }
 
+// Quadratic edges in contact: ends x load shares (1/6, 0, 1/3; ...) of the edge's length, fitted to the nodal
+// forces.
+template <int Dim> class EdgeFit {
+public:
+  EdgeFit(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
+          const std::vector<SurfaceEdge>& edges, const Eigen::VectorXd& u) {
+    std::map<int, int> candidate;
+    for (std::size_t i = 0; i < model.candidates.size(); ++i)
+      candidate[model.candidates[i]] = static_cast<int>(i);
+    const auto of = [&](int node) {
+      const auto it = candidate.find(node);
+      return it == candidate.end() ? -1 : it->second;
+    };
+    for (const SurfaceEdge& edge : edges) {
+      const int a = of(edge.a), b = of(edge.b), m = of(edge.middle);
+      if (a < 0 || b < 0 || m < 0) continue;
+      if (!in_contact(state.nodes[a].state) && !in_contact(state.nodes[b].state) &&
+          !in_contact(state.nodes[m].state))
+        continue;
+      const double length = (body.position(u, edge.middle) - body.position(u, edge.a)).norm() +
+                            (body.position(u, edge.b) - body.position(u, edge.middle)).norm();
+      m_edges.push_back({a, b, m, length});
+      for (const int end : {a, b}) {
+        m_row.emplace(end, static_cast<int>(m_row.size()));
+        if (in_contact(state.nodes[end].state)) m_column.emplace(end, static_cast<int>(m_column.size()));
+      }
+      m_row.emplace(m, static_cast<int>(m_row.size()));
+    }
+  }
+  bool empty() const { return m_column.empty(); }
+  /// Fitted values at all candidates; `nodal` stays where no edge is in contact.
+  Eigen::VectorXd fit(const Eigen::VectorXd& force, Eigen::VectorXd nodal) const {
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(m_row.size(), m_column.size());
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(A.rows());
+    for (const Edge& e : m_edges) {
+      for (const int end : {e.a, e.b}) {
+        const auto column = m_column.find(end); // zero at an end that is free
+        if (column == m_column.end()) continue;
+        A(m_row.at(end), column->second) += e.length / 6;
+        A(m_row.at(e.middle), column->second) += e.length / 3;
+      }
+    }
+    for (const auto& [node, row] : m_row) right[row] = force[node];
+    const Eigen::VectorXd p = A.colPivHouseholderQr().solve(right);
+    for (const auto& [node, column] : m_column) nodal[node] = p[column];
+    for (const Edge& e : m_edges) nodal[e.middle] = 0.5 * (nodal[e.a] + nodal[e.b]);
+    return nodal;
+  }
+
+private:
+  struct Edge {
+    int a, b, middle;
+    double length;
+  };
+  std::vector<Edge> m_edges;
+  std::map<int, int> m_column, m_row;
+};
+
 } // namespace
 
 template <int Dim>
@@ -89,6 +147,12 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
   }
   report.pressure = report.normal_force.cwiseQuotient(report.length);
   report.traction_tangential = report.tangential_force.cwiseQuotient(report.length);
+  const EdgeFit<Dim> edges_in_contact(model, body, state, edges, u);
+  report.pressure_fit = report.pressure;
+  report.traction_fit = report.traction_tangential;
+  if (edges_in_contact.empty()) return report;
+  report.pressure_fit = edges_in_contact.fit(report.normal_force, report.pressure);
+  report.traction_fit = edges_in_contact.fit(report.tangential_force, report.traction_tangential);
   return report;
 }
 

@@ -21,6 +21,10 @@ template <int Dim> struct SurfaceReport {
   Eigen::VectorXd length;              ///< tributary length [length]
   Eigen::VectorXd pressure;            ///< [stress]
   Eigen::VectorXd traction_tangential; ///< on the body [stress]
+  /// The pressure and traction that are linear on every edge and whose consistent nodal forces fit the nodal
+  /// forces in least squares (zero at free ends; middle nodes: mean of the ends): without the alternation of
+  /// quadratic elements. Linear edges: as above.
+  Eigen::VectorXd pressure_fit, traction_fit; ///< [stress]
 };
 
 /// @param R internal minus external nodal force [force]; @param u displacement
