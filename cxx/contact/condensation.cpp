@@ -43,7 +43,8 @@ template <int Dim> void Condensation<Dim>::build_pattern(const NodeBlockMatrix<D
 
 template <int Dim>
 void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                                  const Eigen::VectorXd& R, const Program& program, GeometricTerms terms) {
+                                  const Eigen::VectorXd& R, const Program& program, GeometricTerms terms,
+                                  RightHandSide right) {
   const auto poses = m_model.poses(state.q);
   m_nodes.clear();
   m_contact_of.assign(m_body.X.size() / Dim, -1);
@@ -55,7 +56,8 @@ void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::V
     m_contact_of[node] = static_cast<int>(m_nodes.size());
     m_nodes.push_back(linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, F, terms));
     const auto& linear = m_nodes.back();
-    Vector<Dim> shift = linear.point.x - m_body.position(u, node);
+    Vector<Dim> shift = Vector<Dim>::Zero();
+    if (right == RightHandSide::TOTAL) shift = linear.point.x - m_body.position(u, node);
     for (Eigen::Index k = 0; k < linear.point.x_q.cols(); ++k) {
       const int q = m_model.first[linear.tool] + static_cast<int>(k);
       if (program.is_motion[q]) shift += (program.value[q] - state.q[q]) * linear.point.x_q.col(k);
@@ -129,12 +131,18 @@ template <int Dim> void Condensation<Dim>::add_geometric_terms() {
 
 template <int Dim>
 void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Program& program,
-                                            const Program& program_old, const Eigen::VectorXd& R,
-                                            RightHandSide right) {
+                                            const Program& program_old, const ContactState<Dim>& state,
+                                            const Eigen::VectorXd& R, RightHandSide right) {
   const bool total = right == RightHandSide::TOTAL;
   const int ndof = K.size(), nq = m_model.num_coordinates();
   Eigen::VectorXd force = -K.multiply(m_shift);
   if (total) force -= R;
+  for (std::size_t i = 0; i < state.nodes.size() && !total; ++i) { // rest reactions of released nodes
+    const NodeState s = state.nodes[i].state;
+    const int dof = Dim * m_model.candidates[i];
+    if (s == NodeState::LEAVING || s == NodeState::RECEDING)
+      force.template segment<Dim>(dof) -= R.template segment<Dim>(dof);
+  }
   m_full.rhs = Eigen::VectorXd::Zero(m_full.n);
   for (int k = 0; k < nq; ++k) m_full.rhs[ndof + k] = program.value[k] - (total ? 0 : program_old.value[k]);
   for (int m = 0; m < K.num_nodes; ++m) {
@@ -213,11 +221,11 @@ Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K, const ContactState<Di
   if (half && !m_model.symmetric()) fail("condense", "symmetric storage needs a contact without friction");
   if (half && terms == GeometricTerms::ARTICLE) fail("condense", "the article's terms are not symmetric");
   build_pattern(K);
-  linearize(state, u, R, program, terms);
+  linearize(state, u, R, program, terms, right);
   m_full.value.assign(m_full.col.size(), 0.0);
   add_blocks(K);
   add_geometric_terms();
-  set_right_hand_side(K, program, program_old, R, right);
+  set_right_hand_side(K, program, program_old, state, R, right);
   move_geometric_columns(program, state);
   double scale = 0;
   for (int m = 0; m < K.num_nodes; ++m) scale = std::max(scale, std::abs(*K.block(K.find(m, m))));

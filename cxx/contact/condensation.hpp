@@ -59,7 +59,7 @@ private:
   void add_blocks(const NodeBlockMatrix<Dim>& K);
   void add_geometric_terms();
   void set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Program& program, const Program& program_old,
-                           const Eigen::VectorXd& R, RightHandSide right);
+                           const ContactState<Dim>& state, const Eigen::VectorXd& R, RightHandSide right);
   void move_geometric_columns(const Program& program, const ContactState<Dim>& state);
   void set_given(const Program& program, const ContactState<Dim>& state, double scale);
   void keep_lower();
