@@ -1,8 +1,10 @@
 // Script type `contact`: the surface of a workpiece that tools may touch.
 //   contact C = rcContact(Vh, label=3, fixed=bc, friction=0.2);   bc: real[int], nonzero where the
 //   displacement is given C.add(roller);   C.add(roller, friction=0.3);     C.approach(roller, "r", u[]);
-// Named parameters of the constructor: label or labels, fixed, friction, tolerance, maxiterations,
-// stepsperwidth is the loop's. The solver's options have the defaults of stepping/options.hpp.
+// Named parameters of the constructor: label or labels, fixed, friction, tolerance (residual over the load),
+// gaptolerance (gap and slip over the spacing of the nodes; light contact on stiff bodies wants it small),
+// maxiterations, memory, terms; stepsperwidth is the loop's. The solver's options have the defaults of
+// stepping/options.hpp.
 #include "base/error.hpp"
 #include "named.hpp"
 #include "types.hpp"
@@ -11,7 +13,7 @@ namespace rigidcontact {
 namespace {
 
 struct Construct {
-  static const int n = 8;
+  static const int n = 9;
   static basicAC_F0::name_and_type names[n];
   static Made<ContactObject> call(const Named& a, pfes* space) {
     std::vector<long> labels;
@@ -33,6 +35,9 @@ struct Construct {
     options.tolerance = a.real("tolerance", options.tolerance);
     burnish::require(options.tolerance > 0 && options.tolerance < 1, "contact", "tolerance",
                      options.tolerance, "0 < tolerance < 1");
+    options.gap_tolerance = a.real("gaptolerance", options.gap_tolerance);
+    burnish::require(options.gap_tolerance > 0 && options.gap_tolerance < 1, "contact", "gaptolerance",
+                     options.gap_tolerance, "0 < gaptolerance < 1");
     options.max_iterations = static_cast<int>(a.integer("maxiterations", options.max_iterations));
     burnish::require(options.max_iterations > 0, "contact", "maxiterations", options.max_iterations, "> 0");
     options.anderson_memory = static_cast<int>(a.integer("memory", options.anderson_memory));
@@ -46,9 +51,9 @@ struct Construct {
   }
 };
 basicAC_F0::name_and_type Construct::names[] = {
-    {"label", &typeid(long)},      {"labels", &typeid(KN_<long>)}, {"fixed", &typeid(KN_<double>)},
-    {"friction", &typeid(double)}, {"tolerance", &typeid(double)}, {"maxiterations", &typeid(long)},
-    {"memory", &typeid(long)},     {"terms", &typeid(string*)}};
+    {"label", &typeid(long)},         {"labels", &typeid(KN_<long>)}, {"fixed", &typeid(KN_<double>)},
+    {"friction", &typeid(double)},    {"tolerance", &typeid(double)}, {"gaptolerance", &typeid(double)},
+    {"maxiterations", &typeid(long)}, {"memory", &typeid(long)},      {"terms", &typeid(string*)}};
 
 struct AddTag {};
 struct AddTool {
