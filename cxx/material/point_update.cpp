@@ -22,7 +22,8 @@ PointNew<Dim> updated_point(const J2Parameters& material, const PointScheme& sch
   Stress<Dim>& s = result.stress;
   const int substeps = substeps_of(scheme);
   if (scheme.update == StressUpdate::FORWARD_EULER) {
-    result.plastic = forward_euler<Dim>(material, kin, trial.De, s, result.plastic_strain_eq) > 0;
+    result.plastic =
+        forward_euler<Dim>(material, kin, trial.De, s, result.plastic_strain_eq, old.plastic) > 0;
   } else if (substeps == 0) {
     s += trial.De;
   } else {
@@ -43,7 +44,8 @@ StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const Poi
   double plastic_strain_eq = old.plastic_strain_eq;
   const int substeps = substeps_of(scheme);
   if (scheme.update == StressUpdate::FORWARD_EULER) {
-    derivative.s = forward_euler_by_increment<Dim>(material, kin, s, derivative.s, plastic_strain_eq);
+    derivative.s =
+        forward_euler_by_increment<Dim>(material, kin, s, derivative.s, plastic_strain_eq, old.plastic);
   } else if (substeps == 0) {
     derivative.s += deviatoric_moduli(material);
   } else {

@@ -17,8 +17,8 @@ StressByIncrement<Dim> rate_moduli(const J2Parameters& material, const Stress<Di
 
 template <int Dim>
 double forward_euler(const J2Parameters& material, const StepKinematics<Dim>& kin, const Stress<Dim>& De,
-                     Stress<Dim>& s, double& plastic_strain_eq) {
-  if (!loads<Dim>(material, s, plastic_strain_eq, kin.strain)) {
+                     Stress<Dim>& s, double& plastic_strain_eq, bool yielded) {
+  if (!loads<Dim>(material, s, plastic_strain_eq, kin.strain, yielded)) {
     s += De;
     return 0;
   }
@@ -33,9 +33,9 @@ template <int Dim>
 StressByIncrement<Dim> forward_euler_by_increment(const J2Parameters& material,
                                                   const StepKinematics<Dim>& kin, const Stress<Dim>& s_old,
                                                   const StressByIncrement<Dim>& s_old_by,
-                                                  double plastic_strain_eq) {
+                                                  double plastic_strain_eq, bool yielded) {
   StressByIncrement<Dim> by = deviatoric_moduli(material) + s_old_by;
-  if (!loads<Dim>(material, s_old, plastic_strain_eq, kin.strain)) return by;
+  if (!loads<Dim>(material, s_old, plastic_strain_eq, kin.strain, yielded)) return by;
   // c (s:dd) s with q, and so c, unchanged by the rotation
   const double c = plastic_factor<Dim>(material, s_old), power = contract<Dim>(s_old, kin.strain);
   const ScalarByIncrement<Dim> power_by =
@@ -47,9 +47,9 @@ StressByIncrement<Dim> forward_euler_by_increment(const J2Parameters& material,
 
 template StressByIncrement<2> rate_moduli<2>(const J2Parameters&, const Stress<2>&, bool);
 template double forward_euler<2>(const J2Parameters&, const StepKinematics<2>&, const Stress<2>&, Stress<2>&,
-                                 double&);
+                                 double&, bool);
 template StressByIncrement<2> forward_euler_by_increment<2>(const J2Parameters&, const StepKinematics<2>&,
                                                             const Stress<2>&, const StressByIncrement<2>&,
-                                                            double);
+                                                            double, bool);
 
 } // namespace burnish

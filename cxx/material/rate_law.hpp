@@ -8,9 +8,11 @@ namespace burnish {
 inline constexpr double YIELD_FRACTION = 1 - 1e-9;
 
 /// Loading test of (3.1): q >= sigma_y(ep) and s:d > 0.
+/// @param yielded the point is on the surface by an event, whatever q says within the event's tolerance
 template <int Dim>
-bool loads(const J2Parameters& material, const Stress<Dim>& s, double plastic_strain_eq,
-           const Stress<Dim>& d) {
+bool loads(const J2Parameters& material, const Stress<Dim>& s, double plastic_strain_eq, const Stress<Dim>& d,
+           bool yielded = false) {
+  if (yielded) return contract<Dim>(s, d) > 0;
   const double yield = YIELD_FRACTION * yield_stress_at(material, plastic_strain_eq);
   return squared_equivalent<Dim>(s) >= yield * yield && contract<Dim>(s, d) > 0;
 }
@@ -31,10 +33,11 @@ StressByIncrement<Dim> rate_moduli(const J2Parameters& material, const Stress<Di
 /// ep += 3G (s:dd)/(q (3G + H')). No return: the stress leaves the yield surface, on purpose, by O(|dd|^2) a
 /// step, and a step that crosses the surface stays elastic to its end (events are to cut it there).
 /// @param s R s_old R' in, deviator at the end of the step out [stress]
-/// @param plastic_strain_eq ep in and out [-]; @return dep >= 0
+/// @param plastic_strain_eq ep in and out [-]; @param yielded see loads
+/// @return dep >= 0
 template <int Dim>
 double forward_euler(const J2Parameters& material, const StepKinematics<Dim>& kin, const Stress<Dim>& De,
-                     Stress<Dim>& s, double& plastic_strain_eq);
+                     Stress<Dim>& s, double& plastic_strain_eq, bool yielded = false);
 
 /// Derivative of its deviator with respect to the step's increments.
 /// @param s_old R s_old R' [stress]; @param s_old_by its derivative
@@ -42,6 +45,6 @@ template <int Dim>
 StressByIncrement<Dim> forward_euler_by_increment(const J2Parameters& material,
                                                   const StepKinematics<Dim>& kin, const Stress<Dim>& s_old,
                                                   const StressByIncrement<Dim>& s_old_by,
-                                                  double plastic_strain_eq);
+                                                  double plastic_strain_eq, bool yielded = false);
 
 } // namespace burnish

@@ -39,18 +39,28 @@ void Corrector<Dim>::begin(const Program& program, const ContactState<Dim>& pred
   m_reason.clear();
 }
 
-template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
-  require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(),
-          "number of dofs");
-  if (!R.allFinite()) fail("contact.check", "the force array holds NaN or Inf");
+// Sets m_balance; returns the load scale, in which the load of this state counts in its own tolerance.
+template <int Dim> double Corrector<Dim>::balance_at(const Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   const double h = m_body.spacing;
   double scale = m_load_scale;
-  for (int pass = 0; pass < 2; ++pass) { // the load of this state counts in its own tolerance
+  for (int pass = 0; pass < 2; ++pass) {
     m_balance = balance(m_model, m_body, m_state, m_program, u, R, m_options.tolerance * scale,
                         m_options.gap_tolerance * h, m_options.offset_tolerance * h);
     if (m_balance.load <= scale) break;
     scale = m_balance.load;
   }
+  return scale;
+}
+
+template <int Dim> void Corrector<Dim>::measure(const Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+  m_load_scale = balance_at(u, R);
+}
+
+template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+  require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(),
+          "number of dofs");
+  if (!R.allFinite()) fail("contact.check", "the force array holds NaN or Inf");
+  const double scale = balance_at(u, R);
   const double res = m_balance.residual;
   if (!std::isfinite(res)) {
     m_reason = "the residual is not finite";

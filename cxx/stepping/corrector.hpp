@@ -35,6 +35,9 @@ public:
   /// Convergence test at displacement u with residual force R (internal minus external nodal force).
   /// May move u half way back (HALVED). @throws std::invalid_argument for wrong sizes or NaN in R
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
+  /// Balance of (u, R) at the present states without the test, for steps that are not iterated:
+  /// last_balance() and the load scale.
+  void measure(const Eigen::VectorXd& u, const Eigen::VectorXd& R);
   /// Factor of the tangent for the steps to come. NOT_POSITIVE_DEFINITE leaves no factor.
   FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
   /// Share of the elastic moduli to mix into the next tangent: none at the predicted state, more at every
@@ -58,6 +61,7 @@ public:
   double contact_width(const Eigen::VectorXd& u, int tool) const;
 
 private:
+  double balance_at(const Eigen::VectorXd& u, const Eigen::VectorXd& R);
   void choose_window(const Eigen::VectorXd& u);
   bool window_covers(const Eigen::VectorXd& u) const;
   std::vector<int> near_contact(const Eigen::VectorXd& u, double widths, double spacings) const;

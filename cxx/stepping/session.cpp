@@ -183,13 +183,11 @@ template <int Dim> void Session<Dim>::begin(Eigen::VectorXd& u, double t, double
   m_dt = dt;
   m_stepping = stepping;
   m_u = u;
-  if (m_program_old.value.size() != m_program.value.size()) {
-    m_program_old = m_program;
-    for (Eigen::Index k = 0; k < m_program.value.size(); ++k)
-      m_program_old.value[k] = m_program.is_motion[k] ? m_accepted.q[k] : 0;
-  }
-  auto prediction = predict(m_model, m_corrector->body(), *m_locator, *m_discretization, m_program,
-                            m_accepted, u, m_history, dt, stepping == Stepping::IMPLICIT);
+  match_old_program();
+  auto prediction = stepping == Stepping::RATES
+                        ? resting(u)
+                        : predict(m_model, m_corrector->body(), *m_locator, *m_discretization, m_program,
+                                  m_accepted, u, m_history, dt, stepping == Stepping::IMPLICIT);
   u = prediction.u;
   const bool keep = stepping == Stepping::EVENT && m_steps_since_factor < 2;
   m_corrector->begin(m_program, prediction.state, std::move(prediction.entry), stepping == Stepping::IMPLICIT,
@@ -200,23 +198,6 @@ template <int Dim>
 FactorStatus Session<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
   m_steps_since_factor = 0;
   return m_corrector->factorize(K, u);
-}
-
-template <int Dim>
-std::vector<ContactEvent<Dim>> Session<Dim>::events(const Eigen::VectorXd& u,
-                                                    const Eigen::VectorXd& R) const {
-  const auto& options = m_corrector->options();
-  const double h = m_corrector->body().spacing;
-  const EventTolerance tolerance{options.tolerance * std::max(m_corrector->load_scale(), 1e-300),
-                                 options.gap_tolerance * h, 1e-3};
-  return earliest_events(model(), m_corrector->body(),
-                         StepEnds<Dim>{&m_accepted, &m_corrector->state(), &m_u, &u, &m_R, &R, m_t, m_dt},
-                         tolerance);
-}
-
-template <int Dim> void Session<Dim>::switch_states(const std::vector<ContactEvent<Dim>>& events) {
-  apply_events(model(), m_corrector->body(), events, m_u, m_accepted);
-  m_log.insert(m_log.end(), events.begin(), events.end());
 }
 
 template <int Dim>
@@ -241,8 +222,10 @@ void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
   m_history = {u - m_u, state.q - m_accepted.q, m_accepted.q, m_dt};
   m_u = u;
   m_R = R;
-  if (m_stepping == Stepping::EVENT) {
+  if (m_stepping == Stepping::RATES) m_corrector->measure(u, R);
+  if (m_stepping != Stepping::IMPLICIT) {
     apply_events(model(), m_corrector->body(), events, u, state);
+    keep_support(state);
     settle_released(model(), m_corrector->body(), u,
                     m_corrector->options().gap_tolerance * m_corrector->body().spacing, state);
     m_log.insert(m_log.end(), events.begin(), events.end());
@@ -260,30 +243,6 @@ template <int Dim> void Session<Dim>::revert() {
   if (!m_corrector) return;
   m_corrector->state() = m_accepted;
   if (m_stepping == Stepping::IMPLICIT) m_corrector->drop_factor(); // an event step only becomes shorter
-}
-
-template <int Dim>
-const CondensedSystem& Session<Dim>::condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u,
-                                              const Eigen::VectorXd& R, GeometricTerms terms,
-                                              RightHandSide right, bool half) {
-  if (!m_corrector) fail("contact.condense", "call begin first");
-  require(u.size() == m_u.size() && R.size() == m_u.size(), "contact.condense", "size of the arrays",
-          R.size(), "number of dofs");
-  if (!R.allFinite()) fail("contact.condense", "the force array holds NaN or Inf");
-  return m_condensation->condense(K, m_corrector->state(), m_program, m_program_old, u, R, terms, right,
-                                  half);
-}
-
-template <int Dim> double Session<Dim>::expand(const Eigen::VectorXd& z, Eigen::VectorXd& u) {
-  if (!m_corrector) fail("contact.expand", "call begin and condense first");
-  require(u.size() == m_u.size(), "contact.expand", "size of u", u.size(), "number of dofs");
-  const auto increment = m_condensation->expand(z);
-  auto& state = m_corrector->state();
-  u += increment.du;
-  state.q += increment.dq;
-  for (std::size_t i = 0; i < state.nodes.size(); ++i)
-    state.nodes[i].s[0] += increment.ds[static_cast<Eigen::Index>(i)];
-  return increment.du.cwiseAbs().maxCoeff();
 }
 
 template <int Dim> double Session<Dim>::contact_width() const {

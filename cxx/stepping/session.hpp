@@ -7,12 +7,14 @@
 #include "kinematics/driven_tool.hpp"
 #include "stepping/corrector.hpp"
 #include "stepping/predictor.hpp"
+#include "workpiece/element_events.hpp"
 
 namespace burnish {
 
 enum class Stepping {
   IMPLICIT, ///< contact states inside the iteration, last step carried along as predictor
   EVENT,    ///< contact states fixed: the loop cuts the step at events
+  RATES,    ///< the same without prediction or correction: one linear solve from the accepted state (article)
 };
 
 template <int Dim> class Session {
@@ -39,7 +41,12 @@ public:
   FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
   StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) { return m_corrector->correct(u, R); }
   /// Earliest contact events between the accepted state and (u, R); see earliest_events.
-  std::vector<ContactEvent<Dim>> events(const Eigen::VectorXd& u, const Eigen::VectorXd& R) const;
+  /// @param tolerance events this close to the earliest one are taken with it [fraction of the step]
+  /// @param until events later than this fraction (plus the tolerance) do not count
+  std::vector<ContactEvent<Dim>> events(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                                        double tolerance = 1e-3, double until = 1) const;
+  /// Appends element events of the present step to the log: candidate and tool -1, node = quadrature point.
+  void log(const std::vector<ElementEvent<Dim>>& events);
   /// Changes states at the accepted state without moving (events at fraction zero).
   void switch_states(const std::vector<ContactEvent<Dim>>& events);
   /// The end of the step becomes the accepted state. @param events those located at the end (event stepping)
@@ -51,8 +58,12 @@ public:
   const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u,
                                   const Eigen::VectorXd& R, GeometricTerms terms, RightHandSide right,
                                   bool half);
-  /// Adds the solution to u and to the states. @returns the largest displacement increment [length]
+  /// Adds the solution to u and to the states. RATES: contact nodes are then put at X(q, s), article (1.2).
+  /// @returns the largest displacement increment [length]
   double expand(const Eigen::VectorXd& z, Eigen::VectorXd& u);
+  /// Shortens a RATES step after expand: displacements, slips, coordinates and program are linear in the
+  /// fraction. @throws std::invalid_argument unless 0 < fraction <= 1 and the step is one of RATES
+  void cut(Eigen::VectorXd& u, double fraction);
 
   // --- what is known
   Corrector<Dim>& corrector() { return *m_corrector; }
@@ -67,6 +78,7 @@ public:
   const Eigen::VectorXd& accepted_displacement() const { return m_u; }
   const Eigen::VectorXd& accepted_force() const { return m_R; }
   const std::vector<ContactEvent<Dim>>& log() const { return m_log; }
+  long condensations() const { return m_condensations; } ///< matrices made by condense
   const std::vector<std::string>& left_out() const {
     return m_left_out;
   } ///< coordinates that nothing resists
@@ -79,6 +91,11 @@ public:
 
 private:
   Program read_program();
+  void match_old_program();
+  Prediction<Dim> resting(const Eigen::VectorXd& u) const;
+  void place_contact_nodes(Eigen::VectorXd& u) const;
+  void keep_support(ContactState<Dim>& state) const;
+  std::vector<int> supports() const;
   void check_support(const Program& program) const;
   void drop_unresisted(Program& program);
   void check_not_inside(const Eigen::VectorXd& u) const;
@@ -101,6 +118,7 @@ private:
   Stepping m_stepping = Stepping::IMPLICIT;
   double m_t = 0, m_dt = 0;
   int m_steps_since_factor = 0;
+  long m_condensations = 0;
   std::vector<ContactEvent<Dim>> m_log;
   std::vector<std::string> m_left_out;
 };

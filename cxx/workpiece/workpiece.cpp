@@ -168,6 +168,12 @@ template <int Dim> void Workpiece<Dim>::revert() {
   m_updated = false;
 }
 
+template <int Dim> void Workpiece<Dim>::set_plastic(int point, bool plastic) {
+  require(point >= 0 && point < m_discretization.num_points(), "Workpiece::set_plastic", "point", point,
+          "0 <= point < num_points");
+  m_state_old.plastic[point] = m_state.plastic[point] = plastic;
+}
+
 template <int Dim> void Workpiece<Dim>::set_state(const WorkpieceState<Dim>& state) {
   const std::size_t points = m_discretization.num_points(), stresses = points * num_stress<Dim>;
   const auto check = [](const char* name, const std::vector<double>& array, std::size_t expected) {

@@ -38,6 +38,7 @@ public:
   const WorkpieceState<Dim>& state() const { return m_state; }
   /// To be changed between steps only.
   UpdateOptions& options() { return m_options; }
+  const UpdateOptions& options() const { return m_options; }
 
   /// Stress at the end of a step that leads from state_old to `displacement`: writes state(). Depends on
   /// state_old only (and on the numbers of substeps, which iteration 0 resets). Where the status is not OK,
@@ -65,6 +66,9 @@ public:
 
   void accept(); ///< state_old = state
   void revert(); ///< state = state_old
+  /// Whether a point starts the next step on the yield surface, in both states: what an element event tells.
+  /// Right after accept or revert. @throws std::invalid_argument if point is out of range
+  void set_plastic(int point, bool plastic);
   /// Replaces both states (restart, tests).
   /// @throws std::invalid_argument on wrong sizes, numbers that are not finite, or det F <= 0
   void set_state(const WorkpieceState<Dim>& state);

@@ -1,0 +1,40 @@
+#pragma once
+// Events of quadrature points inside a step: first yield and elastic unloading, located in the fraction of
+// the step (article section 2: "transitions in the finite elements"; method.md section 4). Knows no tool.
+#include "workpiece/workpiece.hpp"
+
+namespace burnish {
+
+enum class PointChange : char { YIELD, UNLOADING };
+
+template <int Dim> struct ElementEvent {
+  double fraction = 0; ///< of the step from state_old to state, 0..1
+  PointChange change = PointChange::YIELD;
+  int point = -1;                      ///< quadrature point
+  Vector<Dim> x = Vector<Dim>::Zero(); ///< its place at that instant [length]
+};
+
+/// All events of the step that the last update made, by fraction. The displacement is linear in the fraction.
+/// YIELD: a point that did not flow in the last step leaves the yield surface; the fraction is the root of
+/// q(R s_old R' + De) = sigma_y(ep) on the elastic path of the step of that length: a step cut there ends on
+/// the surface. A point on the surface (or outside, which only forward Euler gives) yields at once if s:De >
+/// 0. UNLOADING: a point that flowed in the last step has s:De < 0 now; the loading rates s:dd/dt are means
+/// of their steps, so they belong to the middles, and the fraction is that of the change of sign between
+/// them, 0 if it is in the last step. A point that yields again in the same step has both events. A point
+/// that state().plastic contradicts (the return on a bent path flowed all the same) has no event.
+/// @param overshoot points that would yield before 1 + overshoot count, with the fraction 1 (>= 0)
+/// @throws std::invalid_argument if overshoot < 0
+template <int Dim>
+std::vector<ElementEvent<Dim>> element_events(const Workpiece<Dim>& workpiece, double overshoot);
+
+/// Those within the tolerance of the earliest one (article: event tolerance, in fractions of the step).
+/// @param events by fraction, as element_events returns them; @throws std::invalid_argument if tolerance < 0
+template <int Dim>
+std::vector<ElementEvent<Dim>> earliest(const std::vector<ElementEvent<Dim>>& events, double tolerance);
+
+/// Points that yielded start the next step on the surface, points that unloaded inside it. Right after accept
+/// (a step cut at these events) or revert (events at its start).
+template <int Dim>
+void switch_points(const std::vector<ElementEvent<Dim>>& events, Workpiece<Dim>& workpiece);
+
+} // namespace burnish
