@@ -36,6 +36,7 @@ double crossing(double start, double end, double tolerance) {
   return end <= tolerance && start > tolerance ? 1 : NEVER;
 }
 
+// The limit goes on below N = 0, so that a held node that loses its pressure slides where it cannot hold.
 template <int Dim> struct Forces { double N, T, limit; };
 
 template <int Dim>
@@ -43,7 +44,7 @@ Forces<Dim> forces(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>&
                    const ContactNode<Dim>& node, const Vector<Dim>& F) {
   const auto p = model.tools[node.tool]->surface(poses[node.tool], node.s);
   const double N = F.dot(p.n);
-  return {N, F.dot(p.x_s.col(0)) / p.x_s.col(0).norm(), model.friction[node.tool]->limit(std::max(N, 0.))};
+  return {N, F.dot(p.x_s.col(0)) / p.x_s.col(0).norm(), model.friction[node.tool]->limit(N)};
 }
 
 // Fraction at which a free node meets a tool, refined on the true gap by regula falsi.
