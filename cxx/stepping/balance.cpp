@@ -5,6 +5,11 @@
 namespace burnish {
 namespace {
 
+// Whether r is worse than the worst so far; NaN is the worst of all and stays.
+bool worse(double r, const Balance& result) {
+  return !(r <= result.residual) && !std::isnan(result.residual);
+}
+
 // Largest unbalanced force of the nodes that are not in contact.
 template <int Dim>
 void free_residual(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
@@ -14,7 +19,7 @@ void free_residual(const ContactModel<Dim>& model, const BodyView<Dim>& body, co
     if (in_contact(state.nodes[i].state))
       for (int c = 0; c < Dim; ++c) skip[Dim * model.candidates[i] + c] = 1;
   for (Eigen::Index d = 0; d < R.size(); ++d)
-    if (!skip[d] && !(std::abs(R[d]) <= result.residual)) {
+    if (!skip[d] && worse(std::abs(R[d]), result)) {
       result.residual = std::abs(R[d]);
       result.worst_dof = static_cast<int>(d);
     }
@@ -31,7 +36,7 @@ void contact_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node, 
   bool bad = N < -force_tolerance || (x - p.x).norm() > offset_tolerance;
   if (node.state == NodeState::SLIDING) {
     const double r = std::abs(T + node.slip_sign * law.limit(N));
-    if (!(r <= result.residual)) {
+    if (worse(r, result)) {
       result.residual = r;
       result.worst_dof = result.worst_coordinate = -1;
     }
@@ -51,7 +56,7 @@ void tool_residual(const Program& program, const Eigen::VectorXd& lever, Balance
     if (program.is_motion[k]) continue;
     const double r = result.tool_force[k] - program.value[k];
     result.tool_residual[k] = lever[k] > 0 ? r / lever[k] : (r == 0 ? 0 : result.load + std::abs(r));
-    if (!(std::abs(result.tool_residual[k]) <= result.residual)) {
+    if (worse(std::abs(result.tool_residual[k]), result)) {
       result.residual = std::abs(result.tool_residual[k]);
       result.worst_dof = -1;
       result.worst_coordinate = static_cast<int>(k);
