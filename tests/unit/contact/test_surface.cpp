@@ -1,0 +1,123 @@
+// The contact surface: nodes in order, tributary lengths, uniform and linear pressure recovered, gaps.
+#include "contact/surface.hpp"
+#include "geometry/segment.hpp"
+#include "kinematics/cartesian.hpp"
+#include "unit/finite_difference.hpp"
+
+using namespace burnish;
+using namespace burnish::test;
+
+TEST(NodesAlong, OpenChainFromItsEnd) {
+  EXPECT_EQ(nodes_along({{7, 3}, {9, 7}, {3, 5}}), (std::vector<int>{5, 3, 7, 9}));
+  EXPECT_EQ(nodes_along({{7, 3, 20}, {9, 7, 21}, {3, 5, 22}}), (std::vector<int>{5, 22, 3, 20, 7, 21, 9}));
+}
+
+TEST(NodesAlong, ClosedChainAndTwoChains) {
+  EXPECT_EQ(nodes_along({{0, 1}, {2, 0}, {1, 2}}).size(), 3u);
+  const auto two = nodes_along({{10, 11}, {1, 2}, {11, 12}, {2, 3}});
+  EXPECT_EQ(two, (std::vector<int>{1, 2, 3, 10, 11, 12}));
+  EXPECT_TRUE(nodes_along({}).empty());
+}
+
+namespace {
+
+/// A straight surface of three edges of lengths 1, 2, 3 (nodes 0..3, middle nodes 4..6), sloping, under a
+/// line that lies on it; u doubles all lengths.
+struct Surface {
+  ContactModel<2> model;
+  BodyView<2> body;
+  ContactState<2> state;
+  std::vector<SurfaceEdge> edges;
+  Eigen::VectorXd u;
+  Vector<2> along = Vector<2>(0.8, 0.6), normal = Vector<2>(0.6, -0.8); // tool's normal, into the body
+
+  explicit Surface(bool quadratic) {
+    const double places[] = {0, 1, 3, 6, 0.5, 2, 4.5}; // along the surface
+    const int nodes = quadratic ? 7 : 4;
+    body.X.resize(2 * nodes);
+    for (int a = 0; a < nodes; ++a) {
+      body.X.segment<2>(2 * a) = places[a] * along;
+      model.candidates.push_back(a);
+    }
+    for (int e = 0; e < 3; ++e) edges.push_back({e, e + 1, quadratic ? 4 + e : -1});
+    u = body.X;
+    body.fixed.assign(2 * nodes, 0);
+    model.tools = {std::make_shared<Tool<2>>("line", std::make_shared<Segment>(20 * along, -20 * along),
+                                             std::make_shared<Cartesian>())};
+    model.friction = {make_coulomb(0.3)};
+    model.first = {0, 3};
+    state.q = Vector<3>::Zero();
+    state.nodes.resize(nodes);
+    for (int a = 0; a < nodes; ++a) {
+      state.nodes[a].state = a % 2 ? NodeState::STICKING : NodeState::SLIDING;
+      state.nodes[a].tool = 0;
+      state.nodes[a].s[0] = 20 - 2 * places[a];
+    }
+  }
+  /// Consistent nodal forces of the pressure p0 + p1 (place) and 0.2 of it as traction along the tool's
+  /// tangent.
+  Eigen::VectorXd loads(double p0, double p1) const {
+    Eigen::VectorXd R = Eigen::VectorXd::Zero(body.X.size());
+    const Vector<2> pull = normal - 0.2 * along;
+    for (const SurfaceEdge& e : edges) {
+      const double length = 2 * (body.X.segment<2>(2 * e.b) - body.X.segment<2>(2 * e.a)).norm();
+      const double a = p0 + p1 * body.X.segment<2>(2 * e.a).norm(),
+                   b = p0 + p1 * body.X.segment<2>(2 * e.b).norm();
+      const bool linear = e.middle < 0;
+      R.segment<2>(2 * e.a) += length * (linear ? a / 3 + b / 6 : a / 6) * pull;
+      R.segment<2>(2 * e.b) += length * (linear ? b / 3 + a / 6 : b / 6) * pull;
+      if (!linear) R.segment<2>(2 * e.middle) += length * (a + b) / 3 * pull;
+    }
+    return R;
+  }
+  SurfaceReport<2> report(const Eigen::VectorXd& R) const {
+    return surface_report(model, body, state, edges, u, R);
+  }
+};
+
+} // namespace
+
+TEST(SurfaceReport, TributaryLengthsOfThePresentShape) {
+  const Eigen::VectorXd linear = Surface(false).report(Eigen::VectorXd::Zero(8)).length;
+  expect_close(linear, Eigen::Vector4d(1, 3, 5, 3), 1, 1e-14, "linear edges");
+  Eigen::VectorXd expected(7);
+  expected << 1. / 3, 1, 5. / 3, 1, 4. / 3, 8. / 3, 4;
+  expect_close(Surface(true).report(Eigen::VectorXd::Zero(14)).length, expected, 1, 1e-14, "quadratic edges");
+}
+
+TEST(SurfaceReport, UniformPressureRecovered) {
+  for (const bool quadratic : {false, true}) {
+    const Surface surface(quadratic);
+    const auto report = surface.report(surface.loads(5, 0));
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(report.pressure.size());
+    expect_close(report.pressure, 5 * ones, 5, 1e-14, "pressure");
+    expect_close(report.traction_tangential, ones, 1, 1e-14, "traction");
+    expect_close(report.pressure_fit, 5 * ones, 5, 1e-13, "fitted pressure");
+    expect_close(report.traction_fit, ones, 1, 1e-13, "fitted traction");
+    EXPECT_NEAR(report.normal_force.sum(), 5 * 12, 1e-12);
+    EXPECT_NEAR(report.tangential_force.sum(), 12, 1e-12);
+  }
+}
+
+// On quadratic edges a pressure that is linear along the surface is recovered by the fit.
+TEST(SurfaceReport, LinearPressureFitted) {
+  const Surface surface(true);
+  const auto report = surface.report(surface.loads(3, 0.5));
+  for (int a = 0; a < 7; ++a) {
+    const double expected = 3 + 0.5 * surface.body.X.segment<2>(2 * a).norm();
+    EXPECT_NEAR(report.pressure_fit[a], expected, 1e-12) << a;
+    EXPECT_NEAR(report.traction_fit[a], 0.2 * expected, 1e-12) << a;
+  }
+}
+
+TEST(SurfaceReport, FreeNodesHaveGapsAndNoForce) {
+  Surface surface(false);
+  surface.state.nodes[0] = {};
+  surface.u.segment<2>(0) += 0.25 * surface.normal;
+  const auto report = surface.report(surface.loads(5, 0));
+  EXPECT_NEAR(report.gap[0], 0.25, 1e-14);
+  EXPECT_EQ(report.normal_force[0], 0);
+  EXPECT_EQ(report.pressure[0], 0);
+  EXPECT_EQ(report.gap[1], 0);
+  EXPECT_NEAR(report.pressure[2], 5, 1e-13);
+}
