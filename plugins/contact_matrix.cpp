@@ -1,7 +1,8 @@
 // The condensed matrix for any FreeFEM solver:
-//   matrix Kh = C.condense(K, u[], R);    named: terms="complete"|"article"|"none", rates=false,
-//   symmetric=false set(Kh, solver="UMFPACK");            or "BURNISH" (attached already), CHOLMOD with
-//   symmetric=true, ... real[int] z = Kh^-1 * C.rhs;          real largest = C.expand(z, u[]);
+//   matrix Kh = C.condense(K, u[], R, solver="UMFPACK");
+//     named: terms="complete" | "article" | "none", rates=false, symmetric=false, solver="BURNISH"
+//   real[int] z = Kh^-1 * C.rhs;
+//   real largest = C.expand(z, u[]);
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
@@ -12,25 +13,35 @@ namespace {
 
 struct CondenseTag {};
 struct Condense {
-  static const int n = 3;
+  static const int n = 4;
   static basicAC_F0::name_and_type names[n];
   static newpMatrice_Creuse<double> call(const Named& a, Method<ContactHandle, CondenseTag> m,
                                          Matrice_Creuse<double>* K, KN_<double> u, KN_<double> R) {
     ContactObject& contact = m->get();
-    if (!contact.session->started()) burnish::fail("contact.condense", "call begin first");
+    require_stage(contact, ContactObject::BEGUN, "contact.condense");
+    const std::string solver = known_solver(a.text("solver", "BURNISH"), "contact.condense");
+    const bool symmetric = a.boolean("symmetric", false);
+    for (const char* name : {"CHOLMOD", "CHOLESKY", "CROUT", "CG", "SPARSESOLVERSYM"})
+      if (!symmetric && solver == name) // it would read one triangle only and answer wrongly
+        burnish::fail("contact.condense", "solver \"" + solver + "\" needs symmetric=true");
+    const long n = contact.session->discretization().num_dofs();
     const burnish::CpuTimer timer(contact.condense_seconds);
-    const auto& blocks = contact.reader.read(view_of(K, "contact.condense"));
+    const auto& blocks = contact.reader.read(view_of(K, n, "contact.condense"));
     const auto right =
         a.boolean("rates", false) ? burnish::RightHandSide::RATES : burnish::RightHandSide::TOTAL;
-    const auto& system = contact.session->condense(
-        blocks, to_vector(u, "contact.condense", "u"), to_vector(R, "contact.condense", "R"),
-        terms_of(a.text("terms", "complete")), right, a.boolean("symmetric", false));
+    const auto& system = called("contact.condense", [&]() -> const burnish::CondensedSystem& {
+      return contact.session->condense(blocks, to_dofs(u, n, "contact.condense", "u"),
+                                       to_dofs(R, n, "contact.condense", "R"),
+                                       terms_of(a.text("terms", "complete")), right, symmetric);
+    });
     contact.rhs.assign(system.rhs.data(), system.rhs.data() + system.rhs.size());
-    return to_freefem(a.stack(), system);
+    return to_freefem(a.stack(), system, solver);
   }
 };
-basicAC_F0::name_and_type Condense::names[] = {
-    {"terms", &typeid(string*)}, {"rates", &typeid(bool)}, {"symmetric", &typeid(bool)}};
+basicAC_F0::name_and_type Condense::names[] = {{"terms", &typeid(string*)},
+                                               {"rates", &typeid(bool)},
+                                               {"symmetric", &typeid(bool)},
+                                               {"solver", &typeid(string*)}};
 
 KN_<double> right_hand_side(Stack stack, ContactHandle* const& h) {
   return guarded([&] { return new_array(stack, h->get().rhs); });
@@ -39,8 +50,11 @@ KN_<double> right_hand_side(Stack stack, ContactHandle* const& h) {
 struct ExpandTag {};
 double expand(Stack, const Method<ContactHandle, ExpandTag>& m, const KN_<double>& z, const KN_<double>& u) {
   return guarded([&] {
-    Eigen::VectorXd v = to_vector(u, "contact.expand", "u");
-    const double largest = m->get().session->expand(to_vector(z, "contact.expand", "z"), v);
+    ContactObject& contact = m->get();
+    require_stage(contact, ContactObject::BEGUN, "contact.expand");
+    Eigen::VectorXd v = to_dofs(u, contact.session->discretization().num_dofs(), "contact.expand", "u");
+    const Eigen::VectorXd solution = to_vector(z, "contact.expand", "z");
+    const double largest = called("contact.expand", [&] { return contact.session->expand(solution, v); });
     to_array(v, u, "contact.expand");
     return largest;
   });

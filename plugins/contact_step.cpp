@@ -12,15 +12,26 @@
 namespace rigidcontact {
 namespace {
 
+Eigen::VectorXd dofs(const ContactObject& contact, const KN_<double>& a, const char* where,
+                     const char* name) {
+  return to_dofs(a, contact.session->discretization().num_dofs(), where, name);
+}
+
 struct BeginTag {};
 struct Begin {
   static const int n = 1;
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& a, Method<ContactHandle, BeginTag> m, KN_<double> u, double t, double dt) {
-    Eigen::VectorXd v = to_vector(u, "contact.begin", "u");
-    m->get().session->begin(
-        v, t, dt, a.boolean("events", false) ? burnish::Stepping::EVENT : burnish::Stepping::IMPLICIT);
-    m->get().pending.clear();
+    ContactObject& contact = m->get();
+    burnish::require(std::isfinite(t), "contact.begin", "t", t, "a finite number");
+    Eigen::VectorXd v = dofs(contact, u, "contact.begin", "u");
+    contact.stage = ContactObject::NO_STEP;
+    called("contact.begin", [&] {
+      contact.session->begin(
+          v, t, dt, a.boolean("events", false) ? burnish::Stepping::EVENT : burnish::Stepping::IMPLICIT);
+    });
+    contact.stage = ContactObject::BEGUN;
+    contact.pending.clear();
     to_array(v, u, "contact.begin");
     return true;
   }
@@ -30,12 +41,13 @@ basicAC_F0::name_and_type Begin::names[] = {{"events", &typeid(bool)}};
 // Check and correct move u; the status is the number of the enumerator.
 template <class Verb>
 long step_verb(ContactHandle* handle, const KN_<double>& u, const KN_<double>& R, const char* where,
-               Verb verb) {
+               ContactObject::Stage stage, Verb verb) {
   return guarded([&] {
-    Session<2>& session = *handle->get().session;
-    if (!session.started()) burnish::fail(where, "call begin first");
-    Eigen::VectorXd v = to_vector(u, where, "u");
-    const auto status = verb(session, v, to_vector(R, where, "R"));
+    ContactObject& contact = handle->get();
+    require_stage(contact, stage, where);
+    Eigen::VectorXd v = dofs(contact, u, where, "u");
+    const auto status = verb(*contact.session, v, dofs(contact, R, where, "R"));
+    contact.stage = ContactObject::CHECKED;
     to_array(v, u, where);
     return static_cast<long>(status);
   });
@@ -44,11 +56,11 @@ long step_verb(ContactHandle* handle, const KN_<double>& u, const KN_<double>& R
 struct CheckTag {};
 struct CorrectTag {};
 long check(Stack, const Method<ContactHandle, CheckTag>& m, const KN_<double>& u, const KN_<double>& R) {
-  return step_verb(m.object, u, R, "contact.check",
+  return step_verb(m.object, u, R, "contact.check", ContactObject::BEGUN,
                    [](auto& s, auto& v, const auto& r) { return s.check(v, r); });
 }
 long correct(Stack, const Method<ContactHandle, CorrectTag>& m, const KN_<double>& u, const KN_<double>& R) {
-  return step_verb(m.object, u, R, "contact.correct",
+  return step_verb(m.object, u, R, "contact.correct", ContactObject::CHECKED,
                    [](auto& s, auto& v, const auto& r) { return s.correct(v, r); });
 }
 
@@ -59,8 +71,11 @@ bool factorize_material(const Method<ContactHandle, FactorizeTag>& m, MaterialHa
   return guarded([&] {
     Session<2>& session = *m->get().session;
     MaterialObject& object = material->get();
-    const Eigen::VectorXd v = to_vector(u, "contact.factorize", "u");
-    if (!session.started()) burnish::fail("contact.factorize", "call begin first");
+    require_stage(m->get(), ContactObject::BEGUN, "contact.factorize");
+    const Eigen::VectorXd v = dofs(m->get(), u, "contact.factorize", "u");
+    const int size = object.body->discretization().num_dofs(), expected = session.discretization().num_dofs();
+    burnish::require(size == expected, "contact.factorize", "degrees of freedom of the material", size,
+                     (std::to_string(expected) + " as the contact's space").c_str());
     do {
       {
         const burnish::CpuTimer timer(object.assembly_seconds);
@@ -76,9 +91,10 @@ bool factorize_matrix(const Method<ContactHandle, FactorizeTag>& m, Matrice_Creu
                       const KN_<double>& u) {
   return guarded([&] {
     ContactObject& contact = m->get();
-    if (!contact.session->started()) burnish::fail("contact.factorize", "call begin first");
-    const auto& blocks = contact.reader.read(view_of(K, "contact.factorize"));
-    return contact.session->factorize(blocks, to_vector(u, "contact.factorize", "u")) ==
+    require_stage(contact, ContactObject::BEGUN, "contact.factorize");
+    const auto& blocks =
+        contact.reader.read(view_of(K, contact.session->discretization().num_dofs(), "contact.factorize"));
+    return contact.session->factorize(blocks, dofs(contact, u, "contact.factorize", "u")) ==
            burnish::FactorStatus::OK;
   });
 }
@@ -87,9 +103,10 @@ struct EventsTag {};
 double events(Stack, const Method<ContactHandle, EventsTag>& m, const KN_<double>& u, const KN_<double>& R) {
   return guarded([&] {
     ContactObject& contact = m->get();
+    require_stage(contact, ContactObject::BEGUN, "contact.events");
     const burnish::CpuTimer timer(contact.event_seconds);
-    contact.pending =
-        contact.session->events(to_vector(u, "contact.events", "u"), to_vector(R, "contact.events", "R"));
+    contact.pending = contact.session->events(dofs(contact, u, "contact.events", "u"),
+                                              dofs(contact, R, "contact.events", "R"));
     double first = 2;
     for (const auto& event : contact.pending) first = std::min(first, event.fraction);
     return first;
@@ -100,6 +117,7 @@ struct SwitchTag {};
 long switch_states(const Method<ContactHandle, SwitchTag>& m) {
   return guarded([&] {
     ContactObject& contact = m->get();
+    require_stage(contact, ContactObject::BEGUN, "contact.switchstates");
     contact.session->switch_states(contact.pending);
     const long n = static_cast<long>(contact.pending.size());
     contact.pending.clear();
@@ -112,9 +130,11 @@ struct RevertTag {};
 bool accept(Stack, const Method<ContactHandle, AcceptTag>& m, const KN_<double>& u, const KN_<double>& R) {
   return guarded([&] {
     ContactObject& contact = m->get();
+    require_stage(contact, ContactObject::CHECKED, "contact.accept");
     const burnish::CpuTimer timer(contact.event_seconds);
-    contact.session->accept(to_vector(u, "contact.accept", "u"), to_vector(R, "contact.accept", "R"),
+    contact.session->accept(dofs(contact, u, "contact.accept", "u"), dofs(contact, R, "contact.accept", "R"),
                             contact.pending);
+    contact.stage = ContactObject::NO_STEP;
     contact.pending.clear();
     return true;
   });
@@ -122,6 +142,7 @@ bool accept(Stack, const Method<ContactHandle, AcceptTag>& m, const KN_<double>&
 bool revert(const Method<ContactHandle, RevertTag>& m) {
   return guarded([&] {
     m->get().session->revert();
+    m->get().stage = ContactObject::NO_STEP;
     m->get().pending.clear();
     return true;
   });
@@ -133,6 +154,13 @@ string* reason(Stack stack, ContactHandle* const& h) {
 }
 
 } // namespace
+
+void require_stage(const ContactObject& contact, ContactObject::Stage stage, const char* where) {
+  if (contact.stage >= stage) return;
+  burnish::fail(where, contact.stage == ContactObject::NO_STEP
+                           ? "no step is under way, call begin first"
+                           : "this step has not been checked, call check first");
+}
 
 void register_contact_step() {
   using H = ContactHandle;

@@ -26,9 +26,8 @@ struct Construct {
     auto discretization = discretization_of(space, "contact");
     std::vector<char> fixed(discretization.num_dofs(), 0);
     if (a.has("fixed")) {
-      const Eigen::VectorXd flags = to_vector(a.array("fixed"), "contact", "fixed");
-      burnish::require(flags.size() == static_cast<long>(fixed.size()), "contact", "size of fixed",
-                       flags.size(), "one number per degree of freedom of the space");
+      const Eigen::VectorXd flags =
+          to_dofs(a.array("fixed"), static_cast<long>(fixed.size()), "contact", "fixed");
       for (std::size_t d = 0; d < fixed.size(); ++d) fixed[d] = flags[static_cast<long>(d)] != 0;
     }
     burnish::StepOptions options;
@@ -44,7 +43,7 @@ struct Construct {
     burnish::require(options.anderson_memory >= 0, "contact", "memory", options.anderson_memory, ">= 0");
     options.terms = terms_of(a.text("terms", "complete"));
     auto object = std::make_shared<ContactObject>();
-    object->friction = burnish::make_coulomb(a.real("friction", 0));
+    object->friction = called("rcContact", [&] { return burnish::make_coulomb(a.real("friction", 0)); });
     object->session = std::make_unique<Session<2>>(std::move(discretization),
                                                    surface_of(space, labels, "contact"), fixed, options);
     return made(std::move(object));
@@ -61,8 +60,12 @@ struct AddTool {
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& a, Method<ContactHandle, AddTag> m, ToolHandle* tool) {
     ContactObject& contact = m->get();
-    const auto friction = a.has("friction") ? burnish::make_coulomb(a.real("friction", 0)) : contact.friction;
+    const auto friction =
+        a.has("friction")
+            ? called("contact.add", [&] { return burnish::make_coulomb(a.real("friction", 0)); })
+            : contact.friction;
     contact.session->add_tool(tool->get().tool, friction);
+    tool->get().added = true;
     return true;
   }
 };
@@ -77,7 +80,11 @@ double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& 
     int index = -1;
     for (std::size_t t = 0; t < tools.size(); ++t)
       if (tools[t] == tool->get().tool) index = static_cast<int>(t);
-    return session.approach(index, *coordinate, to_vector(u, "contact.approach", "u"));
+    if (index < 0)
+      burnish::fail("contact.approach",
+                    "tool \"" + tool->get().tool->name() + "\" was not added, call add first");
+    return session.approach(index, *coordinate,
+                            to_dofs(u, session.discretization().num_dofs(), "contact.approach", "u"));
   });
 }
 

@@ -31,8 +31,10 @@ struct Construct {
     if (a.has("G") == a.has("E"))
       burnish::fail("material", "give exactly one of G= (shear modulus) and E= (Young's modulus)");
     const double nu = a.real("nu", 0), sigY = a.real("sigY", 0), H = a.real("H", 0);
-    const auto parameters = a.has("G") ? burnish::J2Parameters::from_shear(a.real("G", 0), nu, sigY, H)
-                                       : burnish::J2Parameters::from_young(a.real("E", 0), nu, sigY, H);
+    const auto parameters = called("rcMaterial", [&] {
+      return a.has("G") ? burnish::J2Parameters::from_shear(a.real("G", 0), nu, sigY, H)
+                        : burnish::J2Parameters::from_young(a.real("E", 0), nu, sigY, H);
+    });
     burnish::UpdateOptions options;
     options.update = update_of(a.text("update", "substepped"));
     options.path_limit = a.real("pathlimit", options.path_limit);
@@ -62,7 +64,11 @@ long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>
             const long& it) {
   return guarded([&] {
     const burnish::CpuTimer timer(m->get().update_seconds);
-    const auto result = m->get().body->update(to_vector(u, "material.update", "u"), dt, static_cast<int>(it));
+    const auto result = called("material.update", [&] {
+      Workpiece<2>& body = *m->get().body;
+      return body.update(to_dofs(u, body.discretization().num_dofs(), "material.update", "u"), dt,
+                         static_cast<int>(it));
+    });
     if (result.status == burnish::UpdateStatus::OK) return 0L;
     std::ostringstream text;
     text << "inverted element: det F = " << result.value << " at quadrature point " << result.point;
@@ -116,7 +122,8 @@ KN_<double> piola(Stack stack, const Method<MaterialHandle, PiolaTag>& m, const 
 }
 KN_<double> moduli(Stack stack, const Method<MaterialHandle, ModuliTag>& m, const long& i, const long& j) {
   return guarded([&] {
-    burnish::require(i >= 0 && i < 4 && j >= 0 && j < 4, "material.moduli", "index", std::max(i, j), "0..3");
+    burnish::require(i >= 0 && i < 4 && j >= 0 && j < 4, "material.moduli", "index", i >= 0 && i < 4 ? j : i,
+                     "0..3");
     const auto& body = *m->get().body;
     std::vector<double> all(16 * static_cast<std::size_t>(body.discretization().num_points()));
     for (int p = 0; p < body.discretization().num_points(); ++p)

@@ -3,13 +3,16 @@
 
 namespace rigidcontact {
 
-burnish::TripletView view_of(Matrice_Creuse<double>* matrix, const char* where) {
+burnish::TripletView view_of(Matrice_Creuse<double>* matrix, long n, const char* where) {
   HashMatrix<int, double>* A = matrix ? matrix->pHM() : nullptr;
   if (!A || A->n != A->m) burnish::fail(where, "K is empty or not square");
+  burnish::require(A->n == n, where, "size of K", A->n,
+                   (std::to_string(n) + ", the number of degrees of freedom").c_str());
   return {A->n, A->nnz, A->i, A->j, A->aij, A->half != 0};
 }
 
-newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::CondensedSystem& system) {
+newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::CondensedSystem& system,
+                                      const std::string& solver) {
   const int nnz = static_cast<int>(system.col.size());
   auto* A = new HashMatrix<int, double>(system.n, system.n, nnz, system.half ? 1 : 0);
   for (int row = 0; row < system.n; ++row)
@@ -24,7 +27,7 @@ newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::CondensedSyste
   A->type_state = HashMatrix<int, double>::type_COO;
   A->re_do_numerics = A->re_do_symbolic = 1;
   Data_Sparse_Solver options;
-  options.solver = "BURNISH";
+  options.solver = solver;
   options.sym = system.half;
   SetSolver<double>(stack, false, *A, options);
   return newpMatrice_Creuse<double>(stack, A);

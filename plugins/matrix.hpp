@@ -7,10 +7,14 @@
 namespace rigidcontact {
 
 burnish::TangentKind tangent_kind(const std::string& name);
-/// View of a square FreeFEM matrix. @throws std::invalid_argument if it is empty or not square
-burnish::TripletView view_of(Matrice_Creuse<double>* matrix, const char* where);
-/// New FreeFEM matrix with our solver attached, so that K^-1*b works without set().
-newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::CondensedSystem& system);
+/// View of an n x n FreeFEM matrix. @throws std::invalid_argument if it is empty, not square or of another
+/// size
+burnish::TripletView view_of(Matrice_Creuse<double>* matrix, long n, const char* where);
+/// The name in capitals. @throws std::invalid_argument listing the solvers loaded if it is none of them
+std::string known_solver(const std::string& name, const char* where);
+/// New FreeFEM matrix with a solver attached, so that K^-1*b works without set().
+newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::CondensedSystem& system,
+                                      const std::string& solver = "BURNISH");
 /// The same from the symmetric tangent: lower triangle.
 newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::NodeBlockMatrix<2>& K);
 

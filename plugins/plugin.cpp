@@ -21,6 +21,12 @@ Eigen::VectorXd to_vector(const KN_<double>& a, const char* where, const char* n
   return v;
 }
 
+Eigen::VectorXd to_dofs(const KN_<double>& a, long n, const char* where, const char* name) {
+  burnish::require(a.N() == n, where, (std::string("size of ") + name).c_str(), a.N(),
+                   (std::to_string(n) + ", the number of degrees of freedom").c_str());
+  return to_vector(a, where, name);
+}
+
 void to_array(const Eigen::VectorXd& v, KN_<double> a, const char* where) {
   burnish::require(a.N() == v.size(), where, "size of the array", a.N(),
                    ("an array of " + std::to_string(v.size())).c_str());

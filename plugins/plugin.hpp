@@ -14,12 +14,15 @@
 
 namespace rigidcontact {
 
+/// Text of the last error, until rcLastError() takes it.
+std::string& last_error();
 /// Error that the script sees once, with its line; exit code 20; text kept for rcLastError().
 struct PluginError : Error {
-  explicit PluginError(const std::string& message) : Error(NONE, "burnish: ", message.c_str()) {}
+  explicit PluginError(const std::string& message) : Error(NONE, "burnish: ", message.c_str()) {
+    last_error() = message;
+  }
   int errcode() const override { return 20; }
 };
-std::string& last_error();
 
 /// Runs f; turns every std::exception into a PluginError.
 template <class F> auto guarded(F&& f) -> decltype(f()) {
@@ -28,8 +31,18 @@ template <class F> auto guarded(F&& f) -> decltype(f()) {
   } catch (const Error&) {
     throw;
   } catch (const std::exception& e) {
-    last_error() = e.what();
     throw PluginError(e.what());
+  }
+}
+
+/// Runs f; its errors bear the name that the script called instead of the core's.
+template <class F> auto called(const char* where, F&& f) -> decltype(f()) {
+  try {
+    return f();
+  } catch (const std::invalid_argument& e) {
+    const std::string text = e.what();
+    const std::size_t colon = text.find(": ");
+    throw std::invalid_argument(where + (colon == std::string::npos ? ": " + text : text.substr(colon)));
   }
 }
 
@@ -42,7 +55,7 @@ template <class T> struct Handle {
     p = nullptr;
   }
   T& get() const {
-    if (!p) throw PluginError("object used before its construction");
+    if (!p) throw PluginError(std::string(T::TYPE) + " used before its construction");
     return **p;
   }
   std::shared_ptr<T> share() const {
@@ -82,6 +95,8 @@ template <class Object, class Tag, class... Makers> void add_method(const char* 
 
 /// Copy of a script array; refuses NaN and Inf with the place.
 Eigen::VectorXd to_vector(const KN_<double>& a, const char* where, const char* name);
+/// The same; refuses another size than n, the number of degrees of freedom.
+Eigen::VectorXd to_dofs(const KN_<double>& a, long n, const char* where, const char* name);
 void to_array(const Eigen::VectorXd& v, KN_<double> a, const char* where);
 /// Array result that FreeFEM frees.
 KN_<double> new_array(Stack stack, const double* data, std::size_t n);

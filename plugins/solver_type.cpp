@@ -1,6 +1,9 @@
 // Registers the solver "BURNISH": set(Khat, solver="BURNISH"). Symmetric part by CHOLMOD, the nonsymmetric
 // contact rows as a dense border, UMFPACK where that does not apply. Values changed in place are noticed.
-#include "plugin.hpp"
+// rcSolver("NAME") gives the name back if there is such a solver; FreeFEM itself takes any name silently:
+//   set(Khat, solver=rcSolver("MUMPS"));
+#include "base/error.hpp"
+#include "matrix.hpp"
 
 #include "VirtualSolver.hpp"
 #include "solver/bordered_solver.hpp"
@@ -89,8 +92,26 @@ private:
   bool m_done = false, m_bordered = false;
 };
 
+string* checked_solver(Stack stack, string* const& name) {
+  return guarded([&] { return new_string(stack, known_solver(*name, "rcSolver")); });
+}
+
 } // namespace
 
-void register_solver() { addsolver<BurnishSolver>("BURNISH", 50); }
+std::string known_solver(const std::string& name, const char* where) {
+  std::string upper = name, list;
+  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
+  for (const auto& solver : TheFFSolver<int, double>::ffsolver) {
+    if (solver.first == upper) return upper;
+    list += (list.empty() ? "" : ", ") + solver.first;
+  }
+  burnish::fail(where, "unknown solver \"" + name + "\", expected one of " + list +
+                           " (others after load, such as \"MUMPS_seq\")");
+}
+
+void register_solver() {
+  addsolver<BurnishSolver>("BURNISH", 50);
+  Global.Add("rcSolver", "(", new OneOperator1s_<string*, string*>(checked_solver));
+}
 
 } // namespace rigidcontact

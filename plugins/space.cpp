@@ -15,6 +15,9 @@ std::vector<int> element_nodes(const FESpace& V, int k, const char* where) {
     burnish::fail(where, "the space must be [P1,P1] or [P2,P2] on a 2D mesh");
   std::vector<int> nodes;
   for (int a = 0; a < dofs / 2; ++a) {
+    if (K.DFOnWhat(a) != a) // P1nc, discontinuous spaces and others have their nodes elsewhere
+      burnish::fail(where,
+                    "the space must be [P1,P1] or [P2,P2]: nodes at vertices and mid-edges, continuous");
     if (K(a) % 2 != 0 || K(a + dofs / 2) != K(a) + 1)
       burnish::fail(where, "the space must be [P1,P1] or [P2,P2]: the components of a node must be adjacent");
     nodes.push_back(K(a) / 2);
@@ -34,6 +37,7 @@ burnish::Discretization<2> discretization_of(pfes* const& space, const char* whe
   const FESpace& V = space_of(space, where);
   const Mesh& Th = V.Th;
   std::vector<double> X(V.NbOfDF);
+  std::vector<char> placed(V.NbOfDF / 2, 0);
   std::vector<int> connectivity;
   int per_element = 0;
   for (int k = 0; k < Th.nt; ++k) {
@@ -42,8 +46,17 @@ burnish::Discretization<2> discretization_of(pfes* const& space, const char* whe
     connectivity.insert(connectivity.end(), nodes.begin(), nodes.end());
     for (int a = 0; a < per_element; ++a) {
       const R2 P = a < 3 ? R2(Th[k][a]) : 0.5 * (R2(Th[k][(a - 2) % 3]) + R2(Th[k][(a - 1) % 3]));
-      X[2 * nodes[a]] = P.x;
-      X[2 * nodes[a] + 1] = P.y;
+      double* x = &X[2 * nodes[a]];
+      if (placed[nodes[a]] &&
+          (x[0] - P.x) * (x[0] - P.x) + (x[1] - P.y) * (x[1] - P.y) > 1e-12 * Th[k].area) {
+        std::ostringstream text;
+        text << "node " << nodes[a] << " is at (" << x[0] << ", " << x[1] << ") and at (" << P.x << ", "
+             << P.y << "), expected one place: periodic spaces are not supported";
+        burnish::fail(where, text.str());
+      }
+      placed[nodes[a]] = 1;
+      x[0] = P.x;
+      x[1] = P.y;
     }
   }
   return burnish::triangles(per_element, std::move(X), std::move(connectivity));

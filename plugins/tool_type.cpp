@@ -59,6 +59,10 @@ struct Coordinates {
     else
       burnish::fail("tool.coordinates",
                     "unknown kind \"" + *kind + "\", expected \"polar\" or \"cartesian\"");
+    if (m->get().added)
+      burnish::fail("tool.coordinates",
+                    "tool \"" + m->get().tool->name() +
+                        "\" belongs to a contact already: choose its coordinates before add");
     m->get().tool->set_coordinates(coordinates);
     return true;
   }
@@ -76,13 +80,13 @@ double place(const Method<ToolHandle, PlaceTag>& m, string* const& name, const d
 }
 double move(const Method<ToolHandle, MoveTag>& m, string* const& name, const double& value) {
   return guarded([&] {
-    m->get().tool->drive().move(*name, value);
+    called("tool.move", [&] { m->get().tool->drive().move(*name, value); });
     return value;
   });
 }
 double load(const Method<ToolHandle, LoadTag>& m, string* const& name, const double& value) {
   return guarded([&] {
-    m->get().tool->drive().load(*name, value);
+    called("tool.force", [&] { m->get().tool->drive().load(*name, value); });
     return value;
   });
 }

@@ -12,14 +12,20 @@ using burnish::Session;
 using burnish::Workpiece;
 
 struct ToolObject {
+  static constexpr const char* TYPE = "tool";
+  bool added = false; // to a contact: the coordinates stay
   std::shared_ptr<burnish::DrivenTool<2>> tool;
 };
 struct MaterialObject {
+  static constexpr const char* TYPE = "material";
   std::unique_ptr<Workpiece<2>> body;
   burnish::NodeBlockMatrix<2> tangent;
   double update_seconds = 0, assembly_seconds = 0; // CPU
 };
 struct ContactObject {
+  static constexpr const char* TYPE = "contact";
+  /// What the step under way has seen: the order of calls is begin, check, correct..., accept or revert.
+  enum Stage { NO_STEP, BEGUN, CHECKED } stage = NO_STEP;
   std::unique_ptr<Session<2>> session;
   std::shared_ptr<const burnish::FrictionLaw> friction; // default of add()
   burnish::TripletReader<2> reader;
@@ -27,6 +33,9 @@ struct ContactObject {
   std::vector<double> rhs;                        // of the last condensed matrix
   double event_seconds = 0, condense_seconds = 0; // CPU
 };
+
+/// @throws std::invalid_argument "where: call ... first" unless the step has got that far
+void require_stage(const ContactObject& contact, ContactObject::Stage stage, const char* where);
 
 using ToolHandle = Handle<ToolObject>;
 using MaterialHandle = Handle<MaterialObject>;

@@ -1,15 +1,21 @@
 // Small things a step loop needs from the machine, and the step control.
-//   rcLastError(), rcWallTime(), rcInterrupted(), rcBlas(), rcReferenceBlas(), rcVersion(),
-//   rcMakeFolder(path) stepcontrol S(tend, dtmax=..., stepsperwidth=14, dtmin=...);  S.propose(width, speed),
+//   rcLastError(0) text of the last error, once; rcFail(text) ends the script with it, unless caught
+//   rcWallTime(0), rcCatchInterrupt(0), rcInterrupted(0), rcBlas(0), rcReferenceBlas(0), rcVersions(0),
+//   rcNumber(name, text), rcJson(number or text), rcMakeFolder(path)
+//   stepcontrol S(tend, dtmax=..., stepsperwidth=14, dtmin=...);  S.propose(width, speed),
 //   S.accepted(), S.rejected(), S.cut(f), S.t, S.dt, S.finished
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "named.hpp"
 #include "solver/blas_info.hpp"
 #include "stepping/step_control.hpp"
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
+#include <iomanip>
+#include <utility>
 
 namespace rigidcontact {
 namespace {
@@ -20,7 +26,11 @@ void note_signal(int) {
   interrupted = 1;
 }
 
-string* last_error_text(Stack stack, const long&) { return new_string(stack, last_error()); }
+// Taken, not only read: an error of FreeFEM's own leaves no text, and must not be told by an older one.
+string* last_error_text(Stack stack, const long&) {
+  return new_string(stack, std::exchange(last_error(), std::string()));
+}
+bool fail_with(string* const& message) { throw PluginError(*message); }
 double wall_time(const long&) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -49,23 +59,52 @@ double number(string* const& name, string* const& text) {
     return value;
   });
 }
+// JSON: numbers in the fewest digits that give them back, null for NaN and Inf; texts in quotes.
+string* json_number(Stack stack, const double& value) {
+  if (!std::isfinite(value)) return new_string(stack, "null");
+  char text[40];
+  for (int digits = 6; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
+  return new_string(stack, text);
+}
+string* json_text(Stack stack, string* const& value) {
+  std::ostringstream text;
+  text << '"';
+  for (const char c : *value)
+    if (c == '"' || c == '\\')
+      text << '\\' << c;
+    else if (static_cast<unsigned char>(c) < 0x20)
+      text << "\\u00" << std::hex << std::setw(2) << std::setfill('0') << static_cast<int>(c) << std::dec;
+    else
+      text << c;
+  text << '"';
+  return new_string(stack, text.str());
+}
 bool make_folder(string* const& path) {
   return guarded([&] {
     std::error_code code;
     std::filesystem::create_directories(*path, code);
     const std::string probe = *path + "/.writable";
     bool ok = false;
-    if (std::FILE* f = std::fopen(probe.c_str(), "w")) {
+    int reason = 0;
+    std::FILE* f = std::fopen(probe.c_str(), "w");
+    if (!f) reason = errno;
+    if (f) {
       std::fclose(f);
       std::filesystem::remove(probe, code);
       ok = true;
     }
-    if (!ok) burnish::fail("rcMakeFolder", "the output folder \"" + *path + "\" cannot be written");
+    if (!ok)
+      burnish::fail("rcMakeFolder",
+                    "the output folder \"" + *path + "\" cannot be written: " + std::strerror(reason));
     return true;
   });
 }
 
 struct ControlObject {
+  static constexpr const char* TYPE = "stepcontrol";
   std::unique_ptr<burnish::StepControl> control;
 };
 using ControlHandle = Handle<ControlObject>;
@@ -76,6 +115,10 @@ struct Construct {
     handle->init();
     burnish::StepControlOptions options;
     options.t_end = t_end;
+    for (const char* name : {"dtmax", "dtmin"})
+      if (a.has(name))
+        burnish::require(std::isfinite(a.real(name, 0)) && a.real(name, 0) > 0, "stepcontrol", name,
+                         a.real(name, 0), "a finite number > 0");
     options.dt_max = a.real("dtmax", options.dt_max);
     options.dt_min = a.real("dtmin", options.dt_min);
     options.steps_per_width = a.real("stepsperwidth", options.steps_per_width);
@@ -98,18 +141,24 @@ struct ProposeTag {};
 struct AcceptedTag {};
 struct RejectedTag {};
 struct CutTag {};
+burnish::StepControl& proposed(ControlHandle* handle, const char* where) {
+  burnish::StepControl& control = *handle->get().control;
+  if (control.dt() <= 0) burnish::fail(where, "there is no step yet, call propose first");
+  return control;
+}
 double propose(const Method<ControlHandle, ProposeTag>& m, const double& width, const double& speed) {
   return guarded([&] { return m->get().control->propose(width, speed); });
 }
 bool accepted(const Method<ControlHandle, AcceptedTag>& m) {
-  return guarded([&] { return m->get().control->accepted(), true; });
+  return guarded([&] { return proposed(m.object, "stepcontrol.accepted").accepted(), true; });
 }
 bool rejected(const Method<ControlHandle, RejectedTag>& m) {
-  return guarded([&] { return m->get().control->rejected(); });
+  return guarded([&] { return proposed(m.object, "stepcontrol.rejected").rejected(); });
 }
 double cut(const Method<ControlHandle, CutTag>& m, const double& f) {
   return guarded([&] {
-    m->get().control->cut(f);
+    burnish::require(f > 0 && f <= 1, "stepcontrol.cut", "fraction", f, "0 < fraction <= 1");
+    proposed(m.object, "stepcontrol.cut").cut(f);
     return m->get().control->dt();
   });
 }
@@ -123,6 +172,9 @@ bool at_output(ControlHandle* const& h) { return h->get().control->at_output(); 
 void register_tools_of_the_trade() {
   using H = ControlHandle;
   Global.Add("rcLastError", "(", new OneOperator1s_<string*, long>(last_error_text));
+  Global.Add("rcFail", "(", new OneOperator1_<bool, string*>(fail_with));
+  Global.Add("rcJson", "(", new OneOperator1s_<string*, double>(json_number));
+  Global.Add("rcJson", "(", new OneOperator1s_<string*, string*>(json_text));
   Global.Add("rcWallTime", "(", new OneOperator1_<double, long>(wall_time));
   Global.Add("rcCatchInterrupt", "(", new OneOperator1_<bool, long>(catch_interrupt));
   Global.Add("rcInterrupted", "(", new OneOperator1_<bool, long>(was_interrupted));

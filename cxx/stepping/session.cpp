@@ -18,7 +18,7 @@ Session<Dim>::Session(Discretization<Dim> discretization, std::vector<SurfaceEdg
     if (!held) m_candidates.push_back(node);
   }
   require(!m_candidates.empty(), "contact", "number of candidate nodes", 0,
-          "at least one node that may move");
+          "at least one node on the labels that is not fixed");
   m_u = m_R = Eigen::VectorXd::Zero(m_discretization->num_dofs());
 }
 
