@@ -224,13 +224,14 @@ void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
   m_R = R;
   if (m_stepping == Stepping::RATES) m_corrector->measure(u, R);
   if (m_stepping != Stepping::IMPLICIT) {
-    apply_events(model(), m_corrector->body(), events, u, state);
-    keep_support(state);
     settle_released(model(), m_corrector->body(), u,
                     m_corrector->options().gap_tolerance * m_corrector->body().spacing, state);
+    apply_events(model(), m_corrector->body(), events, u, state); // released now: leaves in the next step
+    keep_support(state);
     m_log.insert(m_log.end(), events.begin(), events.end());
   }
   m_accepted = state;
+  m_load_scale = m_corrector->load_scale();
   m_program_old = m_program;
   ++m_steps_since_factor;
   for (std::size_t t = 0; t < m_tools.size(); ++t) {
@@ -242,6 +243,7 @@ void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
 template <int Dim> void Session<Dim>::revert() {
   if (!m_corrector) return;
   m_corrector->state() = m_accepted;
+  m_corrector->set_load_scale(m_load_scale); // the load of a step that is not accepted does not count
   if (m_stepping == Stepping::IMPLICIT) m_corrector->drop_factor(); // an event step only becomes shorter
 }
 

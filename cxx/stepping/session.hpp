@@ -116,7 +116,7 @@ private:
   Program m_program, m_program_old;
   StepHistory<Dim> m_history;
   Stepping m_stepping = Stepping::IMPLICIT;
-  double m_t = 0, m_dt = 0;
+  double m_t = 0, m_dt = 0, m_load_scale = 0;
   int m_steps_since_factor = 0;
   long m_condensations = 0;
   std::vector<ContactEvent<Dim>> m_log;
