@@ -133,7 +133,8 @@ int test_window(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
 } // namespace
 
 template <int Dim>
-int ensure_support(const ContactModel<Dim>& model, const Program& program, ContactState<Dim>& state) {
+int ensure_support(const ContactModel<Dim>& model, const Program& program, ContactState<Dim>& state,
+                   const std::vector<char>& refused) {
   const auto poses = model.poses(state.q);
   for (std::size_t t = 0; t < model.tools.size(); ++t) {
     if (model.friction[t]->frictionless()) continue;
@@ -149,7 +150,8 @@ int ensure_support(const ContactModel<Dim>& model, const Program& program, Conta
       const Eigen::VectorXd xn = (p.x_q.transpose() * p.n).cwiseAbs(), xx = p.x_q.colwise().norm();
       normal = any ? Eigen::VectorXd(normal.cwiseMax(xn)) : xn;
       size = any ? Eigen::VectorXd(size.cwiseMax(xx)) : xx;
-      const double slip = std::abs((node.s - node.s_ref)[0]);
+      const bool last_resort = !refused.empty() && refused[i];
+      const double slip = std::abs((node.s - node.s_ref)[0]) + (last_resort ? 1e300 : 0);
       if (best < 0 || slip < smallest) {
         best = static_cast<int>(i);
         smallest = slip;
@@ -175,11 +177,15 @@ WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<
                                  const WindowProblem<Dim>& problem) {
   WindowSolution<Dim> solution;
   ContactState<Dim> trial = state;
+  std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
   for (solution.passes = 1;; ++solution.passes) {
-    if (problem.adapt) ensure_support(model, program, trial);
+    if (problem.adapt) ensure_support(model, program, trial, refused);
     if (!solve_active(model, body, program, state, trial, problem, solution)) break;
     if (!problem.adapt || solution.passes >= problem.max_passes) break;
+    const ContactState<Dim> before = trial;
     if (test_window(model, body, problem, solution, trial) == 0) break;
+    for (std::size_t i = 0; i < refused.size(); ++i)
+      refused[i] = refused[i] || (holds(before.nodes[i].state) && trial.nodes[i].state == NodeState::SLIDING);
   }
   if (solution.singular) solution.state = trial;
   solution.fresh.assign(state.nodes.size(), 0);
@@ -188,7 +194,8 @@ WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<
   return solution;
 }
 
-template int ensure_support<2>(const ContactModel<2>&, const Program&, ContactState<2>&);
+template int ensure_support<2>(const ContactModel<2>&, const Program&, ContactState<2>&,
+                               const std::vector<char>&);
 template WindowSolution<2> solve_window<2>(const ContactModel<2>&, const BodyView<2>&, const Program&,
                                            const ContactState<2>&, const WindowProblem<2>&);
 

@@ -38,8 +38,11 @@ WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<
                                  const WindowProblem<Dim>& problem);
 
 /// Makes one node of a tool stick where a coordinate under force would otherwise only meet sliding friction:
-/// the sliding node with the smallest slip. @returns its candidate number or -1 if nothing had to be done
+/// the sliding node with the smallest slip.
+/// @param refused per candidate: sticking was tried and exceeded the friction, taken last; may be empty
+/// @returns its candidate number or -1 if nothing had to be done
 template <int Dim>
-int ensure_support(const ContactModel<Dim>& model, const Program& program, ContactState<Dim>& state);
+int ensure_support(const ContactModel<Dim>& model, const Program& program, ContactState<Dim>& state,
+                   const std::vector<char>& refused = {});
 
 } // namespace burnish
