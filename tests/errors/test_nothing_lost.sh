@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# A run that ends early leaves whole results of its last accepted state and says how it ended: step floor (exit code 3),
+# Ctrl-C and SIGTERM (130), errors of the program, of the forces within a step and of FreeFEM itself (20).
+set -u
+failures=0
+report() { echo "FAILED: $*"; failures=$((failures + 1)); }
+whole() { PYTHONDONTWRITEBYTECODE=1 "${PYTHON:-/usr/bin/python3}" tests/errors/whole.py "$@" || failures=$((failures + 1)); }
+coarse=(-element P2 -inner 4 -outer 40 -sides 6 -pictures 0 -series 2)
+# finish NAME CODE "words": the status and the last words of a run whose output is in $SCRATCH/NAME.log
+finish() {
+  [ "$status" = "$2" ] || { report "$1: exit status $status instead of $2"; tail -n 5 "$SCRATCH/$1.log"; }
+  grep -qF -- "$3" "$SCRATCH/$1.log" || { report "$1: the output lacks \"$3\""; tail -n 5 "$SCRATCH/$1.log"; }
+}
+
+# 1. A load that nothing bears: the step falls below its floor
+"$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -F0 1e9 -out "$SCRATCH/floor" >"$SCRATCH/floor.log" 2>&1
+status=$?
+finish floor 3 'burnish: stopped early: '
+whole "$SCRATCH/floor" 'step below its floor' '' 20 15e-3
+
+# 2. Ctrl-C and SIGTERM after some steps, in both integrators
+for run in INT:implicit TERM:implicit INT:event; do
+  signal=${run%:*} name=${run/:/-}
+  "$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -steps 5000 -scheme "${run#*:}" -out "$SCRATCH/$name" \
+    >"$SCRATCH/$name.log" 2>&1 &
+  process=$!
+  for _ in {1..300}; do
+    [ "$(cat "$SCRATCH/$name/history.csv" 2>/dev/null | wc -l)" -lt 20 ] || break
+    sleep 0.05
+  done
+  kill -s "$signal" "$process"
+  wait "$process"
+  status=$?
+  finish "$name" 130 'burnish: stopped early: interrupted'
+  whole "$SCRATCH/$name" interrupted interrupted 10 15e-3
+done
+
+# 3. Errors on the way: copies of the case with one line more
+# broken NAME SED-COMMAND
+broken() {
+  mkdir -p "$SCRATCH/$1.case"
+  cp cases/rolling/*.idp "$SCRATCH/$1.case"
+  sed "$2" cases/rolling/rolling.edp >"$SCRATCH/$1.case/rolling.edp"
+  ! cmp -s cases/rolling/rolling.edp "$SCRATCH/$1.case/rolling.edp" || report "$1: the case could not be changed"
+  "$BURNISH" "$SCRATCH/$1.case/rolling.edp" "${coarse[@]}" -out "$SCRATCH/$1" >"$SCRATCH/$1.log" 2>&1
+  status=$?
+}
+at='func int program(real t) {'
+broken drive "s/^$at/$at rcCheck(t < 0.5, \"the drive gives up at t = \" + t);/"
+finish drive 20 'burnish: stopped early: the drive gives up at t = 0.5'
+whole "$SCRATCH/drive" error 'the drive gives up at t = 0.5' 20 15e-3
+
+broken motion "s/^$at/$at if (t > 0.5) roller.move(\"psi\", 0);/"
+finish motion 20 'has no coordinate "psi"'
+whole "$SCRATCH/motion" error 'has no coordinate "psi", expected one of r, phi, theta' 20 15e-3
+
+# within a step, when the displacements are those of the predictor already
+broken force "s/none(0);/none(Vh.ndof); none = 0;/; s/^$at/$at if (t > 0.5) none[0] = sqrt(-1.);/"
+finish force 20 'burnish: stopped early: contact.check: R[0] = '
+whole "$SCRATCH/force" error 'contact.check: R[0] = ' 20 15e-3
+
+broken record 's/^  rcHistoryLine(C, M, roller, history, t, 0, 0);/& int[int] two(2); if (t > 0.5) two[7] = 1;/'
+finish record 20 'Out of bound in operator []'
+whole "$SCRATCH/record" error 'an error of the script or of FreeFEM, told above' 20 15e-3
+
+# external forces of another size are refused, not left out
+broken external 's/none(0);/none(3); none = 0;/'
+finish external 20 'burnish: rcRun: size of external = 3, expected 0 or '
+
+# 4. Names and numbers that JSON does not take as they are
+odd="$SCRATCH/a \"quoted\" \\name"
+"$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -nu 0.3200000001 -out "$odd" >"$SCRATCH/odd.log" 2>&1
+status=$?
+finish odd 0 'Example 1 at t = 1'
+whole "$odd" finished '' 20 15e-3
+"${PYTHON:-/usr/bin/python3}" - "$odd" <<'END' || report "the options of the summary"
+import json, sys
+options = json.load(open(sys.argv[1] + "/summary.json"))["options"]
+assert options["out"] == sys.argv[1], options["out"]
+assert options["nu"] == 0.3200000001, options["nu"]
+END
+
+echo "$failures failed"
+[ "$failures" = 0 ]

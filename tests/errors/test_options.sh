@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# Options of the rolling case, its output folder and FreeFEM's own refusals: each bad command ends with its exit code and
+# a message that names what is wrong; nothing is computed.
+set -u
+failures=0
+# refuse CODE "words|more words" COMMAND...
+refuse() {
+  local code=$1 words=$2 output status word
+  shift 2
+  output=$(timeout 60 "$@" 2>&1 </dev/null)
+  status=$?
+  if [ "$status" != "$code" ]; then
+    echo "FAILED: exit status $status instead of $code: $*"; head -n 20 <<<"$output"; failures=$((failures + 1)); return
+  fi
+  while IFS= read -r word; do
+    grep -qF -- "$word" <<<"$output" && continue
+    echo "FAILED: the output of $* lacks \"$word\":"; head -n 20 <<<"$output"; failures=$((failures + 1)); return
+  done <<<"${words//|/$'\n'}"
+  grep -F 'burnish:' <<<"$output" | head -n 1
+}
+rolling() { local code=$1 words=$2; shift 2; refuse "$code" "$words" "$BURNISH" cases/rolling/rolling.edp -out "$SCRATCH/r" "$@"; }
+
+rolling 20 'unknown option -muu|expected one of|-mu ' -muu 0.2
+rolling 20 'unknown option stray|expected one of' stray
+rolling 20 'option -mu has no value' -mu
+rolling 20 'option -mu has no value' -mu ''
+rolling 20 'option -element has no value' -element
+rolling 20 'option: -mu has the value "high"|expected a number' -mu high
+rolling 20 'option: -mu has the value "0.2x"|expected a number' -mu 0.2x
+rolling 20 'option: -mu has the value "-outer"|expected a number' -mu -outer 30
+rolling 20 'option -inner has the value "4.5"|expected a whole number' -inner 4.5
+rolling 20 'option -element is "P3"|expected P1 or P2' -element P3
+rolling 20 'option -scheme is "magic"|expected implicit, event or article' -scheme magic
+rolling 20 'option -steps is 0|expected >= 1' -steps 0
+rolling 20 'at least 2 divisions' -inner 1
+[ ! -e "$SCRATCH/r" ] || { echo "FAILED: a refused run made its output folder"; failures=$((failures + 1)); }
+small=(-element P1 -inner 4 -outer 20 -sides 4 -pictures 0)
+rolling 20 'nu = 0.5|-1 < nu < 0.5' "${small[@]}" -nu 0.5
+rolling 20 'yield_stress = -1|> 0' "${small[@]}" -sigY -1
+rolling 20 'yield_stress = 0|> 0' "${small[@]}" -sigY 0
+rolling 20 'mu = -0.2|mu >= 0' "${small[@]}" -mu -0.2
+rolling 20 'unknown update "best"' "${small[@]}" -update best
+rolling 20 'tolerance = 0|0 < tolerance < 1' "${small[@]}" -tolerance 0
+rolling 20 'radius = -1|> 0' "${small[@]}" -R -1
+rolling 20 'the output folder "/dev/null/x" cannot be written|Not a directory' "${small[@]}" -out /dev/null/x
+touch "$SCRATCH/file"
+rolling 20 'the output folder "'"$SCRATCH"'/file" cannot be written|Not a directory' "${small[@]}" -out "$SCRATCH/file"
+refuse 134 'Error opening file|does-not-exist.edp' "$BURNISH" "$SCRATCH/does-not-exist.edp"
+
+# what FreeFEM itself refuses, with its own exit codes, before anything reaches the plugin
+cat >"$SCRATCH/method.edp" <<'END'
+include "burnish.idp"
+tool t(circle=1);
+t.fly(3);
+END
+refuse 1 'fly' "$BURNISH" "$SCRATCH/method.edp"
+cat >"$SCRATCH/named.edp" <<'END'
+include "burnish.idp"
+tool t(circle=1, colour=2);
+END
+refuse 1 'colour' "$BURNISH" "$SCRATCH/named.edp"
+cat >"$SCRATCH/solid.edp" <<'END'
+include "burnish.idp"
+load "msh3"
+mesh3 Th = cube(1, 1, 1);
+fespace Vh(Th, [P1, P1, P1]);
+material M = rcMaterial(Vh, G=1, nu=0.3, sigY=1, H=0);
+END
+refuse 1 'error operator|MaterialObject|solid.edp' "$BURNISH" "$SCRATCH/solid.edp"
+# an uncaught error of ours: text once, line, exit code 20
+cat >"$SCRATCH/uncaught.edp" <<'END'
+include "burnish.idp"
+cout << "before" << endl;
+tool t(circle=-1);
+cout << "after" << endl;
+END
+refuse 20 'before|current line = 3|burnish: Circle: radius = -1, expected a finite number > 0' "$BURNISH" "$SCRATCH/uncaught.edp"
+[ "$("$BURNISH" "$SCRATCH/uncaught.edp" | grep -c radius)" = 1 ] || { echo "FAILED: text not once"; failures=$((failures + 1)); }
+
+# meshes with inverted triangles: whatever way in, FreeFEM says so and stops
+cat >"$SCRATCH/inverted.msh" <<'END'
+4 2 4
+0 0 1
+1 0 1
+1 1 1
+0 1 1
+1 2 3 0
+1 4 3 0
+1 2 1
+2 3 2
+3 4 3
+4 1 4
+END
+cat >"$SCRATCH/gmsh.msh" <<'END'
+$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+6
+1 1 2 1 1 1 2
+2 1 2 2 2 2 3
+3 1 2 3 3 3 4
+4 1 2 4 4 4 1
+5 2 2 1 1 1 2 3
+6 2 2 1 1 1 4 3
+$EndElements
+END
+material='fespace Vh(Th, [P1, P1]); material M = rcMaterial(Vh, G=1, nu=0.3, sigY=1, H=0); cout << "LET THROUGH" << endl;'
+{ echo 'include "burnish.idp"'; echo "mesh Th = readmesh(\"$SCRATCH/inverted.msh\");"; echo "$material"; } >"$SCRATCH/read.edp"
+refuse 5 'area of triangle < 0|Triangle 1' "$BURNISH" "$SCRATCH/read.edp"
+{ echo 'include "burnish.idp"'; echo 'load "gmsh"'; echo "mesh Th = gmshload(\"$SCRATCH/gmsh.msh\");"; echo "$material"; } >"$SCRATCH/load.edp"
+refuse 6 'area > 0' "$BURNISH" "$SCRATCH/load.edp"
+{ echo 'include "burnish.idp"'; echo 'mesh Tq = square(2, 2);'
+  echo 'mesh Th = movemesh(Tq, [x + 1.2*(x > 0.4 && x < 0.6 && y > 0.4 && y < 0.6), y]);'; echo "$material"; } >"$SCRATCH/move.edp"
+refuse 8 'triangles was reverse' "$BURNISH" "$SCRATCH/move.edp"
+
+echo "$failures failed"
+[ "$failures" = 0 ]
