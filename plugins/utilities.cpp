@@ -45,7 +45,8 @@ string* blas(Stack stack, const long&) { return new_string(stack, burnish::blas_
 string* versions(Stack stack, const long&) {
   std::ostringstream text;
   text << "{\"burnish\": \"" << BURNISH_VERSION << "\", \"eigen\": \"" << EIGEN_WORLD_VERSION << "."
-       << EIGEN_MAJOR_VERSION << "." << EIGEN_MINOR_VERSION << "\", \"blas\": \"" << burnish::blas_name()
+       << EIGEN_MAJOR_VERSION << "." << EIGEN_MINOR_VERSION << "\", \"sparse\": \""
+       << burnish::sparse_solver_versions() << "\", \"blas\": \"" << burnish::blas_name()
        << "\", \"compiler\": \"" << __VERSION__ << "\"}";
   return new_string(stack, text.str());
 }

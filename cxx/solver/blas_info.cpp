@@ -1,6 +1,9 @@
 #include "solver/blas_info.hpp"
 #include "base/error.hpp"
 #include <dlfcn.h>
+#include <sstream>
+#include <suitesparse/cholmod.h>
+#include <suitesparse/umfpack.h>
 
 namespace burnish {
 
@@ -12,6 +15,13 @@ template <class Function> Function* find_function(const char* name) {
 }
 
 } // namespace
+
+std::string sparse_solver_versions() {
+  std::ostringstream text;
+  text << "CHOLMOD " << CHOLMOD_MAIN_VERSION << "." << CHOLMOD_SUB_VERSION << "." << CHOLMOD_SUBSUB_VERSION
+       << ", UMFPACK " << UMFPACK_MAIN_VERSION << "." << UMFPACK_SUB_VERSION << "." << UMFPACK_SUBSUB_VERSION;
+  return text.str();
+}
 
 std::string blas_name() {
   auto* get_config = find_function<char*()>("openblas_get_config");

@@ -8,6 +8,9 @@ namespace burnish {
 /// BLAS".
 std::string blas_name();
 
+/// Versions of CHOLMOD and UMFPACK compiled against, "CHOLMOD 3.0.14, UMFPACK 5.7.9".
+std::string sparse_solver_versions();
+
 /// True unless OpenBLAS is found in the process. Worth a notice to the user; another fast BLAS (MKL, BLIS) is
 /// not recognized and counts as reference.
 bool is_reference_blas();
