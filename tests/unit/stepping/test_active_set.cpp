@@ -1,0 +1,171 @@
+// Contact states on the dense block: which states nodes take, in which order, and the support of a tool.
+#include "stepping/active_set.hpp"
+#include "unit/contact/event_scene.hpp"
+
+using namespace burnish;
+using namespace burnish::test;
+
+namespace {
+
+/// Six nodes, each on its own springs of stiffness 1 in x and y, under a plate moved by the program.
+struct Springs : EventScene {
+  Program program{{1, 1, 1}, Eigen::VectorXd::Zero(3)};
+  std::vector<int> window = {0, 1, 2, 3, 4, 5};
+  Eigen::MatrixXd flexibility = Eigen::MatrixXd::Identity(12, 12);
+  std::vector<ContactNode<2>> entry;
+  WindowProblem<2> problem;
+
+  explicit Springs(double mu, double plate = 0) {
+    add_plate(0, mu);
+    program.value[1] = plate;
+    entry.resize(6);
+    for (int i = 0; i < 6; ++i) {
+      entry[i].tool = 0;
+      entry[i].s[0] = entry[i].s_ref[0] = 20 - i;
+    }
+    problem.window = &window;
+    problem.flexibility = &flexibility;
+    problem.free_increment = Eigen::VectorXd::Zero(12);
+    problem.u = &u0;
+    problem.R = &R0;
+    problem.entry = &entry;
+    problem.force_tolerance = problem.gap_tolerance = 1e-9;
+  }
+  WindowSolution<2> solve() const { return solve_window(model, body, program, start, problem); }
+  static double pressure(const WindowSolution<2>& solution, int i) { return -solution.F[2 * i + 1]; }
+};
+
+} // namespace
+
+TEST(ActiveSet, PenetratingNodesStickWhereTheyEnter) {
+  Springs springs(0.3, -0.1);
+  springs.problem.free_increment[2 * 4 + 1] = -0.5; // out of reach
+  springs.entry[2].s_ref[0] = 18.02;
+  const auto solution = springs.solve();
+  EXPECT_EQ(solution.passes, 2);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_STREQ(name_of(solution.state.nodes[i].state), i == 4 ? "free" : "sticking");
+    EXPECT_EQ(solution.fresh[i], i != 4);
+    EXPECT_NEAR(Springs::pressure(solution, i), i == 4 ? 0 : 0.1, 1e-14);
+  }
+  EXPECT_EQ(solution.state.nodes[2].s[0], 18.02);
+  EXPECT_NEAR(solution.F[4], -0.02, 1e-13) << "pulled to the place where it sticks";
+  EXPECT_NEAR(solution.state.q[1], -0.1, 1e-15);
+}
+
+TEST(ActiveSet, WithoutFrictionNodesSlide) {
+  const auto solution = Springs(0, -0.1).solve();
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_STREQ(name_of(solution.state.nodes[i].state), "sliding");
+    EXPECT_EQ(solution.state.nodes[i].slip_sign, 0);
+    EXPECT_NEAR(solution.F[2 * i], 0, 1e-14);
+  }
+}
+
+// Adhesion: a sticking node slides first, and only a sliding one is released (method.md section 5).
+TEST(ActiveSet, StickingNodeSlidesBeforeItIsReleased) {
+  Springs springs(0.3, 0.1);
+  springs.touch(2, NodeState::STICKING, 0);
+  springs.touch(3, NodeState::SLIDING, 1);
+  springs.problem.max_passes = 2;
+  auto solution = springs.solve();
+  EXPECT_STREQ(name_of(solution.state.nodes[2].state), "sliding");
+  EXPECT_STREQ(name_of(solution.state.nodes[3].state), "free");
+  springs.problem.max_passes = 12;
+  solution = springs.solve();
+  EXPECT_STREQ(name_of(solution.state.nodes[2].state), "free");
+  EXPECT_EQ(solution.state.nodes[2].slip_sign, 0);
+  EXPECT_EQ(solution.passes, 3);
+  EXPECT_EQ(solution.F.norm(), 0);
+}
+
+// The body pushes node 1 sideways by 0.5 under N = 0.1, mu = 0.3: it slides until T = 0.03 is left.
+TEST(ActiveSet, FrictionExhaustedSlides) {
+  for (const double side : {1., -1.}) {
+    Springs springs(0.3, -0.1);
+    springs.touch(1, NodeState::STICKING, 0);
+    springs.problem.free_increment[2] = 0.5 * side;
+    const auto solution = springs.solve();
+    const auto& node = solution.state.nodes[1];
+    EXPECT_STREQ(name_of(node.state), "sliding");
+    EXPECT_EQ(node.slip_sign, -side) << "s runs against x";
+    EXPECT_NEAR(solution.F[2], -0.03 * side, 1e-13);
+    EXPECT_NEAR(node.s[0] - node.s_ref[0], -0.47 * side, 1e-13);
+    EXPECT_FALSE(solution.fresh[1]);
+  }
+}
+
+TEST(ActiveSet, BackwardSlipSticks) {
+  Springs springs(0.3, -0.1);
+  springs.touch(1, NodeState::SLIDING, 1);
+  springs.problem.free_increment[2] = 0.01; // along -s, too little to slide that way
+  const auto solution = springs.solve();
+  EXPECT_STREQ(name_of(solution.state.nodes[1].state), "sticking");
+  EXPECT_EQ(solution.state.nodes[1].s[0], solution.state.nodes[1].s_ref[0]);
+  EXPECT_NEAR(solution.F[2], -0.01, 1e-13);
+}
+
+TEST(ActiveSet, StatesStayInEventStepping) {
+  Springs springs(0.3, 0.1);
+  springs.touch(2, NodeState::STICKING, 0);
+  springs.problem.adapt = false;
+  const auto solution = springs.solve();
+  EXPECT_STREQ(name_of(solution.state.nodes[2].state), "sticking");
+  EXPECT_NEAR(Springs::pressure(solution, 2), -0.1, 1e-14);
+  EXPECT_STREQ(name_of(solution.state.nodes[0].state), "free");
+  EXPECT_EQ(solution.passes, 1);
+}
+
+TEST(ActiveSet, SingularBlockIsReported) {
+  Springs springs(0.3);
+  springs.program.is_motion[1] = 0; // a load on the plate that touches nothing
+  springs.program.value[1] = -1;
+  const auto solution = springs.solve();
+  EXPECT_TRUE(solution.singular);
+  EXPECT_EQ(solution.weakest_coordinate, 1);
+}
+
+namespace {
+
+/// Three sliding nodes with slips 0.3, 0.1, 0.2; x of the plate, which only friction resists, under force.
+Springs sliding(double mu) {
+  Springs springs(mu);
+  const double slips[] = {0.3, 0.1, 0.2};
+  for (int i = 0; i < 3; ++i) {
+    springs.touch(i, NodeState::SLIDING, mu > 0 ? 1 : 0);
+    springs.start.nodes[i].s[0] += slips[i];
+  }
+  springs.program.is_motion[0] = 0;
+  return springs;
+}
+
+} // namespace
+
+TEST(EnsureSupport, NodeOfTheSmallestSlipSticks) {
+  Springs springs = sliding(0.3);
+  EXPECT_EQ(ensure_support(springs.model, springs.program, springs.start), 1);
+  const auto& node = springs.start.nodes[1];
+  EXPECT_STREQ(name_of(node.state), "sticking");
+  EXPECT_EQ(node.s[0], node.s_ref[0]);
+  EXPECT_EQ(node.slip_sign, 0);
+  EXPECT_EQ(ensure_support(springs.model, springs.program, springs.start), -1) << "one is enough";
+}
+
+TEST(EnsureSupport, RefusedNodesComeLast) {
+  Springs springs = sliding(0.3);
+  EXPECT_EQ(ensure_support(springs.model, springs.program, springs.start, {0, 1, 0, 0, 0, 0}), 2);
+  springs = sliding(0.3);
+  EXPECT_GE(ensure_support(springs.model, springs.program, springs.start, {1, 1, 1, 0, 0, 0}), 0);
+}
+
+TEST(EnsureSupport, NotNeeded) {
+  Springs springs = sliding(0.3);
+  springs.program.is_motion = {1, 0, 0}; // y and angle under force: pressure resists them
+  springs.start.nodes[0].s[0] = springs.start.nodes[0].s_ref[0] = 19;
+  EXPECT_EQ(ensure_support(springs.model, springs.program, springs.start), -1);
+  Springs smooth = sliding(0);
+  EXPECT_EQ(ensure_support(smooth.model, smooth.program, smooth.start), -1) << "nothing could stick";
+  Springs nothing(0.3);
+  nothing.program.is_motion[0] = 0;
+  EXPECT_EQ(ensure_support(nothing.model, nothing.program, nothing.start), -1) << "no contact";
+}
