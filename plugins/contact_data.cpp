@@ -102,9 +102,10 @@ long statistic(const Method<H, StatisticTag>& m, string* const& name) {
     if (*name == "solves") return counts.solves;
     if (*name == "analyses") return counts.analyses;
     if (*name == "halvings") return counts.halvings;
+    if (*name == "condensations") return s.condensations();
     burnish::fail("contact.statistic",
                   "unknown name \"" + *name +
-                      "\", expected iterations, factorizations, solves, analyses or halvings");
+                      "\", expected iterations, factorizations, solves, analyses, halvings or condensations");
   });
 }
 

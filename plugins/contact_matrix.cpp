@@ -3,6 +3,8 @@
 //     named: terms="complete" | "article" | "none", rates=false, symmetric=false, solver="BURNISH"
 //   real[int] z = Kh^-1 * C.rhs;
 //   real largest = C.expand(z, u[]);
+// Pure rates, after C.begin(u[], t, dt, rates=true): condense with rates=true, expand, and
+//   C.cut(u[], f);            the step shortened to the fraction f (everything is linear in it)
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
@@ -60,6 +62,18 @@ double expand(Stack, const Method<ContactHandle, ExpandTag>& m, const KN_<double
   });
 }
 
+struct CutTag {};
+bool cut(Stack, const Method<ContactHandle, CutTag>& m, const KN_<double>& u, const double& fraction) {
+  return guarded([&] {
+    ContactObject& contact = m->get();
+    require_stage(contact, ContactObject::BEGUN, "contact.cut");
+    Eigen::VectorXd v = to_dofs(u, contact.session->discretization().num_dofs(), "contact.cut", "u");
+    contact.session->cut(v, fraction);
+    to_array(v, u, "contact.cut");
+    return true;
+  });
+}
+
 } // namespace
 
 void register_contact_matrix() {
@@ -70,6 +84,8 @@ void register_contact_matrix() {
                              Matrice_Creuse<double>*, Array, Array>;
   });
   Add<H*>("rhs", ".", new OneOperator1s_<Array, H*>(right_hand_side));
+  add_method<H, CutTag>("cut",
+                        [] { return new OneOperator3s_<bool, Method<H, CutTag>, Array, double>(cut); });
   add_method<H, ExpandTag>(
       "expand", [] { return new OneOperator3s_<double, Method<H, ExpandTag>, Array, Array>(expand); });
 }

@@ -4,6 +4,9 @@
 //   int ok = C.factorize(M, u[]);        the material's own tangent; or C.factorize(K, u[]) with any
 //   symmetric matrix int st = C.correct(u[], R);          real f = C.events(u[], R);   2 if the step has no
 //   event
+//   C.begin(u[], t, dt, rates=true);     pure rates from the accepted state, see contact_matrix.cpp
+//   real f = C.events(u[], R, tolerance=1e-3, until=1);    fractions of the step
+//   long n = C.logevents(M);             appends the element events that M.events found in this step
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
@@ -19,24 +22,27 @@ Eigen::VectorXd dofs(const ContactObject& contact, const KN_<double>& a, const c
 
 struct BeginTag {};
 struct Begin {
-  static const int n = 1;
+  static const int n = 2;
   static basicAC_F0::name_and_type names[n];
+  static burnish::Stepping stepping(const Named& a) {
+    if (a.boolean("rates", false)) return burnish::Stepping::RATES;
+    return a.boolean("events", false) ? burnish::Stepping::EVENT : burnish::Stepping::IMPLICIT;
+  }
   static bool call(const Named& a, Method<ContactHandle, BeginTag> m, KN_<double> u, double t, double dt) {
     ContactObject& contact = m->get();
     burnish::require(std::isfinite(t), "contact.begin", "t", t, "a finite number");
     Eigen::VectorXd v = dofs(contact, u, "contact.begin", "u");
+    const auto kind = stepping(a);
     contact.stage = ContactObject::NO_STEP;
-    called("contact.begin", [&] {
-      contact.session->begin(
-          v, t, dt, a.boolean("events", false) ? burnish::Stepping::EVENT : burnish::Stepping::IMPLICIT);
-    });
-    contact.stage = ContactObject::BEGUN;
+    called("contact.begin", [&] { contact.session->begin(v, t, dt, kind); });
+    // a step of pure rates is solved once and not checked
+    contact.stage = kind == burnish::Stepping::RATES ? ContactObject::CHECKED : ContactObject::BEGUN;
     contact.pending.clear();
     to_array(v, u, "contact.begin");
     return true;
   }
 };
-basicAC_F0::name_and_type Begin::names[] = {{"events", &typeid(bool)}};
+basicAC_F0::name_and_type Begin::names[] = {{"events", &typeid(bool)}, {"rates", &typeid(bool)}};
 
 // Check and correct move u; the status is the number of the enumerator.
 template <class Verb>
@@ -100,16 +106,30 @@ bool factorize_matrix(const Method<ContactHandle, FactorizeTag>& m, Matrice_Creu
 }
 
 struct EventsTag {};
-double events(Stack, const Method<ContactHandle, EventsTag>& m, const KN_<double>& u, const KN_<double>& R) {
-  return guarded([&] {
+struct Events {
+  static const int n = 2;
+  static basicAC_F0::name_and_type names[n];
+  static double call(const Named& a, Method<ContactHandle, EventsTag> m, KN_<double> u, KN_<double> R) {
     ContactObject& contact = m->get();
     require_stage(contact, ContactObject::BEGUN, "contact.events");
     const burnish::CpuTimer timer(contact.event_seconds);
     contact.pending = contact.session->events(dofs(contact, u, "contact.events", "u"),
-                                              dofs(contact, R, "contact.events", "R"));
+                                              dofs(contact, R, "contact.events", "R"),
+                                              a.real("tolerance", 1e-3), a.real("until", 1));
     double first = 2;
     for (const auto& event : contact.pending) first = std::min(first, event.fraction);
     return first;
+  }
+};
+basicAC_F0::name_and_type Events::names[] = {{"tolerance", &typeid(double)}, {"until", &typeid(double)}};
+
+struct LogTag {};
+long log_events(const Method<ContactHandle, LogTag>& m, MaterialHandle* const& material) {
+  return guarded([&] {
+    require_stage(m->get(), ContactObject::BEGUN, "contact.logevents");
+    const auto& events = material->get().pending;
+    m->get().session->log(events);
+    return static_cast<long>(events.size());
   });
 }
 
@@ -181,7 +201,9 @@ void register_contact_step() {
             factorize_matrix);
       });
   add_method<H, EventsTag>(
-      "events", [] { return new OneOperator3s_<double, Method<H, EventsTag>, Array, Array>(events); });
+      "events", [] { return new NamedOperator<Events, double, Method<H, EventsTag>, Array, Array>; });
+  add_method<H, LogTag>(
+      "logevents", [] { return new OneOperator2_<long, Method<H, LogTag>, MaterialHandle*>(log_events); });
   add_method<H, SwitchTag>("switchstates",
                            [] { return new OneOperator1_<long, Method<H, SwitchTag>>(switch_states); });
   add_method<H, AcceptTag>(

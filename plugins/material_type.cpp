@@ -3,7 +3,12 @@
 //   material M = rcMaterial(Vh, G=..., nu=..., sigY=..., H=...);    or E=...; update="substepped" | "single"
 //   | "euler" int st = M.update(u[], dt, it);   M.force(R);   M.accept();   M.revert(); matrix K =
 //   M.tangent();           also kind="consistent" | "rate" | "elastic", blend=0..1 M.stress(i), M.F(i),
-//   M.piola(i), M.moduli(i,j), M.plasticstrain, M.stresseq, M.nodal(values)
+//   M.piola(i), M.moduli(i,j), M.plasticstrain, M.stresseq, M.yieldexcess (q/sigma_y - 1),
+//   M.nodal(values)
+// Element events of the step that the last update made (first yield, unloading):
+//   real f = M.events(1e-3);   earliest fraction and all within the tolerance of it, 2 if there is none
+//   real f = M.events();       all of the step, for the log;   M.dropevents();   M.switchpoints(); after
+//   accept or revert: returns their number
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
@@ -91,6 +96,37 @@ bool revert(const Method<MaterialHandle, RevertTag>& m) {
   return guarded([&] { return m->get().body->revert(), true; });
 }
 
+struct EventsTag {};
+struct SwitchTag {};
+struct DropTag {};
+double first_of(const MaterialObject& object) {
+  return object.pending.empty() ? 2 : object.pending.front().fraction;
+}
+double earliest_events(const Method<MaterialHandle, EventsTag>& m, const double& tolerance) {
+  return guarded([&] {
+    m->get().pending = burnish::earliest(burnish::element_events(*m->get().body, tolerance), tolerance);
+    return first_of(m->get());
+  });
+}
+double all_events(const Method<MaterialHandle, EventsTag>& m) {
+  return guarded([&] {
+    m->get().pending = burnish::element_events(*m->get().body, 0);
+    return first_of(m->get());
+  });
+}
+bool drop_events(const Method<MaterialHandle, DropTag>& m) {
+  return guarded([&] { return m->get().pending.clear(), true; });
+}
+long switch_points(const Method<MaterialHandle, SwitchTag>& m) {
+  return guarded([&] {
+    MaterialObject& object = m->get();
+    burnish::switch_points(object.pending, *object.body);
+    const long n = static_cast<long>(object.pending.size());
+    object.pending.clear();
+    return n;
+  });
+}
+
 KN_<double> nodal(Stack stack, const Method<MaterialHandle, NodalTag>& m, const KN_<double>& values) {
   return guarded([&] {
     return new_array(stack, burnish::nodal_average(m->get().body->discretization(),
@@ -142,6 +178,14 @@ KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
     return new_array(stack, q);
   });
 }
+KN_<double> yield_excess(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] {
+    const auto& body = *h->get().body;
+    Eigen::VectorXd excess(body.discretization().num_points());
+    for (int p = 0; p < excess.size(); ++p) excess[p] = body.yield_excess(p);
+    return new_array(stack, excess);
+  });
+}
 struct SecondsTag {};
 double seconds(const Method<MaterialHandle, SecondsTag>& m, string* const& phase) {
   return guarded([&] {
@@ -189,6 +233,13 @@ void register_material() {
                           [] { return new OneOperator2s_<double, Method<H, ForceTag>, KN_<double>>(force); });
   add_method<H, AcceptTag>("accept", [] { return new OneOperator1_<bool, Method<H, AcceptTag>>(accept); });
   add_method<H, RevertTag>("revert", [] { return new OneOperator1_<bool, Method<H, RevertTag>>(revert); });
+  add_method<H, EventsTag>(
+      "events", [] { return new OneOperator2_<double, Method<H, EventsTag>, double>(earliest_events); },
+      [] { return new OneOperator1_<double, Method<H, EventsTag>>(all_events); });
+  add_method<H, SwitchTag>("switchpoints",
+                           [] { return new OneOperator1_<long, Method<H, SwitchTag>>(switch_points); });
+  add_method<H, DropTag>("dropevents",
+                         [] { return new OneOperator1_<bool, Method<H, DropTag>>(drop_events); });
   add_method<H, NodalTag>(
       "nodal", [] { return new OneOperator2s_<KN_<double>, Method<H, NodalTag>, KN_<double>>(nodal); });
   add_method<H, StressTag>(
@@ -206,6 +257,7 @@ void register_material() {
       "seconds", [] { return new OneOperator2_<double, Method<H, SecondsTag>, string*>(seconds); });
   Add<H*>("plasticstrain", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain));
   Add<H*>("stresseq", ".", new OneOperator1s_<KN_<double>, H*>(stress_eq));
+  Add<H*>("yieldexcess", ".", new OneOperator1s_<KN_<double>, H*>(yield_excess));
   Add<H*>("points", ".", new OneOperator1_<long, H*>(number_of_points));
 }
 

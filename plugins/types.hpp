@@ -20,6 +20,7 @@ struct MaterialObject {
   static constexpr const char* TYPE = "material";
   std::unique_ptr<Workpiece<2>> body;
   burnish::NodeBlockMatrix<2> tangent;
+  std::vector<burnish::ElementEvent<2>> pending; // found by events(), used by switchpoints() and logevents()
   double update_seconds = 0, assembly_seconds = 0; // CPU
 };
 struct ContactObject {

@@ -19,8 +19,9 @@ struct CondensedSystem {
 /// What the right-hand side holds.
 enum class RightHandSide {
   TOTAL, ///< applied generalized forces minus the total internal forces
-  RATES, ///< increments of the applied forces and motions only: the article's pure rates. Nodes lie on their
-         ///< tools, and what a release left behind is taken off (article section 2)
+  RATES, ///< increments of the applied forces and motions only: the article's pure rates. Neither forces out
+         ///< of balance nor nodes off their tool are corrected; what a release left behind is taken off
+         ///< (section 2)
 };
 
 /// Unknowns: dof d of a free node at position d; a sliding node has its slip ds at its first dof and zero at

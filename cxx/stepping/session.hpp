@@ -58,7 +58,8 @@ public:
   const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u,
                                   const Eigen::VectorXd& R, GeometricTerms terms, RightHandSide right,
                                   bool half);
-  /// Adds the solution to u and to the states. RATES: contact nodes are then put at X(q, s), article (1.2).
+  /// Adds the solution to u and to the states. Everything is linear in the solution, so contact nodes leave
+  /// their curved tool by the square of the step; TOTAL takes that back in the next solve, RATES never.
   /// @returns the largest displacement increment [length]
   double expand(const Eigen::VectorXd& z, Eigen::VectorXd& u);
   /// Shortens a RATES step after expand: displacements, slips, coordinates and program are linear in the
@@ -93,7 +94,6 @@ private:
   Program read_program();
   void match_old_program();
   Prediction<Dim> resting(const Eigen::VectorXd& u) const;
-  void place_contact_nodes(Eigen::VectorXd& u) const;
   void keep_support(ContactState<Dim>& state) const;
   std::vector<int> supports() const;
   void check_support(const Program& program) const;

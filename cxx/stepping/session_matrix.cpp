@@ -29,20 +29,6 @@ template <int Dim> Prediction<Dim> Session<Dim>::resting(const Eigen::VectorXd& 
   return start;
 }
 
-// Position of the contact nodes by the tools' coordinates and theirs on the tools: x = X(q, s), article
-// (1.2).
-template <int Dim> void Session<Dim>::place_contact_nodes(Eigen::VectorXd& u) const {
-  const auto& state = m_corrector->state();
-  const auto poses = m_model.poses(state.q);
-  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-    const auto& node = state.nodes[i];
-    if (!in_contact(node.state)) continue;
-    const Vector<Dim> x = m_model.tools[node.tool]->surface(poses[node.tool], node.s).x;
-    for (int d = Dim * m_candidates[i]; d < Dim * (m_candidates[i] + 1); ++d)
-      if (!m_fixed[d]) u[d] = x[d - Dim * m_candidates[i]] - m_discretization->X[d];
-  }
-}
-
 template <int Dim>
 const CondensedSystem& Session<Dim>::condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u,
                                               const Eigen::VectorXd& R, GeometricTerms terms,
@@ -65,7 +51,6 @@ template <int Dim> double Session<Dim>::expand(const Eigen::VectorXd& z, Eigen::
   state.q += increment.dq;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
     state.nodes[i].s[0] += increment.ds[static_cast<Eigen::Index>(i)];
-  if (m_stepping == Stepping::RATES) place_contact_nodes(u);
   return increment.du.cwiseAbs().maxCoeff();
 }
 
@@ -84,13 +69,11 @@ template <int Dim> void Session<Dim>::cut(Eigen::VectorXd& u, double fraction) {
   for (std::size_t i = 0; i < state.nodes.size(); ++i) shorten(state.nodes[i].s, m_accepted.nodes[i].s);
   shorten(m_program.value, m_program_old.value);
   m_dt *= fraction;
-  place_contact_nodes(u);
 }
 
 // members of this file; session.cpp instantiates the others
 template void Session<2>::match_old_program();
 template Prediction<2> Session<2>::resting(const Eigen::VectorXd&) const;
-template void Session<2>::place_contact_nodes(Eigen::VectorXd&) const;
 template const CondensedSystem& Session<2>::condense(const NodeBlockMatrix<2>&, const Eigen::VectorXd&,
                                                      const Eigen::VectorXd&, GeometricTerms, RightHandSide,
                                                      bool);

@@ -118,11 +118,16 @@ template <int Dim> double Workpiece<Dim>::stress_eq(int point) const {
   return equivalent<Dim>(deviator<Dim>(kirchhoff(m_state, point)));
 }
 
+template <int Dim> double Workpiece<Dim>::yield_excess(int point) const {
+  return stress_eq(point) / yield_stress_at(m_material, m_state.plastic_strain_eq[point]) - 1;
+}
+
 // members of this file; workpiece.cpp instantiates the others
 template Eigen::VectorXd Workpiece<2>::internal_force() const;
 template void Workpiece<2>::tangent(NodeBlockMatrix<2>&, TangentKind, double) const;
 template void Workpiece<2>::point_moduli(int, TangentKind, double, double*) const;
 template void Workpiece<2>::point_piola(int, double*) const;
 template double Workpiece<2>::stress_eq(int) const;
+template double Workpiece<2>::yield_excess(int) const;
 
 } // namespace burnish

@@ -76,6 +76,8 @@ public:
   /// Von Mises stress of the Kirchhoff stress at a point of state() [stress].
   /// @throws std::invalid_argument if point is out of range
   double stress_eq(int point) const;
+  /// q/sigma_y(ep) - 1 there: positive outside the yield surface, where only forward Euler leads [-].
+  double yield_excess(int point) const;
 
 private:
   Tensor<Dim> gradient_of_deformation(int element, int point, const Eigen::VectorXd& displacement) const;
