@@ -7,7 +7,7 @@ namespace burnish {
 
 struct StepOptions {
   double tolerance = 1e-4; ///< residual relative to the load (largest contact resultant of the run so far)
-  double gap_tolerance = 2e-5; ///< penetration and slip tolerance relative to the spacing of the candidates
+  double gap_tolerance = 1e-6; ///< penetration and slip tolerance relative to the spacing of the candidates
   double offset_tolerance = 2e-4; ///< distance of a contact node from its tool, same scale
   int max_iterations = 25;        ///< bound on iterations of one step
   int max_halvings = 3;           ///< steps back half way per step (algorithms.md 5.6)
