@@ -1,6 +1,8 @@
 // The predicted state: the last increment and the contact states carried along with the tool.
+#include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
+#include "kinematics/polar.hpp"
 #include "stepping/predictor.hpp"
 #include "support/structured_mesh.hpp"
 #include "unit/finite_difference.hpp"
@@ -76,22 +78,64 @@ TEST(Predictor, FirstStepOnlyMovesTheTool) {
   }
 }
 
-// The plate went on by 0.5 in the last step and goes by 0.5 in this one, in the same time: every node moves
-// as the place half a unit behind it did, P2 exactly.
+// The plate went on by 0.5 in the last step (dt = 2) and goes on by `way` now: every node moves as the place
+// behind it by the mean of both did, P2 exactly, in proportion to the time.
 TEST(Predictor, LastIncrementCarriedAlong) {
-  for (const double dt : {2., 1.}) {
+  struct Case {
+    double dt, way, behind;
+  };
+  for (const Case now : {Case{2, 0.5, 0.5}, Case{1, 0.5, 0.5}, Case{4, 1.1, 0.8}}) {
     Carried carried;
     carried.remember(2);
-    const auto result = carried.predict_step(dt);
+    carried.program.value[0] = now.way;
+    const auto result = carried.predict_step(now.dt);
     double worst = 0;
     for (int a = 0; a < carried.mesh.space.num_nodes; ++a) {
-      const Vector<2> x = carried.mesh.space.node(a), behind = x - Vector<2>(0.5, 0);
-      Vector<2> expected = dt / 2 * Carried::increment(behind.x() < -0.1 ? x : behind);
+      const Vector<2> x = carried.mesh.space.node(a), behind = x - Vector<2>(now.behind, 0);
+      Vector<2> expected = now.dt / 2 * Carried::increment(behind.x() < -0.21 ? x : behind);
       if (carried.mesh.fixed[2 * a]) expected.setZero();
-      worst = std::max(worst, (result.u - carried.u).segment<2>(2 * a).operator-(expected).norm());
+      const Vector<2> moved = (result.u - carried.u).segment<2>(2 * a);
+      worst = std::max(worst, (moved - expected).norm());
     }
-    EXPECT_LE(worst, 1e-14);
-    EXPECT_NEAR(result.state.q[2], 0.1 * dt / 2, 1e-15) << "coordinates under force go on";
+    EXPECT_LE(worst, 1e-14) << "way " << now.way;
+    EXPECT_NEAR(result.state.q[2], 0.1 * now.dt / 2, 1e-15) << "coordinates under force go on";
+  }
+}
+
+// A roller that turns about a pivot carries the increment along the ring and turns it.
+TEST(Predictor, IncrementTurnsWithThePivot) {
+  const auto mesh = ring_mesh(32, 4, 2, 25, 30, 0.8, 1);
+  ContactModel<2> model;
+  model.candidates = nodes_along(mesh.surface);
+  model.tools = {
+      std::make_shared<Tool<2>>("roller", std::make_shared<Circle>(15.), std::make_shared<Polar>())};
+  model.friction = {make_coulomb(0.3)};
+  model.first = {0, 3};
+  const BodyView<2> body{Eigen::Map<const Eigen::VectorXd>(mesh.space.X.data(), mesh.space.num_dofs()),
+                         mesh.fixed, 0.5};
+  ContactState<2> state;
+  state.nodes.resize(model.candidates.size());
+  state.q = Vector<3>(50, 1.6, 0); // clear of the ring
+  const double turn = -0.06;
+  StepHistory<2> history;
+  history.dt = 1;
+  history.dq = Vector<3>(0, turn, 0);
+  history.q_old = state.q - history.dq;
+  const auto increment = [](double angle) { // along the radius
+    return Vector<2>(1e-2 * std::sin(3 * angle) * plane_direction(angle));
+  };
+  history.du.resize(body.X.size());
+  const auto angle_of = [&](int a) { return std::atan2(body.X[2 * a + 1], body.X[2 * a]); };
+  for (int a = 0; a < mesh.space.num_nodes; ++a) history.du.segment<2>(2 * a) = increment(angle_of(a));
+  const MeshLocator<2> locator(mesh.space);
+  const Eigen::VectorXd u = Eigen::VectorXd::Zero(body.X.size());
+  const auto result = predict<2>(model, body, locator, mesh.space, {{1, 1, 1}, Vector<3>(50, 1.6 + turn, 0)},
+                                 state, u, history, 1, true);
+  for (int a = 0; a < mesh.space.num_nodes; ++a) {
+    const double behind = angle_of(a) - turn;
+    if (mesh.fixed[2 * a] || behind > M_PI / 2 + 0.4) continue;
+    EXPECT_LE((result.u.segment<2>(2 * a) - plane_rotation(turn) * increment(behind)).norm(), 1e-6)
+        << "node " << a;
   }
 }
 
