@@ -104,6 +104,7 @@ double first_of(const MaterialObject& object) {
 }
 double earliest_events(const Method<MaterialHandle, EventsTag>& m, const double& tolerance) {
   return guarded([&] {
+    burnish::require(tolerance >= 0, "material.events", "tolerance", tolerance, ">= 0");
     m->get().pending = burnish::earliest(burnish::element_events(*m->get().body, tolerance), tolerance);
     return first_of(m->get());
   });
