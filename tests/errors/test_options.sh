@@ -56,9 +56,9 @@ END
 refuse 1 'fly' "$BURNISH" "$SCRATCH/method.edp"
 cat >"$SCRATCH/named.edp" <<'END'
 include "burnish.idp"
-tool t(circle=1, colour=2);
+tool t(circle=1, shade=2);
 END
-refuse 1 'colour' "$BURNISH" "$SCRATCH/named.edp"
+refuse 1 'shade' "$BURNISH" "$SCRATCH/named.edp"
 cat >"$SCRATCH/solid.edp" <<'END'
 include "burnish.idp"
 load "msh3"
