@@ -1,5 +1,6 @@
 #pragma once
-// The step loops of edp/rcSteps.idp in C++: rcConverge, rcStepImplicit, rcStepEvent, rcRun.
+// The step loops of edp/rcSteps.idp in C++: rcConverge, rcStepImplicit, rcStepEvent (without element events),
+// rcRun.
 #include "stepping/step_control.hpp"
 #include "support/scene.hpp"
 #include <functional>
