@@ -159,7 +159,9 @@ template <int Dim>
 std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                              const StepEnds<Dim>& step) {
   std::vector<ContactEvent<Dim>> changes;
-  const auto poses0 = model.poses(step.start->q), poses1 = model.poses(step.end->q);
+  const auto poses0 = model.poses(step.start->q);
+  StepEnds<Dim> resting = step; // the nodes stay, the tools move
+  resting.u_end = step.u_start;
   for (std::size_t i = 0; i < model.candidates.size(); ++i) {
     const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
     const bool c0 = in_contact(n0.state), c1 = in_contact(n1.state);
@@ -167,12 +169,9 @@ std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, con
     const auto add = [&](EventKind kind, double f, int tool) {
       changes.push_back(make_event(body, step, model, i, kind, f > 1 ? 1 : f, tool));
     };
-    if (!c0 && c1) {
-      const double g0 = nearest_tool(model, poses0, body.position(*step.u_start, node), n0).foot.gap;
-      const Vector<Dim> F1 = step.R_end->template segment<Dim>(Dim * node);
-      (void)F1;
-      add(EventKind::TOUCH, g0 <= 0 ? 0 : 0.5, n1.tool);
-    } else if (c0 && !c1) {
+    if (!c0 && c1)
+      add(EventKind::TOUCH, touch_fraction(model, body, resting, i, 0), n1.tool);
+    else if (c0 && !c1) {
       const Vector<Dim> F0 = step.R_start->template segment<Dim>(Dim * node);
       add(EventKind::RELEASE, forces(model, poses0, n0, F0).N <= 0 ? 0 : 0.5, n0.tool);
     } else if (c0 && c1 && holds(n0.state) != holds(n1.state)) {

@@ -44,7 +44,9 @@ std::vector<ContactEvent<Dim>> earliest_events(const ContactModel<Dim>& model, c
                                                const StepEnds<Dim>& step, const EventTolerance& tolerance,
                                                const std::vector<int>& supports = {});
 
-/// All state changes between two accepted states, each with its interpolated instant (implicit stepping).
+/// All state changes between two accepted states (implicit stepping). Instants are estimates within the step:
+/// a touch where the moving tool meets the place that the node had at the start, the others in the middle of
+/// the step (a release at its start if the node was already unloaded). Event stepping locates them.
 template <int Dim>
 std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                              const StepEnds<Dim>& step);
