@@ -7,8 +7,9 @@
 //   M.nodal(values)
 // Element events of the step that the last update made (first yield, unloading):
 //   real f = M.events(1e-3);   earliest fraction and all within the tolerance of it, 2 if there is none
-//   real f = M.events();       all of the step, for the log;   M.dropevents();   M.switchpoints(); after
-//   accept or revert: returns their number
+//   real f = M.events(1e-3, 1e-4);   without changes of q near the surface below 1e-4 sigma_y;
+//   M.holdpoints(1e-4); before accept real f = M.events();       all of the step, for the log;
+//   M.dropevents();   M.switchpoints(); after accept or revert: returns their number
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
@@ -99,15 +100,22 @@ bool revert(const Method<MaterialHandle, RevertTag>& m) {
 struct EventsTag {};
 struct SwitchTag {};
 struct DropTag {};
+struct HoldTag {};
 double first_of(const MaterialObject& object) {
   return object.pending.empty() ? 2 : object.pending.front().fraction;
 }
-double earliest_events(const Method<MaterialHandle, EventsTag>& m, const double& tolerance) {
+double events_but_noise(const Method<MaterialHandle, EventsTag>& m, const double& tolerance,
+                        const double& noise) {
   return guarded([&] {
     burnish::require(tolerance >= 0, "material.events", "tolerance", tolerance, ">= 0");
-    m->get().pending = burnish::earliest(burnish::element_events(*m->get().body, tolerance), tolerance);
+    burnish::require(noise >= 0, "material.events", "noise", noise, ">= 0");
+    m->get().pending =
+        burnish::earliest(burnish::element_events(*m->get().body, tolerance, noise), tolerance);
     return first_of(m->get());
   });
+}
+double earliest_events(const Method<MaterialHandle, EventsTag>& m, const double& tolerance) {
+  return events_but_noise(m, tolerance, 0);
 }
 double all_events(const Method<MaterialHandle, EventsTag>& m) {
   return guarded([&] {
@@ -117,6 +125,9 @@ double all_events(const Method<MaterialHandle, EventsTag>& m) {
 }
 bool drop_events(const Method<MaterialHandle, DropTag>& m) {
   return guarded([&] { return m->get().pending.clear(), true; });
+}
+bool hold_points(const Method<MaterialHandle, HoldTag>& m, const double& noise) {
+  return guarded([&] { return burnish::hold_points(noise, *m->get().body), true; });
 }
 long switch_points(const Method<MaterialHandle, SwitchTag>& m) {
   return guarded([&] {
@@ -236,9 +247,12 @@ void register_material() {
   add_method<H, RevertTag>("revert", [] { return new OneOperator1_<bool, Method<H, RevertTag>>(revert); });
   add_method<H, EventsTag>(
       "events", [] { return new OneOperator2_<double, Method<H, EventsTag>, double>(earliest_events); },
+      [] { return new OneOperator3_<double, Method<H, EventsTag>, double, double>(events_but_noise); },
       [] { return new OneOperator1_<double, Method<H, EventsTag>>(all_events); });
   add_method<H, SwitchTag>("switchpoints",
                            [] { return new OneOperator1_<long, Method<H, SwitchTag>>(switch_points); });
+  add_method<H, HoldTag>("holdpoints",
+                         [] { return new OneOperator2_<bool, Method<H, HoldTag>, double>(hold_points); });
   add_method<H, DropTag>("dropevents",
                          [] { return new OneOperator1_<bool, Method<H, DropTag>>(drop_events); });
   add_method<H, NodalTag>(

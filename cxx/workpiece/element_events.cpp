@@ -55,11 +55,14 @@ template <int Dim> double refined(const ElasticPath<Dim>& path, double f, double
 // Fraction at which the trial stress leaves the surface through its outer side, NEVER if not before `last`.
 // Straight path first: q^2(f) - sigma_y^2 = a f^2 + 2 b f + c.
 template <int Dim>
-double yield_fraction(const ElasticPath<Dim>& path, const ElasticTrial<Dim>& trial, double last) {
+double yield_fraction(const ElasticPath<Dim>& path, const ElasticTrial<Dim>& trial, double last,
+                      double noise) {
   const double a = squared_equivalent<Dim>(trial.De), b = 1.5 * contract<Dim>(trial.s_old, trial.De);
   const double q2 = squared_equivalent<Dim>(trial.s_old), c = q2 - path.yield * path.yield;
   if (a == 0) return NEVER;
-  const bool outside = q2 >= std::pow(YIELD_FRACTION * path.yield, 2);
+  const bool near = noise > 0 && q2 >= std::pow((1 - noise) * path.yield, 2);
+  if (near && a + 2 * b + q2 <= std::pow((1 + noise) * path.yield, 2)) return NEVER;
+  const bool outside = near || q2 >= std::pow(YIELD_FRACTION * path.yield, 2);
   if (outside && b >= 0) return b > NEUTRAL * std::sqrt(a * q2) ? 0 : NEVER;
   const double discriminant = b * b - a * c;
   if (discriminant <= 0)
@@ -96,7 +99,8 @@ Vector<Dim> place(const Discretization<Dim>& mesh, int point, const Tensor<Dim>&
 // Finds the events of one point after another.
 template <int Dim> class Finder {
 public:
-  Finder(const Workpiece<Dim>& body, double overshoot) : m_body(body), m_last(1 + overshoot) {}
+  Finder(const Workpiece<Dim>& body, double overshoot, double noise)
+      : m_body(body), m_last(1 + overshoot), m_noise(noise) {}
 
   void add_events_of(int point) {
     const WorkpieceState<Dim>&old = m_body.state_old(), &now = m_body.state();
@@ -106,12 +110,14 @@ public:
     if (!(kin.det_mid > 0)) return; // the update of the step has failed
     const ElasticTrial<Dim> trial = elastic_trial<Dim>(m_body.material(), kin, path.stress_old);
     if (!old.plastic[point]) {
-      add(point, PointChange::YIELD, yield_fraction(path, trial, m_last), path);
+      add(point, PointChange::YIELD, yield_fraction(path, trial, m_last, m_noise), path);
       return;
     }
     const double loading = contract<Dim>(trial.s_old, kin.strain);
     if (loading >= -NEUTRAL * trial.s_old.norm() * kin.strain.norm()) return;
-    const double again = yield_fraction(path, trial, m_last);
+    const double again = yield_fraction(path, trial, m_last, m_noise);
+    const bool stays = equivalent<Dim>(trial.s_old + trial.De) >= (1 - m_noise) * path.yield;
+    if (m_noise > 0 && stays && again == NEVER) return;
     if (now.plastic[point] && again == NEVER) return;
     const double before = old.dt > 0 ? contract<Dim>(deviator<Dim>(path.stress_old),
                                                      stress_at<Dim>(old.strain_increment, point)) /
@@ -150,19 +156,22 @@ private:
   }
 
   const Workpiece<Dim>& m_body;
-  double m_last; // largest fraction that counts
+  double m_last;  // largest fraction that counts
+  double m_noise; // of sigma_y
   std::vector<ElementEvent<Dim>> m_events;
 };
 
 } // namespace
 
 template <int Dim>
-std::vector<ElementEvent<Dim>> element_events(const Workpiece<Dim>& workpiece, double overshoot) {
+std::vector<ElementEvent<Dim>> element_events(const Workpiece<Dim>& workpiece, double overshoot,
+                                              double noise) {
   require(overshoot >= 0, "element_events", "overshoot", overshoot, ">= 0");
+  require(noise >= 0, "element_events", "noise", noise, ">= 0");
   const Discretization<Dim>& mesh = workpiece.discretization();
   require(mesh.point.size() == static_cast<std::size_t>(Dim) * mesh.num_points(), "element_events",
           "size of Discretization::point", mesh.point.size(), "num_points x Dim");
-  Finder<Dim> finder(workpiece, overshoot);
+  Finder<Dim> finder(workpiece, overshoot, noise);
   for (int p = 0; p < mesh.num_points(); ++p) finder.add_events_of(p);
   return finder.take();
 }
@@ -181,8 +190,17 @@ void switch_points(const std::vector<ElementEvent<Dim>>& events, Workpiece<Dim>&
   for (const auto& event : events) workpiece.set_plastic(event.point, event.change == PointChange::YIELD);
 }
 
-template std::vector<ElementEvent<2>> element_events<2>(const Workpiece<2>&, double);
+template <int Dim> void hold_points(double noise, Workpiece<Dim>& workpiece) {
+  require(noise >= 0, "hold_points", "noise", noise, ">= 0");
+  for (int p = 0; p < workpiece.discretization().num_points(); ++p)
+    if (workpiece.state_old().plastic[p] && !workpiece.state().plastic[p] &&
+        workpiece.yield_excess(p) >= -noise)
+      workpiece.set_plastic(p, true);
+}
+
+template std::vector<ElementEvent<2>> element_events<2>(const Workpiece<2>&, double, double);
 template std::vector<ElementEvent<2>> earliest<2>(const std::vector<ElementEvent<2>>&, double);
+template void hold_points<2>(double, Workpiece<2>&);
 template void switch_points<2>(const std::vector<ElementEvent<2>>&, Workpiece<2>&);
 
 } // namespace burnish

@@ -23,9 +23,13 @@ template <int Dim> struct ElementEvent {
 /// them, 0 if it is in the last step. A point that yields again in the same step has both events. A point
 /// that state().plastic contradicts (the return on a bent path flowed all the same) has no event.
 /// @param overshoot points that would yield before 1 + overshoot count, with the fraction 1 (>= 0)
-/// @throws std::invalid_argument if overshoot < 0
+/// @param noise >= 0 [fraction of sigma_y]: a point this near to the surface has no event unless the step
+/// takes
+///        q further than this from it: for steps so short that the residual's tolerance shakes the points
+/// @throws std::invalid_argument if overshoot < 0 or noise < 0
 template <int Dim>
-std::vector<ElementEvent<Dim>> element_events(const Workpiece<Dim>& workpiece, double overshoot);
+std::vector<ElementEvent<Dim>> element_events(const Workpiece<Dim>& workpiece, double overshoot,
+                                              double noise = 0);
 
 /// Those within the tolerance of the earliest one (article: event tolerance, in fractions of the step).
 /// @param events by fraction, as element_events returns them; @throws std::invalid_argument if tolerance < 0
@@ -36,5 +40,9 @@ std::vector<ElementEvent<Dim>> earliest(const std::vector<ElementEvent<Dim>>& ev
 /// (a step cut at these events) or revert (events at its start).
 template <int Dim>
 void switch_points(const std::vector<ElementEvent<Dim>>& events, Workpiece<Dim>& workpiece);
+
+/// The other side of `noise`: points that flowed in the last step and rest now within the noise of the
+/// surface count as flowing still. Right before accept. @throws std::invalid_argument if noise < 0
+template <int Dim> void hold_points(double noise, Workpiece<Dim>& workpiece);
 
 } // namespace burnish

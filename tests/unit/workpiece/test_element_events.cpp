@@ -230,3 +230,33 @@ TEST(ElementEvents, Errors) {
   EXPECT_THROW(element.body.set_plastic(1, true), std::invalid_argument);
   EXPECT_THROW(element.body.set_plastic(-1, true), std::invalid_argument);
 }
+
+TEST(ElementEvents, NoiseNearTheSurfaceIsNoEvent) {
+  const double y = yield_strain(example_material().yield_stress), noise = 1e-4;
+  Element element;
+  const auto changes = [&](double tolerated) { return element_events<2>(element.body, 0, tolerated).size(); };
+  element.step_to(stretch(2 * y));
+  element.body.accept();
+  element.step_to(stretch(2 * y * (1 - 1e-5))); // shaken inwards
+  EXPECT_EQ(changes(0), 1u);
+  EXPECT_EQ(changes(noise), 0u);
+  EXPECT_FALSE(element.body.state().plastic[0]);
+  hold_points(noise, element.body); // on the surface all the same
+  EXPECT_TRUE(element.body.state().plastic[0]);
+  element.body.accept();
+  element.step_to(stretch(2 * y * (1 - 1e-2))); // unloads: q falls by 2 %
+  EXPECT_EQ(changes(noise), 1u);
+  hold_points(noise, element.body);
+  EXPECT_FALSE(element.body.state().plastic[0]);
+
+  Element other; // elastic to just below the surface
+  other.step_to(stretch(y * (1 - 1e-5) / (1 - y / 2)));
+  other.body.accept();
+  other.step_to(stretch(y * (1 + 1e-5) / (1 - y / 2)));
+  EXPECT_EQ(element_events<2>(other.body, 0, noise).size(), 0u);
+  other.step_to(stretch(y * (1 + 1e-3) / (1 - y / 2)));
+  ASSERT_EQ(element_events<2>(other.body, 0, noise).size(), 1u);
+  EXPECT_EQ(element_events<2>(other.body, 0, noise)[0].fraction, 0); // it is on the surface but for the noise
+  EXPECT_THROW(element_events<2>(other.body, 0, -noise), std::invalid_argument);
+  EXPECT_THROW(hold_points(-noise, other.body), std::invalid_argument);
+}
