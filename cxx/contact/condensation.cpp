@@ -11,7 +11,7 @@ template <int Dim> double& Condensation<Dim>::at(int row, int column) {
   return m_full.value[static_cast<std::size_t>(std::lower_bound(first, last, column) - m_full.col.begin())];
 }
 
-// Superset pattern: every candidate's neighbours are coupled to all tool coordinates.
+// Superset pattern: every candidate's neighbors are coupled to all tool coordinates.
 template <int Dim> void Condensation<Dim>::build_pattern(const NodeBlockMatrix<Dim>& K) {
   if (m_pattern_of == &K && m_pattern_col == K.col) return;
   m_pattern_of = &K;

@@ -1,9 +1,9 @@
 #pragma once
 // The condensed sparse system K^ z = r^ in nodes, slips and tool coordinates: K^ = W' K A + Geo (method.md
 // section 3, article eq. 1.13-1.21). One matrix for any sparse solver; the pattern is fixed for the run.
+#include "contact/body_view.hpp"
 #include "contact/linearization.hpp"
 #include "solver/node_block_matrix.hpp"
-#include "stepping/balance.hpp"
 
 namespace burnish {
 

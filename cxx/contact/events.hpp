@@ -1,7 +1,8 @@
 #pragma once
 // Contact events inside a step: everything is linear in the fraction of the step; the earliest one is located
 // and all within its tolerance are taken together (article section 2; method.md section 4).
-#include "stepping/balance.hpp"
+#include "contact/body_view.hpp"
+#include "contact/contact_model.hpp"
 #include <string>
 
 namespace burnish {

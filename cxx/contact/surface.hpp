@@ -1,6 +1,7 @@
 #pragma once
 // The contact surface: its edges, its nodes in order, and what acts on them.
-#include "stepping/balance.hpp"
+#include "contact/body_view.hpp"
+#include "contact/contact_model.hpp"
 
 namespace burnish {
 
@@ -9,7 +10,7 @@ struct SurfaceEdge {
   int a = 0, b = 0, middle = -1;
 };
 
-/// Nodes of the edges, each once, neighbours after one another along every chain of edges.
+/// Nodes of the edges, each once, neighbors after one another along every chain of edges.
 std::vector<int> nodes_along(const std::vector<SurfaceEdge>& edges);
 
 /// State of the candidates, one entry each. Pressure and traction are nodal forces over the tributary length

@@ -66,23 +66,6 @@ void tool_residual(const Program& program, const Eigen::VectorXd& lever, Balance
 
 } // namespace
 
-double candidate_spacing(const Eigen::VectorXd& X, int dim, const std::vector<int>& candidates) {
-  std::vector<double> nearest;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    double best = -1;
-    for (std::size_t j = 0; j < candidates.size(); ++j) {
-      if (i == j) continue;
-      const double d =
-          (X.segment(dim * candidates[i], dim) - X.segment(dim * candidates[j], dim)).squaredNorm();
-      if (best < 0 || d < best) best = d;
-    }
-    if (best > 0) nearest.push_back(std::sqrt(best));
-  }
-  if (nearest.empty()) return 0;
-  std::nth_element(nearest.begin(), nearest.begin() + nearest.size() / 2, nearest.end());
-  return nearest[nearest.size() / 2];
-}
-
 template <int Dim>
 Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
                 const Program& program, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
@@ -116,7 +99,6 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
   return result;
 }
 
-template struct BodyView<2>;
 template Balance balance<2>(const ContactModel<2>&, const BodyView<2>&, const ContactState<2>&,
                             const Program&, const Eigen::VectorXd&, const Eigen::VectorXd&, double, double,
                             double);

@@ -1,23 +1,11 @@
 #pragma once
 // Residual of a contact state and its consistency: the convergence test of a step (algorithms.md 5.1,
 // method.md 3).
+#include "contact/body_view.hpp"
 #include "contact/contact_model.hpp"
 #include "stepping/options.hpp"
 
 namespace burnish {
-
-/// What both integrators know of the workpiece: nodes, fixed dofs, spacing of the candidates.
-template <int Dim> struct BodyView {
-  Eigen::VectorXd X;       ///< reference coordinates, num_dofs [length]
-  std::vector<char> fixed; ///< per dof: displacement given (zero increment)
-  double spacing = 0;      ///< typical distance of neighbouring candidates [length]
-  Vector<Dim> position(const Eigen::VectorXd& u, int node) const {
-    return X.segment<Dim>(Dim * node) + u.segment<Dim>(Dim * node);
-  }
-};
-
-/// Typical distance of neighbouring candidates: median of the distances to the nearest other candidate.
-double candidate_spacing(const Eigen::VectorXd& X, int dim, const std::vector<int>& candidates);
 
 struct Balance {
   double residual = 0; ///< largest unbalanced force: free nodes, sliding rows, tool rows over lever [force]

@@ -6,7 +6,7 @@
 namespace burnish {
 
 template <int Dim> MeshLocator<Dim>::MeshLocator(const Discretization<Dim>& d) : m_d(&d) {
-  m_neighbour.assign(static_cast<std::size_t>(d.num_elements) * (Dim + 1), -1);
+  m_neighbor.assign(static_cast<std::size_t>(d.num_elements) * (Dim + 1), -1);
   m_any_element.assign(d.num_nodes, -1);
   std::map<std::array<int, Dim>, int> open; // face vertices, sorted -> element * (Dim+1) + opposite vertex
   for (int e = 0; e < d.num_elements; ++e) {
@@ -20,8 +20,8 @@ template <int Dim> MeshLocator<Dim>::MeshLocator(const Discretization<Dim>& d) :
       const int here = e * (Dim + 1) + v;
       const auto [it, fresh] = open.emplace(face, here);
       if (fresh) continue;
-      m_neighbour[here] = it->second / (Dim + 1);
-      m_neighbour[it->second] = e;
+      m_neighbor[here] = it->second / (Dim + 1);
+      m_neighbor[it->second] = e;
       open.erase(it);
     }
   }
@@ -45,10 +45,10 @@ template <int Dim> int MeshLocator<Dim>::find(const Vector<Dim>& P, int near, do
     Eigen::Matrix<double, Dim + 1, 1> l = barycentric(element, P);
     int next = -1;
     for (int tried = 0; tried <= Dim && next < 0;
-         ++tried) { // leave through the most negative face that has a neighbour
+         ++tried) { // leave through the most negative face that has a neighbor
       Eigen::Index v;
       if (l.minCoeff(&v) >= -1e-10) break;
-      next = m_neighbour[element * (Dim + 1) + static_cast<int>(v)];
+      next = m_neighbor[element * (Dim + 1) + static_cast<int>(v)];
       if (next < 0) {
         if (l[v] < -slack) return -1;
         l[v] = 0;

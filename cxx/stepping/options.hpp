@@ -13,7 +13,7 @@ struct StepOptions {
   int max_halvings = 3;           ///< steps back half way per step (algorithms.md 5.6)
   int max_state_passes = 12;      ///< active-set passes on the dense block per iteration
   int anderson_memory = 8;        ///< 0: no mixing
-  double slow = 2;   ///< residual ratio from which the iterate goes back or the tangent is taken anew
+  double slow = 2; ///< residual ratio from which the iterate goes back or the tangent is taken anew
   double window_width =
       0.75; ///< candidates kept on the dense block: contact width times this beyond both ends ...
   double window_nodes = 6; ///< ... plus this many node spacings

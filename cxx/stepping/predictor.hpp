@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// Finds the element of a reference position by walking from a neighbour.
+/// Finds the element of a reference position by walking from a neighbor.
 template <int Dim> class MeshLocator {
 public:
   explicit MeshLocator(const Discretization<Dim>& discretization);
@@ -19,8 +19,7 @@ public:
 private:
   Eigen::Matrix<double, Dim + 1, 1> barycentric(int element, const Vector<Dim>& P) const;
   const Discretization<Dim>* m_d;
-  std::vector<int>
-      m_neighbour; // per element and vertex: element across the opposite face, -1 at the boundary
+  std::vector<int> m_neighbor; // per element and vertex: element across the opposite face, -1 at the boundary
   std::vector<int> m_any_element; // per node
 };
 

@@ -10,7 +10,7 @@ struct StepControlOptions {
   double t_end = 1;                 ///< end of the program
   double dt_max = 0;                ///< largest step; 0: t_end / 100
   double steps_per_width = 14;      ///< steps while the tool rolls one contact width; 0: no such limit
-  double growth = 1.3;              ///< largest ratio of neighbouring steps
+  double growth = 1.3;              ///< largest ratio of neighboring steps
   double dt_min = 0;                ///< floor; 0: 1e-7 t_end
   std::vector<double> output_times; ///< hit exactly, besides t_end; ascending
 };

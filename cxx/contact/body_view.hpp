@@ -1,0 +1,21 @@
+#pragma once
+// What the contact code knows of the workpiece: where its nodes are and which are held.
+#include "base/types.hpp"
+#include <vector>
+
+namespace burnish {
+
+/// What both integrators know of the workpiece: nodes, fixed dofs, spacing of the candidates.
+template <int Dim> struct BodyView {
+  Eigen::VectorXd X;       ///< reference coordinates, num_dofs [length]
+  std::vector<char> fixed; ///< per dof: displacement given (zero increment)
+  double spacing = 0;      ///< typical distance of neighboring candidates [length]
+  Vector<Dim> position(const Eigen::VectorXd& u, int node) const {
+    return X.segment<Dim>(Dim * node) + u.segment<Dim>(Dim * node);
+  }
+};
+
+/// Typical distance of neighboring candidates: median of the distances to the nearest other candidate.
+double candidate_spacing(const Eigen::VectorXd& X, int dim, const std::vector<int>& candidates);
+
+} // namespace burnish
