@@ -4,8 +4,8 @@
 
 namespace burnish {
 
-/// Linear field through the points of each element (constant for one point), averaged at the nodes with the
-/// element volumes as weights and kept within the range of the neighboring points.
+/// Value at each node of the linear field that fits the points of the node's elements in least squares, kept
+/// within their range; their mean where fewer than four points or points on a line leave the fit open.
 /// @param values one per quadrature point, any unit; @returns one per node, same unit
 /// @throws std::invalid_argument unless values has one entry per quadrature point
 Eigen::VectorXd nodal_average(const Discretization<2>& discretization, const Eigen::VectorXd& values);
