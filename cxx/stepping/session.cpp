@@ -52,45 +52,53 @@ template <int Dim> void Session<Dim>::start() {
     m_accepted.q.segment(m_model.first[t], m_tools[t]->q().size()) = m_tools[t]->q();
 }
 
+// Smallest gap of a tool at m_accepted.q, the nodes that have it, and its change with coordinate k of the
+// tool.
+template <int Dim>
+typename Session<Dim>::SmallestGap Session<Dim>::smallest_gap(int tool, int k, const Eigen::VectorXd& u) {
+  const auto& body = m_corrector->body();
+  const auto pose = m_model.tools[tool]->coordinates().pose(m_model.tool_q(m_accepted.q, tool));
+  const double same = 1e-9 * body.spacing;
+  SmallestGap result;
+  for (std::size_t i = 0; i < m_candidates.size(); ++i) {
+    const auto foot =
+        m_model.tools[tool]->closest_point(pose, body.position(u, m_candidates[i]), m_accepted.nodes[i].s);
+    if (i > 0 && foot.gap >= result.gap + same) continue;
+    if (i == 0 || foot.gap < result.gap - same) result.nodes.clear();
+    const auto p = m_model.tools[tool]->surface(pose, foot.s);
+    result.gap = i == 0 ? foot.gap : std::min(result.gap, foot.gap);
+    result.slope = -p.n.dot(p.x_q.col(k));
+    result.lever = p.x_q.col(k).norm();
+    result.nodes.push_back(i);
+    m_accepted.nodes[i].s = foot.s;
+  }
+  return result;
+}
+
 template <int Dim>
 double Session<Dim>::approach(int tool, const std::string& coordinate, const Eigen::VectorXd& u) {
   require(tool >= 0 && tool < static_cast<int>(m_tools.size()), "contact.approach", "tool", tool,
           "a tool that was added");
   require(u.size() == m_u.size(), "contact.approach", "size of u", u.size(), "number of dofs");
   start();
-  const int k = m_model.first[tool] + m_tools[tool]->index(coordinate);
+  const int k = m_tools[tool]->index(coordinate);
+  double& q = m_accepted.q[m_model.first[tool] + k];
   m_accepted.q.segment(m_model.first[tool], m_tools[tool]->q().size()) = m_tools[tool]->q();
-  const auto& body = m_corrector->body();
-  const double h = body.spacing;
-  std::vector<std::size_t> touching;
   for (int iteration = 0; iteration < 100; ++iteration) { // Newton on the smallest gap as a function of q^k
-    const auto pose = m_model.tools[tool]->coordinates().pose(m_model.tool_q(m_accepted.q, tool));
-    double least = 0, slope = 0;
-    touching.clear();
-    for (std::size_t i = 0; i < m_candidates.size(); ++i) {
-      const auto foot =
-          m_model.tools[tool]->closest_point(pose, body.position(u, m_candidates[i]), m_accepted.nodes[i].s);
-      if (i > 0 && foot.gap >= least + 1e-9 * h) continue;
-      const auto p = m_model.tools[tool]->surface(pose, foot.s);
-      if (i == 0 || foot.gap < least - 1e-9 * h) touching.clear();
-      least = i == 0 ? foot.gap : std::min(least, foot.gap);
-      slope = -p.n.dot(p.x_q.col(k - m_model.first[tool]));
-      touching.push_back(i);
-      m_accepted.nodes[i].s = foot.s;
-    }
-    if (std::abs(least) < 1e-9 * h) {
-      for (const std::size_t i : touching) {
+    const SmallestGap least = smallest_gap(tool, k, u);
+    if (std::abs(least.gap) < 1e-9 * m_corrector->body().spacing) {
+      for (const std::size_t i : least.nodes) {
         auto& node = m_accepted.nodes[i];
         node.tool = tool;
         node.s_ref = node.s;
         node.state = m_model.friction[tool]->frictionless() ? NodeState::SLIDING : NodeState::STICKING;
       }
-      m_tools[tool]->q()[k - m_model.first[tool]] = m_accepted.q[k];
+      m_tools[tool]->q()[k] = q;
       m_u = u;
-      return m_accepted.q[k];
+      return q;
     }
-    if (std::abs(slope) < 1e-9) break;
-    m_accepted.q[k] -= least / slope;
+    if (std::abs(least.slope) < 1e-9 * least.lever) break;
+    q -= least.gap / least.slope;
   }
   fail("contact.approach",
        "coordinate \"" + coordinate + "\" of tool \"" + m_tools[tool]->name() +

@@ -91,6 +91,11 @@ public:
   void start();
 
 private:
+  struct SmallestGap {
+    double gap = 0, slope = 0, lever = 0;
+    std::vector<std::size_t> nodes; // candidates that have it
+  };
+  SmallestGap smallest_gap(int tool, int k, const Eigen::VectorXd& u);
   Program read_program();
   void match_old_program();
   Prediction<Dim> resting(const Eigen::VectorXd& u) const;
