@@ -168,6 +168,20 @@ string* left_out(Stack stack, H* const& h) {
   });
 }
 
+void register_event_table() {
+  Add<H*>("eventnumber", ".", new OneOperator1_<long, H*>(event_number));
+  add_method<H, TimeTag>("eventtime",
+                         [] { return new OneOperator2_<double, Method<H, TimeTag>, long>(event_time); });
+  add_method<H, KindTag>("eventkind",
+                         [] { return new OneOperator2s_<string*, Method<H, KindTag>, long>(event_kind); });
+  add_method<H, NodeTag>("eventnode",
+                         [] { return new OneOperator2_<long, Method<H, NodeTag>, long>(event_node); });
+  add_method<H, ToolTag>("eventtool",
+                         [] { return new OneOperator2s_<string*, Method<H, ToolTag>, long>(event_tool); });
+  add_method<H, XTag>("eventx", [] { return new OneOperator2_<double, Method<H, XTag>, long>(event_x); });
+  add_method<H, YTag>("eventy", [] { return new OneOperator2_<double, Method<H, YTag>, long>(event_y); });
+}
+
 } // namespace
 
 void register_contact_data() {
@@ -203,18 +217,8 @@ void register_contact_data() {
       "statistic", [] { return new OneOperator2_<long, Method<H, StatisticTag>, string*>(statistic); });
   add_method<H, SecondsTag>(
       "seconds", [] { return new OneOperator2_<double, Method<H, SecondsTag>, string*>(seconds); });
-  Add<H*>("eventnumber", ".", new OneOperator1_<long, H*>(event_number));
   Add<H*>("leftout", ".", new OneOperator1s_<string*, H*>(left_out));
-  add_method<H, TimeTag>("eventtime",
-                         [] { return new OneOperator2_<double, Method<H, TimeTag>, long>(event_time); });
-  add_method<H, KindTag>("eventkind",
-                         [] { return new OneOperator2s_<string*, Method<H, KindTag>, long>(event_kind); });
-  add_method<H, NodeTag>("eventnode",
-                         [] { return new OneOperator2_<long, Method<H, NodeTag>, long>(event_node); });
-  add_method<H, ToolTag>("eventtool",
-                         [] { return new OneOperator2s_<string*, Method<H, ToolTag>, long>(event_tool); });
-  add_method<H, XTag>("eventx", [] { return new OneOperator2_<double, Method<H, XTag>, long>(event_x); });
-  add_method<H, YTag>("eventy", [] { return new OneOperator2_<double, Method<H, YTag>, long>(event_y); });
+  register_event_table();
 }
 
 } // namespace rigidcontact

@@ -221,6 +221,20 @@ struct Tangent {
 };
 basicAC_F0::name_and_type Tangent::names[] = {{"kind", &typeid(string*)}, {"blend", &typeid(double)}};
 
+void register_material_events() {
+  using H = MaterialHandle;
+  add_method<H, EventsTag>(
+      "events", [] { return new OneOperator2_<double, Method<H, EventsTag>, double>(earliest_events); },
+      [] { return new OneOperator3_<double, Method<H, EventsTag>, double, double>(events_but_noise); },
+      [] { return new OneOperator1_<double, Method<H, EventsTag>>(all_events); });
+  add_method<H, SwitchTag>("switchpoints",
+                           [] { return new OneOperator1_<long, Method<H, SwitchTag>>(switch_points); });
+  add_method<H, HoldTag>("holdpoints",
+                         [] { return new OneOperator2_<bool, Method<H, HoldTag>, double>(hold_points); });
+  add_method<H, DropTag>("dropevents",
+                         [] { return new OneOperator1_<bool, Method<H, DropTag>>(drop_events); });
+}
+
 } // namespace
 
 burnish::TangentKind tangent_kind(const std::string& name) {
@@ -245,16 +259,7 @@ void register_material() {
                           [] { return new OneOperator2s_<double, Method<H, ForceTag>, KN_<double>>(force); });
   add_method<H, AcceptTag>("accept", [] { return new OneOperator1_<bool, Method<H, AcceptTag>>(accept); });
   add_method<H, RevertTag>("revert", [] { return new OneOperator1_<bool, Method<H, RevertTag>>(revert); });
-  add_method<H, EventsTag>(
-      "events", [] { return new OneOperator2_<double, Method<H, EventsTag>, double>(earliest_events); },
-      [] { return new OneOperator3_<double, Method<H, EventsTag>, double, double>(events_but_noise); },
-      [] { return new OneOperator1_<double, Method<H, EventsTag>>(all_events); });
-  add_method<H, SwitchTag>("switchpoints",
-                           [] { return new OneOperator1_<long, Method<H, SwitchTag>>(switch_points); });
-  add_method<H, HoldTag>("holdpoints",
-                         [] { return new OneOperator2_<bool, Method<H, HoldTag>, double>(hold_points); });
-  add_method<H, DropTag>("dropevents",
-                         [] { return new OneOperator1_<bool, Method<H, DropTag>>(drop_events); });
+  register_material_events();
   add_method<H, NodalTag>(
       "nodal", [] { return new OneOperator2s_<KN_<double>, Method<H, NodalTag>, KN_<double>>(nodal); });
   add_method<H, StressTag>(
