@@ -1,10 +1,15 @@
-// What a script reads of a contact, all of the accepted state:
-//   arrays over the candidates, in order along the surface: C.nodes, C.x, C.y, C.gap, C.pressure, C.traction,
-//   C.pressurefit, C.tractionfit,
-//   C.normalforce, C.tangentialforce, C.state (0 free 1 touched 2 sliding 3 sticking 4 leaving 5 receding),
-//   C.s C.width, C.speed; C.count("sliding"); C.statistic("factorizations"); C.residual, C.loadscale event
-//   log as a table: C.eventnumber, C.eventtime(i), C.eventkind(i), C.eventnode(i), C.eventtool(i),
-//   C.eventx(i), C.eventy(i)
+// What a script reads of a contact, all of the accepted state.
+//   Arrays over the candidates, in order along the surface:
+//     C.nodes, C.x, C.y, C.xref, C.yref      mesh nodes, present and reference places [length]
+//     C.state                                0 free 1 touched 2 sliding 3 sticking 4 leaving 5 receding
+//     C.s, C.gap                             parameter on the tool; gap, positive = open [length]
+//     C.normalforce, C.tangentialforce       nodal forces of the tool on the body [force]
+//     C.pressure, C.traction                 the same over tributary lengths [stress]
+//     C.pressurefit, C.tractionfit           linear on every edge, fitted to the nodal forces [stress]
+//   Numbers: C.width, C.speed, C.spacing, C.residual, C.loadscale; C.count("sliding"); C.leftout (text)
+//     C.statistic("factorizations"), C.seconds("solve") (CPU)
+//   Event log as a table, i = 0 .. C.eventnumber-1: C.eventtime(i), C.eventkind(i), C.eventnode(i), C.eventtool(i),
+//     C.eventx(i), C.eventy(i)
 #include "base/error.hpp"
 #include "named.hpp"
 #include "types.hpp"

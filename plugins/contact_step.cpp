@@ -1,12 +1,14 @@
-// The verbs of a step: C.begin, check, factorize, correct, events, switchstates, accept, revert.
-//   C.begin(u[], t, dt);  C.begin(u[], t, dt, events=true);
-//   int st = C.check(u[], R);            rcConverged, rcIterate, rcRefactorize, rcHalved, rcFailed
-//   int ok = C.factorize(M, u[]);        the material's own tangent; or C.factorize(K, u[]) with any
-//   symmetric matrix int st = C.correct(u[], R);          real f = C.events(u[], R);   2 if the step has no
-//   event
-//   C.begin(u[], t, dt, rates=true);     pure rates from the accepted state, see contact_matrix.cpp
-//   real f = C.events(u[], R, tolerance=1e-3, until=1);    fractions of the step
-//   long n = C.logevents(M);             appends the element events that M.events found in this step
+// The verbs of a step.
+//   C.begin(u[], t, dt);                 u: in accepted, out predicted; the drives hold the values at t + dt
+//     events=true                        contact states stay fixed (event stepping)
+//     rates=true                         pure rates from the accepted state, see contact_matrix.cpp
+//   int st = C.check(u[], R);            rcConverged, rcIterate, rcRefactorize, rcHalved, rcFailed (C.reason tells why)
+//   bool ok = C.factorize(M, u[]);       the material's own tangent; or C.factorize(K, u[]) with any symmetric matrix
+//   int st = C.correct(u[], R);          one iteration: moves u, slips, coordinates and contact states
+//   real f = C.events(u[], R);           earliest fraction of the step, 2 if it has no event; tolerance=1e-3, until=1
+//   int n = C.switchstates();            changes states at the accepted state without moving
+//   int n = C.logevents(M);              appends the element events that M.events found in this step
+//   C.accept(u[], R);  C.revert();       the only two ways between the states
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"

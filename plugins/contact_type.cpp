@@ -1,10 +1,13 @@
 // Script type `contact`: the surface of a workpiece that tools may touch.
-//   contact C = rcContact(Vh, label=3, fixed=bc, friction=0.2);   bc: real[int], nonzero where the
-//   displacement is given C.add(roller);   C.add(roller, friction=0.3);     C.approach(roller, "r", u[]);
-// Named parameters of the constructor: label or labels, fixed, friction, tolerance (residual over the load),
-// gaptolerance (gap and slip over the spacing of the nodes; light contact on stiff bodies wants it small),
-// maxiterations, memory, terms; stepsperwidth is the loop's. The solver's options have the defaults of
-// stepping/options.hpp.
+//   contact C = rcContact(Vh, label=3, fixed=bc, friction=0.2);
+//     label= or labels=   boundary labels of the surface
+//     fixed=              real[int], nonzero where the displacement is given
+//     friction=           Coulomb coefficient for all tools added without their own
+//     tolerance=          residual over the load, 1e-4
+//     gaptolerance=       gap and slip over the spacing of the nodes, 1e-6
+//     maxiterations=, memory= (Anderson), terms="complete" | "article" | "none"
+//   C.add(roller);  C.add(roller, friction=0.3);
+//   real q = C.approach(roller, "r", u[]);         moves one coordinate until the tool just touches
 #include "base/error.hpp"
 #include "named.hpp"
 #include "types.hpp"

@@ -1,15 +1,17 @@
-// Script type `material`: J2 plasticity with linear isotropic hardening in plane strain on a [P1,P1] or
-// [P2,P2] space.
-//   material M = rcMaterial(Vh, G=..., nu=..., sigY=..., H=...);    or E=...; update="substepped" | "single"
-//   | "euler" int st = M.update(u[], dt, it);   M.force(R);   M.accept();   M.revert(); matrix K =
-//   M.tangent();           also kind="consistent" | "rate" | "elastic", blend=0..1 M.stress(i), M.F(i),
-//   M.piola(i), M.moduli(i,j), M.plasticstrain, M.stresseq, M.yieldexcess (q/sigma_y - 1),
-//   M.nodal(values)
+// Script type `material`: J2 plasticity with linear isotropic hardening, plane strain, on a [P1,P1] or [P2,P2] space.
+//   material M = rcMaterial(Vh, G=..., nu=..., sigY=..., H=...);    or E=...;
+//     update="substepped" | "single" | "euler", pathlimit=1.5
+//   int st = M.update(u[], dt, it);   stress at u from the accepted state; 0, or 1 for an inverted element
+//   M.force(R);  M.accept();  M.revert();
+//   matrix K = M.tangent();           kind="consistent" | "rate" | "elastic", blend=0..1 (share of elastic moduli)
+//   M.stress(i), M.F(i), M.piola(i), M.moduli(i,j), M.plasticstrain, M.stresseq, M.yieldexcess (q/sigma_y - 1):
+//     arrays over the quadrature points, in the order of FEQF2 or P0;  M.nodal(values) at the nodes;  M.points
 // Element events of the step that the last update made (first yield, unloading):
-//   real f = M.events(1e-3);   earliest fraction and all within the tolerance of it, 2 if there is none
-//   real f = M.events(1e-3, 1e-4);   without changes of q near the surface below 1e-4 sigma_y;
-//   M.holdpoints(1e-4); before accept real f = M.events();       all of the step, for the log;
-//   M.dropevents();   M.switchpoints(); after accept or revert: returns their number
+//   real f = M.events(1e-3);          earliest fraction and all within the tolerance of it, 2 if there is none
+//   real f = M.events(1e-3, 1e-4);    without changes of q near the surface below 1e-4 sigma_y;
+//   real f = M.events();              all of the step, for the log
+//   M.holdpoints(1e-4);               before accept, goes with the noise above
+//   int n = M.switchpoints();         after accept or revert;  M.dropevents();
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"

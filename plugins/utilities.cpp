@@ -1,9 +1,9 @@
 // Small things a step loop needs from the machine, and the step control.
-//   rcLastError(0) text of the last error, once; rcFail(text) ends the script with it, unless caught
-//   rcWallTime(0), rcCatchInterrupt(0), rcInterrupted(0), rcBlas(0), rcReferenceBlas(0), rcVersions(0),
+//   rcLastError(0)                     text of the last error, once;  rcFail(text) ends the script with it, unless caught
+//   rcWallTime(0), rcCatchInterrupt(0), rcInterrupted(0), rcBlas(0), rcReferenceBlas(0), rcVersions(0)
 //   rcNumber(name, text), rcJson(number or text), rcMakeFolder(path)
-//   stepcontrol S(tend, dtmax=..., stepsperwidth=14, dtmin=...);  S.propose(width, speed),
-//   S.accepted(), S.rejected(), S.cut(f), S.t, S.dt, S.finished
+//   stepcontrol S(tend, dtmax=..., dtmin=..., stepsperwidth=14, output=times);
+//     S.propose(width, speed), S.accepted(), S.rejected() (false: below the floor), S.cut(f), S.t, S.dt, S.finished
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "named.hpp"
