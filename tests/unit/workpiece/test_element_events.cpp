@@ -162,13 +162,13 @@ TEST(ElementEvents, PointsThatWereSwitchedHaveNoSecondEvent) {
   Element element(StressUpdate::FORWARD_EULER);
   element.step_to(stretch((1 - 1e-4) * y)); // inside by what a batch may take
   element.body.accept();
-  switch_points<2>({{1, PointChange::YIELD, 0, {}}}, element.body);
+  switch_points<2>({{1, PointChange::YIELD, 0, Vector<2>::Zero()}}, element.body);
   EXPECT_TRUE(element.body.state().plastic[0] && element.body.state_old().plastic[0]);
   element.step_to(stretch(1.5 * y));
   EXPECT_TRUE(element.events().empty());
   EXPECT_GT(element.body.state().plastic_strain_eq[0], 0); // forward Euler flows from the event on
   element.body.revert();
-  switch_points<2>({{0, PointChange::UNLOADING, 0, {}}}, element.body);
+  switch_points<2>({{0, PointChange::UNLOADING, 0, Vector<2>::Zero()}}, element.body);
   element.step_to(stretch(1.5 * y));
   ASSERT_EQ(element.events().size(), 1u);
   EXPECT_EQ(element.events()[0].change, PointChange::YIELD);
