@@ -22,7 +22,7 @@ FREEFEM_INCLUDE ?= /usr/include/freefem++
 EIGEN_INCLUDE   ?= /usr/include/eigen3
 SPARSE_INCLUDE  ?= /usr/include/suitesparse
 # BLAS and LAPACK by their run-time names: whatever the system's alternatives select counts
-LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3
+LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3 -lgmsh -lginac -lcln
 
 FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -Wall -Wextra -Icxx \
         -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)

@@ -25,6 +25,7 @@ template <int Dim> struct ContactNode {
   Param<Dim> s_ref = Param<Dim>::Zero(); ///< where it sticks; slip of the step is counted from here
   double slip_sign = 0;                  ///< sign of ds while sliding, 0 otherwise
   double slip_rate = 0;                  ///< ds/dt of the last step times |X_s| [length/time]
+  double area = 1; ///< share of the surface at the start of the step, see FrictionLaw [length or area]
 };
 
 /// Plain data, can be written and read.

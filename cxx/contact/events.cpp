@@ -44,7 +44,7 @@ Forces<Dim> forces(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>&
                    const ContactNode<Dim>& node, const Vector<Dim>& F) {
   const auto p = model.tools[node.tool]->surface(poses[node.tool], node.s);
   const double N = F.dot(p.n);
-  return {N, F.dot(p.x_s.col(0)) / p.x_s.col(0).norm(), model.friction[node.tool]->limit(N)};
+  return {N, F.dot(p.x_s.col(0)) / p.x_s.col(0).norm(), model.friction[node.tool]->limit(N, node.area)};
 }
 
 // Fraction at which a free node meets a tool, refined on the true gap by regula falsi.

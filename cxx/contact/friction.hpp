@@ -4,20 +4,23 @@
 
 namespace burnish {
 
-/// Friction limit g(N) and its slope g'(N); a node sticks while |T| <= g(N) and slides with |T| = g(N),
-/// opposing slip.
+/// Friction limit g(N, A) and its slope dg/dN; a node sticks while |T| <= g and slides with |T| = g, opposing
+/// slip. A is the node's share of the surface, so that laws of pressure p = N/A and traction read
+/// g = A t(N/A) [A: length per unit thickness in plane strain, area of the whole ring when axisymmetric].
 class FrictionLaw {
 public:
   virtual ~FrictionLaw() = default;
-  virtual double limit(double N) const = 0; ///< N >= 0 normal nodal force [force]; returns g(N) >= 0 [force]
-  virtual double slope(double N) const = 0; ///< dg/dN [-]
+  /// @param N normal nodal force; an iteration may pass through N < 0 [force]; @param area A > 0
+  /// @return g [force], >= 0 for N >= 0
+  virtual double limit(double N, double area) const = 0;
+  virtual double slope(double N, double area) const = 0; ///< dg/dN [-]
   virtual bool frictionless() const { return false; }
 };
 
 class NoFriction final : public FrictionLaw {
 public:
-  double limit(double) const override { return 0; }
-  double slope(double) const override { return 0; }
+  double limit(double, double) const override { return 0; }
+  double slope(double, double) const override { return 0; }
   bool frictionless() const override { return true; }
 };
 
@@ -26,8 +29,8 @@ class CoulombFriction final : public FrictionLaw {
 public:
   /// @throws std::invalid_argument if mu < 0 or not finite
   explicit CoulombFriction(double mu);
-  double limit(double N) const override { return m_mu * N; }
-  double slope(double) const override { return m_mu; }
+  double limit(double N, double) const override { return m_mu * N; }
+  double slope(double, double) const override { return m_mu; }
   double mu() const { return m_mu; }
 
 private:

@@ -4,12 +4,12 @@ namespace burnish {
 namespace {
 
 // Rows and (s,.) terms of a sliding node in the plane.
-void add_sliding_terms(NodeLinearization<2>& node, const FrictionLaw& law, double sgn, const Vector<2>& F,
-                       GeometricTerms terms) {
+void add_sliding_terms(NodeLinearization<2>& node, const FrictionLaw& law, double area, double sgn,
+                       const Vector<2>& F, GeometricTerms terms) {
   const auto& p = node.point;
   const Vector<2> x_s = p.x_s.col(0), x_ss = p.x_ss[0].col(0), n_s = p.n_s.col(0);
   const double length = x_s.norm(), N = F.dot(p.n);
-  const double g = law.limit(N), slope = law.slope(N);
+  const double g = law.limit(N, area), slope = law.slope(N, area);
   node.tau = x_s + sgn * length * slope * p.n;
   node.constant = sgn * length * (g - slope * N);
   if (terms == GeometricTerms::NONE) return;
@@ -38,7 +38,8 @@ NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const Cont
   const Eigen::Index nq = result.point.x_q.cols();
   result.geo_sq = result.geo_qs = Eigen::VectorXd::Zero(nq);
   result.geo_qq = Eigen::MatrixXd::Zero(nq, nq);
-  if (result.sliding) add_sliding_terms(result, *model.friction[node.tool], node.slip_sign, F, terms);
+  if (result.sliding)
+    add_sliding_terms(result, *model.friction[node.tool], node.area, node.slip_sign, F, terms);
   if (terms == GeometricTerms::COMPLETE)
     for (Eigen::Index k = 0; k < nq; ++k) result.geo_qq.row(k) = F.transpose() * result.point.x_qq[k];
   return result;

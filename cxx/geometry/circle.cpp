@@ -35,4 +35,6 @@ ClosestPoint<2> Circle::closest_point(const Vector<2>& x, const Param<2>& near) 
   return {Param<2>(s), gap, false};
 }
 
+ParamRange<2> Circle::range() const { return {Param<2>(0.), Param<2>(2 * std::acos(-1.)), true}; }
+
 } // namespace burnish

@@ -32,6 +32,9 @@ public:
 
   /// The radius [length].
   double length_scale() const override { return m_radius; }
+  /// 0 <= s < 2 pi, closed.
+  ParamRange<2> range() const override;
+  double tightest_radius() const override { return m_radius; }
 
 private:
   double m_radius;

@@ -21,6 +21,12 @@ template <int Dim> struct ClosestPoint {
   bool on_end;  ///< true if the foot point is an end of the profile (no normal projection)
 };
 
+/// Where the parameters of a profile lie. Closed profiles are periodic: s may run on beyond both ends.
+template <int Dim> struct ParamRange {
+  Param<Dim> begin, end;
+  bool closed;
+};
+
 template <int Dim> class Profile {
 public:
   virtual ~Profile() = default;
@@ -32,6 +38,13 @@ public:
   virtual ClosestPoint<Dim> closest_point(const Vector<Dim>& x, const Param<Dim>& near) const = 0;
   /// A length that characterises the profile (radius, length of a line), for relative tolerances.
   virtual double length_scale() const = 0;
+  /// Parameters of the whole profile, for outlines.
+  virtual ParamRange<Dim> range() const = 0;
+  /// Smallest radius of curvature where the body may touch [length]; infinity for a straight line.
+  virtual double tightest_radius() const = 0;
+  /// Number of the smooth piece that holds s, 0, 1, ...; at a joint the piece that begins there. A node that
+  /// passes from piece to piece has an event (method.md section 4).
+  virtual int piece(const Param<Dim>&) const { return 0; }
 };
 
 } // namespace burnish

@@ -1,6 +1,7 @@
 #pragma once
 // Straight line between two points of the tool's frame: a flat punch, a die wall, a plate.
 #include "geometry/profile.hpp"
+#include <limits>
 
 namespace burnish {
 
@@ -34,6 +35,9 @@ public:
 
   /// The length L [length].
   double length_scale() const override { return m_length; }
+  /// 0 <= s <= L, open.
+  ParamRange<2> range() const override { return {Param<2>(0.), Param<2>(m_length), false}; }
+  double tightest_radius() const override { return std::numeric_limits<double>::infinity(); }
 
 private:
   Vector<2> m_a, m_b, m_tangent, m_normal;

@@ -83,7 +83,8 @@ bool test_contact(const FrictionLaw& law, const SurfacePoint<Dim>& p, const Vect
     }
     return false;
   }
-  if (N < -problem.force_tolerance || std::abs(T) > law.limit(std::max(N, 0.)) + problem.force_tolerance) {
+  if (N < -problem.force_tolerance ||
+      std::abs(T) > law.limit(std::max(N, 0.), trial.area) + problem.force_tolerance) {
     trial.state = NodeState::SLIDING; // friction opposes slip: the tangential force tells its direction
     trial.slip_sign = law.frictionless() ? 0 : (T > 0 ? -1 : 1);
     return true;

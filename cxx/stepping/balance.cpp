@@ -35,7 +35,7 @@ void contact_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node, 
   const double length = p.x_s.col(0).norm(), N = F.dot(p.n), T = F.dot(t);
   bool bad = N < -force_tolerance || (x - p.x).norm() > offset_tolerance;
   if (node.state == NodeState::SLIDING) {
-    const double r = std::abs(T + node.slip_sign * law.limit(N));
+    const double r = std::abs(T + node.slip_sign * law.limit(N, node.area));
     if (worse(r, result)) {
       result.residual = r;
       result.worst_dof = result.worst_coordinate = -1;
@@ -43,7 +43,7 @@ void contact_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node, 
     const double slip = (node.s - node.s_ref)[0] * node.slip_sign * length;
     bad = bad || (!law.frictionless() && slip < -gap_tolerance);
   } else {
-    bad = bad || std::abs(T) > law.limit(std::max(N, 0.)) + force_tolerance;
+    bad = bad || std::abs(T) > law.limit(std::max(N, 0.), node.area) + force_tolerance;
   }
   result.inconsistent += bad;
 }

@@ -59,7 +59,7 @@ inline Eigen::VectorXd condensed_residual(const ContactModel<2>& model, const Bo
     const int dof = 2 * model.candidates[i];
     const auto p = model.tools[node.tool]->surface(model.tool_q(state.q, node.tool), node.s);
     const Vector<2> F = R.segment<2>(dof), t = p.x_s.col(0);
-    const double g = model.friction[node.tool]->limit(F.dot(p.n));
+    const double g = model.friction[node.tool]->limit(F.dot(p.n), node.area);
     r.segment<2>(dof) = Vector<2>(F.dot(t) + node.slip_sign * t.norm() * g, 0);
     if (node.state != NodeState::SLIDING) r[dof] = 0;
     r.segment(u.size() + model.first[node.tool], p.x_q.cols()) += p.x_q.transpose() * F;

@@ -161,11 +161,11 @@ TEST(ContactBlock, ToolWithoutContact) {
 
 TEST(Friction, LawsAndBadInput) {
   EXPECT_TRUE(make_coulomb(0)->frictionless());
-  EXPECT_EQ(make_coulomb(0)->limit(5), 0);
-  EXPECT_EQ(make_coulomb(0)->slope(5), 0);
+  EXPECT_EQ(make_coulomb(0)->limit(5, 1), 0);
+  EXPECT_EQ(make_coulomb(0)->slope(5, 1), 0);
   EXPECT_FALSE(make_coulomb(0.2)->frictionless());
-  EXPECT_DOUBLE_EQ(make_coulomb(0.2)->limit(5), 1);
-  EXPECT_DOUBLE_EQ(make_coulomb(0.2)->slope(5), 0.2);
+  EXPECT_DOUBLE_EQ(make_coulomb(0.2)->limit(5, 1), 1);
+  EXPECT_DOUBLE_EQ(make_coulomb(0.2)->slope(5, 1), 0.2);
   expect_invalid([] { make_coulomb(-0.3); }, "CoulombFriction: mu = -0.3, expected mu >= 0");
   expect_invalid([] { make_coulomb(std::nan("")); }, "CoulombFriction: mu = nan, expected mu >= 0");
 }
