@@ -15,6 +15,10 @@ template <int Dim> struct BodyView {
   }
 };
 
+/// Whether the fixed dofs rule out every rigid motion of the body (in the plane: two translations and the
+/// rotation, small motions).
+template <int Dim> bool holds_rigid_motions(const BodyView<Dim>& body);
+
 /// Typical distance of neighboring candidates: median of the distances to the nearest other candidate.
 double candidate_spacing(const Eigen::VectorXd& X, int dim, const std::vector<int>& candidates);
 

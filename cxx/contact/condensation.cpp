@@ -52,15 +52,16 @@ void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::V
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     if (!in_contact(state.nodes[i].state)) continue;
     const int node = m_model.candidates[i];
-    const Vector<Dim> F = R.template segment<Dim>(Dim * node);
+    const Vector<Dim> Rn = R.template segment<Dim>(Dim * node);
     m_contact_of[node] = static_cast<int>(m_nodes.size());
-    m_nodes.push_back(linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, F, terms));
+    m_nodes.push_back(linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, Rn, terms));
     const auto& linear = m_nodes.back();
     Vector<Dim> shift = Vector<Dim>::Zero();
-    if (right == RightHandSide::TOTAL) shift = linear.point.x - m_body.position(u, node);
-    for (Eigen::Index k = 0; k < linear.point.x_q.cols(); ++k) {
+    if (right == RightHandSide::TOTAL)
+      shift = offset_to(m_model, static_cast<int>(i), linear.point, m_body.position(u, node));
+    for (Eigen::Index k = 0; k < linear.x_q.cols(); ++k) {
       const int q = m_model.first[linear.tool] + static_cast<int>(k);
-      if (program.is_motion[q]) shift += (program.value[q] - state.q[q]) * linear.point.x_q.col(k);
+      if (program.is_motion[q]) shift += (program.value[q] - state.q[q]) * linear.x_q.col(k);
     }
     m_shift.template segment<Dim>(Dim * node) = shift;
   }
@@ -92,20 +93,20 @@ template <int Dim> void Condensation<Dim>::add_blocks(const NodeBlockMatrix<Dim>
         for (int b = 0; b < Dim; ++b) m_full.value[place + b] += local(a, b);
       }
       if (column.node) {
-        const PerCoordinate<Dim> q = WK * column.node->point.x_q;
+        const PerCoordinate<Dim> q = WK * column.node->x_q;
         for (int a = 0; a < Dim; ++a)
           for (Eigen::Index l = 0; l < q.cols(); ++l)
             at(Dim * m + a, ndof + m_model.first[column.node->tool] + static_cast<int>(l)) += q(a, l);
       }
       if (!row.node) continue;
-      const Eigen::MatrixXd qK = row.node->point.x_q.transpose() * block;
+      const Eigen::MatrixXd qK = row.node->x_q.transpose() * block;
       const int first = ndof + m_model.first[row.node->tool];
       for (Eigen::Index l = 0; l < qK.rows(); ++l) {
         const int r = first + static_cast<int>(l);
         const Eigen::RowVectorXd values = qK.row(l) * column.A;
         for (int b = 0; b < Dim; ++b) at(r, Dim * K.col[k] + b) += values[b];
         if (!column.node) continue;
-        const Eigen::RowVectorXd qq = qK.row(l) * column.node->point.x_q;
+        const Eigen::RowVectorXd qq = qK.row(l) * column.node->x_q;
         for (Eigen::Index j = 0; j < qq.size(); ++j)
           at(r, ndof + m_model.first[column.node->tool] + static_cast<int>(j)) += qq[j];
       }
@@ -151,8 +152,8 @@ void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const
     m_full.rhs.template segment<Dim>(Dim * m) = row.W.transpose() * f;
     if (!row.node) continue;
     if (row.node->sliding && total) m_full.rhs[Dim * m] -= row.node->constant;
-    m_full.rhs.segment(ndof + m_model.first[row.node->tool], row.node->point.x_q.cols()) +=
-        row.node->point.x_q.transpose() * f;
+    m_full.rhs.segment(ndof + m_model.first[row.node->tool], row.node->x_q.cols()) +=
+        row.node->x_q.transpose() * f;
   }
 }
 
@@ -250,9 +251,9 @@ typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::Vec
       result.ds[node.candidate] = z[dof];
       du += node.point.x_s.col(0) * z[dof];
     }
-    for (Eigen::Index k = 0; k < node.point.x_q.cols(); ++k) {
+    for (Eigen::Index k = 0; k < node.x_q.cols(); ++k) {
       const int q = m_model.first[node.tool] + static_cast<int>(k);
-      if (!m_given[ndof + q]) du += node.point.x_q.col(k) * z[ndof + q];
+      if (!m_given[ndof + q]) du += node.x_q.col(k) * z[ndof + q];
     }
     result.du.template segment<Dim>(dof) = du;
   }

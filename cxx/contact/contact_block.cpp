@@ -4,31 +4,39 @@
 namespace burnish {
 namespace {
 
-// Columns A and rows W' of the active nodes: sliding parameters first, coordinates after them.
+// Columns A and rows W' of the active nodes: slips and loose displacements first, coordinates after them.
 template <int Dim> struct Columns {
   Eigen::MatrixXd A, W;
-  std::vector<int> slide_column; // per active node, -1 for sticking
-  int num_sliding = 0;
+  std::vector<int> first; // per active node: its first column, -1 for a sticking or held one
+  int num_nodal = 0;
 };
 
 template <int Dim>
 Columns<Dim> assemble_columns(const ContactModel<Dim>& model,
                               const std::vector<NodeLinearization<Dim>>& nodes) {
   Columns<Dim> c;
-  for (const auto& node : nodes) c.slide_column.push_back(node.sliding ? c.num_sliding++ : -1);
+  for (const auto& node : nodes) {
+    const int count = node.loose ? Dim : node.sliding ? 1 : 0;
+    c.first.push_back(count > 0 ? c.num_nodal : -1);
+    c.num_nodal += count;
+  }
   const Eigen::Index rows = Dim * static_cast<Eigen::Index>(nodes.size());
-  const Eigen::Index cols = c.num_sliding + model.num_coordinates();
-  c.A = c.W = Eigen::MatrixXd::Zero(rows, cols);
+  c.A = c.W = Eigen::MatrixXd::Zero(rows, c.num_nodal + model.num_coordinates());
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const auto& node = nodes[a];
     const Eigen::Index row = Dim * static_cast<Eigen::Index>(a);
-    if (node.sliding) {
-      c.A.template block<Dim, 1>(row, c.slide_column[a]) = node.point.x_s.col(0);
-      c.W.template block<Dim, 1>(row, c.slide_column[a]) = node.tau;
+    if (node.loose) {
+      c.A.template block<Dim, Dim>(row, c.first[a]).setIdentity();
+      c.W.template block<Dim, Dim>(row, c.first[a]).setIdentity();
+      continue;
     }
-    const Eigen::Index first = c.num_sliding + model.first[node.tool];
-    c.A.block(row, first, Dim, node.point.x_q.cols()) = node.point.x_q;
-    c.W.block(row, first, Dim, node.point.x_q.cols()) = node.point.x_q;
+    if (node.sliding) {
+      c.A.template block<Dim, 1>(row, c.first[a]) = node.point.x_s.col(0);
+      c.W.template block<Dim, 1>(row, c.first[a]) = node.tau;
+    }
+    const Eigen::Index first = c.num_nodal + model.first[node.tool];
+    c.A.block(row, first, Dim, node.x_q.cols()) = node.x_q;
+    c.W.block(row, first, Dim, node.x_q.cols()) = node.x_q;
   }
   return c;
 }
@@ -38,10 +46,11 @@ void add_geometric_terms(const ContactModel<Dim>& model, const std::vector<NodeL
                          const Columns<Dim>& c, Eigen::MatrixXd& matrix) {
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const auto& node = nodes[a];
-    const Eigen::Index nq = node.point.x_q.cols(), first = c.num_sliding + model.first[node.tool];
+    if (node.loose) continue;
+    const Eigen::Index nq = node.x_q.cols(), first = c.num_nodal + model.first[node.tool];
     matrix.block(first, first, nq, nq) += node.geo_qq;
     if (!node.sliding) continue;
-    const Eigen::Index s = c.slide_column[a];
+    const Eigen::Index s = c.first[a];
     matrix(s, s) += node.geo_ss;
     matrix.row(s).segment(first, nq) += node.geo_sq.transpose();
     matrix.col(s).segment(first, nq) += node.geo_qs;
@@ -98,27 +107,33 @@ ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model, co
     solution.singular = true;
     return solution;
   }
-  const Eigen::MatrixXd SA = flexibility.solve(c.A);
-  const Eigen::VectorXd F0 = flexibility.solve(Eigen::VectorXd(input.offset - input.free_increment));
+  Eigen::MatrixXd SA = flexibility.solve(c.A);
+  Eigen::VectorXd F0 = flexibility.solve(Eigen::VectorXd(input.offset - input.free_increment));
+  if (input.shift.size() > 0) { // the body's own Schur complement is that of the shifted one less the shift
+    SA -= input.shift.asDiagonal() * c.A;
+    F0 -= input.shift.cwiseProduct(input.offset);
+  }
   Eigen::MatrixXd matrix = c.W.transpose() * SA;
   Eigen::VectorXd rhs = -c.W.transpose() * F0;
   add_geometric_terms(model, nodes, c, matrix);
   for (std::size_t a = 0; a < nodes.size(); ++a)
-    if (nodes[a].sliding) rhs[c.slide_column[a]] -= nodes[a].constant;
+    if (nodes[a].sliding) rhs[c.first[a]] -= nodes[a].constant;
   for (int k = 0; k < model.num_coordinates(); ++k)
-    if (!program.is_motion[k]) rhs[c.num_sliding + k] += program.value[k];
-  prescribe_motion(program, q, c.num_sliding, matrix, rhs);
+    if (!program.is_motion[k]) rhs[c.num_nodal + k] += program.value[k];
+  prescribe_motion(program, q, c.num_nodal, matrix, rhs);
 
   Eigen::VectorXd z;
-  if (!solve_scaled(matrix, rhs, c.num_sliding, z, solution.weakest_coordinate)) {
+  if (!solve_scaled(matrix, rhs, c.num_nodal, z, solution.weakest_coordinate)) {
     solution.singular = true;
     return solution;
   }
   solution.ds = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t a = 0; a < nodes.size(); ++a)
-    if (nodes[a].sliding) solution.ds[static_cast<Eigen::Index>(a)] = z[c.slide_column[a]];
+    if (nodes[a].sliding) solution.ds[static_cast<Eigen::Index>(a)] = z[c.first[a]];
   solution.dq = z.tail(model.num_coordinates());
   solution.F = F0 + SA * z;
+  solution.load = solution.F;
+  if (input.shift.size() > 0) solution.load += input.shift.cwiseProduct(input.offset + c.A * z);
   return solution;
 }
 

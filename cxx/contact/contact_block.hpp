@@ -12,6 +12,10 @@ template <int Dim> struct ContactBlockInput {
   Eigen::VectorXd
       free_increment; ///< (K^-1(-R))_a: increment of the active nodes without any contact force, Dim*active
   Eigen::VectorXd offset; ///< X(q,s) - x of the active nodes, Dim*active [length]
+  /// Stiffness that was added to the body's tangent on the diagonal of active (or loose) nodes before
+  /// `flexibility` and `free_increment` were made, and is taken off again here, exactly: a body that only its
+  /// tools hold has a singular tangent. Dim*active [force/length], or empty: none.
+  Eigen::VectorXd shift;
 };
 
 template <int Dim> struct ContactBlockSolution {
@@ -19,6 +23,7 @@ template <int Dim> struct ContactBlockSolution {
   int weakest_coordinate = -1; ///< if singular: coordinate that nothing resists, or -1
   Eigen::VectorXd ds;          ///< per active node (0 for sticking ones), times one parameter
   Eigen::VectorXd dq;          ///< all coordinates
+  Eigen::VectorXd load;        ///< F plus what the shift carries: the load for the shifted tangent [force]
   Eigen::VectorXd F;           ///< total contact force on the active nodes, Dim*active [force]
 };
 

@@ -40,11 +40,12 @@ double crossing(double start, double end, double tolerance) {
 template <int Dim> struct Forces { double N, T, limit; };
 
 template <int Dim>
-Forces<Dim> forces(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses,
-                   const ContactNode<Dim>& node, const Vector<Dim>& F) {
+Forces<Dim> forces(const ContactModel<Dim>& model, int candidate, const std::vector<Pose<Dim>>& poses,
+                   const ContactNode<Dim>& node, const Eigen::VectorXd& R) {
   const auto p = model.tools[node.tool]->surface(poses[node.tool], node.s);
-  const double N = F.dot(p.n);
-  return {N, F.dot(p.x_s.col(0)) / p.x_s.col(0).norm(), model.friction[node.tool]->limit(N, node.area)};
+  const NodalForce<Dim> force =
+      nodal_force(model, candidate, p, Vector<Dim>(R.segment<Dim>(Dim * model.candidates[candidate])));
+  return {force.N, force.T, model.law(candidate, node.tool).limit(force.N, node.area)};
 }
 
 // Fraction at which a free node meets a tool, refined on the true gap by regula falsi.
@@ -55,7 +56,7 @@ double touch_fraction(const ContactModel<Dim>& model, const BodyView<Dim>& body,
     const Eigen::VectorXd q = step.start->q + f * (step.end->q - step.start->q);
     const int node = model.candidates[i];
     const Vector<Dim> x = (1 - f) * body.position(*step.u_start, node) + f * body.position(*step.u_end, node);
-    return nearest_tool(model, model.poses(q), x, step.start->nodes[i]).foot.gap;
+    return nearest_tool(model, model.poses(q), x, step.start->nodes[i], static_cast<int>(i)).foot.gap;
   };
   double a = 0, b = 1, ga = gap(0), gb = gap(1);
   if (gb >= -tolerance) return crossing(ga, gb, tolerance);
@@ -105,24 +106,23 @@ ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>
                              const std::vector<Pose<Dim>>& poses1, std::size_t i,
                              const EventTolerance& tolerance, bool support) {
   const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
-  const int node = model.candidates[i];
+  const int candidate = static_cast<int>(i);
   if (!in_contact(n0.state)) {
     if (n0.state != NodeState::FREE) return make_event(body, step, model, i, EventKind::TOUCH, NEVER, -1);
     const double f = touch_fraction(model, body, step, i, tolerance.gap);
     return make_event(body, step, model, i, EventKind::TOUCH, f, n0.tool);
   }
-  const Vector<Dim> F0 = step.R_start->template segment<Dim>(Dim * node);
-  const Vector<Dim> F1 = step.R_end->template segment<Dim>(Dim * node);
-  const auto a = forces(model, poses0, n0, F0), b = forces(model, poses1, n1, F1);
+  const auto a = forces(model, candidate, poses0, n0, *step.R_start);
+  const auto b = forces(model, candidate, poses1, n1, *step.R_end);
   double release = crossing(a.N, b.N, tolerance.force);
   double change = NEVER;
   EventKind kind = EventKind::STICK_TO_SLIP;
-  const bool frictionless = model.friction[n0.tool]->frictionless();
+  const FrictionLaw& law = model.law(candidate, n0.tool);
   if (n0.state == NodeState::SLIDING) {
     const double length = model.tools[n0.tool]->surface(poses0[n0.tool], n0.s).x_s.col(0).norm();
     kind = EventKind::SLIP_TO_STICK;
-    if (!frictionless) change = stick_fraction(n0, n1, length, step.dt, tolerance.gap);
-  } else if (!support) {
+    if (!law.frictionless()) change = stick_fraction(n0, n1, length, step.dt, tolerance.gap);
+  } else if (!support && !law.sticks_always()) {
     change = crossing(a.limit - std::abs(a.T), b.limit - std::abs(b.T), tolerance.force);
     if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released
     release = NEVER;
@@ -165,15 +165,14 @@ std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, con
   for (std::size_t i = 0; i < model.candidates.size(); ++i) {
     const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
     const bool c0 = in_contact(n0.state), c1 = in_contact(n1.state);
-    const int node = model.candidates[i];
     const auto add = [&](EventKind kind, double f, int tool) {
       changes.push_back(make_event(body, step, model, i, kind, f > 1 ? 1 : f, tool));
     };
     if (!c0 && c1)
       add(EventKind::TOUCH, touch_fraction(model, body, resting, i, 0), n1.tool);
     else if (c0 && !c1) {
-      const Vector<Dim> F0 = step.R_start->template segment<Dim>(Dim * node);
-      add(EventKind::RELEASE, forces(model, poses0, n0, F0).N <= 0 ? 0 : 0.5, n0.tool);
+      const double N = forces(model, static_cast<int>(i), poses0, n0, *step.R_start).N;
+      add(EventKind::RELEASE, N <= 0 ? 0 : 0.5, n0.tool);
     } else if (c0 && c1 && holds(n0.state) != holds(n1.state)) {
       add(holds(n1.state) ? EventKind::SLIP_TO_STICK : EventKind::STICK_TO_SLIP, 0.5, n1.tool);
     }
@@ -191,10 +190,11 @@ void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
     ContactNode<Dim>& node = state.nodes[event.candidate];
     const int mesh_node = model.candidates[event.candidate];
     if (event.kind == EventKind::TOUCH) {
-      const auto nearest = nearest_tool(model, poses, body.position(u, mesh_node), node);
+      const auto nearest = nearest_tool(model, poses, body.position(u, mesh_node), node, event.candidate);
       node.tool = nearest.tool;
       node.s = nearest.foot.s;
-      node.state = model.friction[node.tool]->frictionless() ? NodeState::SLIDING : NodeState::TOUCHED;
+      node.state =
+          model.law(event.candidate, node.tool).frictionless() ? NodeState::SLIDING : NodeState::TOUCHED;
       node.slip_sign = 0;
     } else if (event.kind == EventKind::RELEASE) {
       node.state = NodeState::LEAVING;
@@ -220,7 +220,7 @@ void settle_released(const ContactModel<Dim>& model, const BodyView<Dim>& body, 
     if (node.state == NodeState::LEAVING) node.state = NodeState::RECEDING;
     if (node.state != NodeState::RECEDING) continue;
     const Vector<Dim> x = body.position(u, model.candidates[i]);
-    const double now = nearest_tool(model, poses, x, node).foot.gap;
+    const double now = nearest_tool(model, poses, x, node, static_cast<int>(i)).foot.gap;
     if (now > gap || now < -gap) node.state = NodeState::FREE;
   }
 }

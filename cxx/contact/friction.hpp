@@ -15,6 +15,8 @@ public:
   virtual double limit(double N, double area) const = 0;
   virtual double slope(double N, double area) const = 0; ///< dg/dN [-]
   virtual bool frictionless() const { return false; }
+  /// True for full sticking: the limit is infinite, a node never slides, it is released directly.
+  virtual bool sticks_always() const { return false; }
 };
 
 class NoFriction final : public FrictionLaw {

@@ -28,13 +28,17 @@ void add_sliding_terms(NodeLinearization<2>& node, const FrictionLaw& law, doubl
 template <int Dim>
 NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node,
                                       int candidate, const std::vector<Pose<Dim>>& poses,
-                                      const Vector<Dim>& F, GeometricTerms terms) {
+                                      const Vector<Dim>& R, GeometricTerms terms) {
   static_assert(Dim == 2, "sliding in space needs the rows r_j of method.md section 3");
   NodeLinearization<Dim> result;
   result.candidate = candidate;
   result.tool = node.tool;
-  result.sliding = node.state == NodeState::SLIDING;
+  result.sliding = node.state == NodeState::SLIDING && !model.is_held(candidate);
   result.point = model.tools[node.tool]->surface(poses[node.tool], node.s);
+  result.x_q = result.point.x_q;
+  if (model.is_held(candidate))
+    result.x_q = normal_lift(model, candidate, result.point.n) * (result.point.n.transpose() * result.x_q);
+  const Vector<Dim> F = nodal_force(model, candidate, result.point, R).F;
   const Eigen::Index nq = result.point.x_q.cols();
   result.geo_sq = result.geo_qs = Eigen::VectorXd::Zero(nq);
   result.geo_qq = Eigen::MatrixXd::Zero(nq, nq);

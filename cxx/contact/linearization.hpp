@@ -16,7 +16,10 @@ enum class GeometricTerms {
 template <int Dim> struct NodeLinearization {
   int candidate = -1, tool = -1;
   bool sliding = false;
+  /// Not in contact: its displacement is unknown and no force acts on it (see ContactBlockInput::shift).
+  bool loose = false;
   SurfacePoint<Dim> point;
+  PerCoordinate<Dim> x_q; ///< displacement per coordinate: X_,k, or along the lift of a held node
   // sliding rows (article 1.13): tau . F + constant = 0
   Vector<Dim> tau = Vector<Dim>::Zero(); ///< row: X_s + sgn |X_s| g'(N) n
   double constant = 0;                   ///< sgn |X_s| (g - g' N); zero for Coulomb
@@ -26,12 +29,12 @@ template <int Dim> struct NodeLinearization {
   Eigen::MatrixXd geo_qq;
 };
 
-/// @param F internal nodal force at the linearization point, Dim [force]
+/// @param R internal minus external nodal force at the linearization point, Dim [force]
 /// Plane only for sliding nodes (one tangent); sticking nodes in any dimension.
 template <int Dim>
 NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node,
                                       int candidate, const std::vector<Pose<Dim>>& poses,
-                                      const Vector<Dim>& F, GeometricTerms terms);
+                                      const Vector<Dim>& R, GeometricTerms terms);
 
 /// Residual of a sliding node, X_s . F + sgn |X_s| g(F . n)  [force x length / parameter].
 template <int Dim> double sliding_residual(const NodeLinearization<Dim>& node, const Vector<Dim>& F);

@@ -137,13 +137,15 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
     const auto& node = state.nodes[i];
     const int mesh_node = model.candidates[i];
     if (!in_contact(node.state)) {
-      report.gap[i] = nearest_tool(model, poses, body.position(u, mesh_node), node).foot.gap;
+      report.gap[i] =
+          nearest_tool(model, poses, body.position(u, mesh_node), node, static_cast<int>(i)).foot.gap;
       continue;
     }
     const auto p = model.tools[node.tool]->surface(poses[node.tool], node.s);
-    const Vector<Dim> F = R.template segment<Dim>(Dim * mesh_node);
-    report.normal_force[i] = F.dot(p.n);
-    report.tangential_force[i] = F.dot(p.x_s.col(0).normalized());
+    const auto force =
+        nodal_force(model, static_cast<int>(i), p, Vector<Dim>(R.template segment<Dim>(Dim * mesh_node)));
+    report.normal_force[i] = force.N;
+    report.tangential_force[i] = force.T;
   }
   report.pressure = report.normal_force.cwiseQuotient(report.length);
   report.traction_tangential = report.tangential_force.cwiseQuotient(report.length);

@@ -5,10 +5,13 @@ namespace burnish {
 namespace {
 
 template <int Dim>
-std::vector<int> active_positions(const ContactState<Dim>& state, const std::vector<int>& window) {
-  std::vector<int> active;
+std::vector<int> active_positions(const ContactState<Dim>& state, const WindowProblem<Dim>& problem) {
+  const std::vector<int>& window = *problem.window;
+  std::vector<int> active; // in contact, or shifted
   for (std::size_t w = 0; w < window.size(); ++w)
-    if (in_contact(state.nodes[window[w]].state)) active.push_back(static_cast<int>(w));
+    if (in_contact(state.nodes[window[w]].state) ||
+        (problem.shift.size() > 0 && (problem.shift.template segment<Dim>(Dim * w).array() != 0).any()))
+      active.push_back(static_cast<int>(w));
   return active;
 }
 
@@ -28,21 +31,32 @@ bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body, con
                   const ContactState<Dim>& start, const ContactState<Dim>& trial,
                   const WindowProblem<Dim>& problem, WindowSolution<Dim>& out) {
   const std::vector<int>& window = *problem.window;
-  const std::vector<int> active = active_positions(trial, window);
+  const std::vector<int> active = active_positions(trial, problem);
   const auto poses = model.poses(start.q);
   std::vector<NodeLinearization<Dim>> nodes;
   ContactBlockInput<Dim> input;
-  input.offset.resize(Dim * active.size());
+  input.offset = Eigen::VectorXd::Zero(Dim * active.size());
   input.free_increment.resize(Dim * active.size());
   for (std::size_t a = 0; a < active.size(); ++a) {
     const int candidate = window[active[a]], mesh_node = model.candidates[candidate];
     const bool was = in_contact(start.nodes[candidate].state);
-    const Vector<Dim> F =
+    const Vector<Dim> R =
         was ? Vector<Dim>(problem.R->template segment<Dim>(Dim * mesh_node)) : Vector<Dim>::Zero();
-    nodes.push_back(linearize_node(model, trial.nodes[candidate], candidate, poses, F, problem.terms));
-    input.offset.template segment<Dim>(Dim * a) = nodes.back().point.x - body.position(*problem.u, mesh_node);
+    if (in_contact(trial.nodes[candidate].state)) {
+      nodes.push_back(linearize_node(model, trial.nodes[candidate], candidate, poses, R, problem.terms));
+      input.offset.template segment<Dim>(Dim * a) =
+          offset_to(model, candidate, nodes.back().point, body.position(*problem.u, mesh_node));
+    } else {
+      nodes.emplace_back();
+      nodes.back().loose = true;
+    }
     input.free_increment.template segment<Dim>(Dim * a) =
         problem.free_increment.template segment<Dim>(Dim * active[a]);
+  }
+  if (problem.shift.size() > 0) {
+    input.shift.resize(Dim * active.size());
+    for (std::size_t a = 0; a < active.size(); ++a)
+      input.shift.template segment<Dim>(Dim * a) = problem.shift.template segment<Dim>(Dim * active[a]);
   }
   const Eigen::MatrixXd C = sub_matrix<Dim>(*problem.flexibility, active);
   input.nodes = &nodes;
@@ -53,21 +67,21 @@ bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body, con
   if (block.singular) return false;
   out.state = trial;
   out.state.q = start.q + block.dq;
-  out.F = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(window.size()));
+  out.F = out.load = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(window.size()));
   for (std::size_t a = 0; a < active.size(); ++a) {
     out.state.nodes[window[active[a]]].s[0] += block.ds[a];
     out.F.template segment<Dim>(Dim * active[a]) = block.F.template segment<Dim>(Dim * a);
+    out.load.template segment<Dim>(Dim * active[a]) = block.load.template segment<Dim>(Dim * a);
   }
   return true;
 }
 
 // Tests a node in contact; returns true if its state changed. `solved` holds s + ds, `trial` is changed.
 template <int Dim>
-bool test_contact(const FrictionLaw& law, const SurfacePoint<Dim>& p, const Vector<Dim>& F,
+bool test_contact(const FrictionLaw& law, const SurfacePoint<Dim>& p, const NodalForce<Dim>& force,
                   const ContactNode<Dim>& solved, ContactNode<Dim>& trial,
                   const WindowProblem<Dim>& problem) {
-  const double length = p.x_s.col(0).norm();
-  const double N = F.dot(p.n), T = F.dot(p.x_s.col(0)) / length;
+  const double length = p.x_s.col(0).norm(), N = force.N, T = force.T;
   if (trial.state == NodeState::SLIDING) {
     if (N < -problem.force_tolerance) {
       trial.state = NodeState::FREE;
@@ -83,6 +97,10 @@ bool test_contact(const FrictionLaw& law, const SurfacePoint<Dim>& p, const Vect
     }
     return false;
   }
+  if (N < -problem.force_tolerance && law.sticks_always()) {
+    trial.state = NodeState::FREE;
+    return true;
+  }
   if (N < -problem.force_tolerance ||
       std::abs(T) > law.limit(std::max(N, 0.), trial.area) + problem.force_tolerance) {
     trial.state = NodeState::SLIDING; // friction opposes slip: the tangential force tells its direction
@@ -94,11 +112,14 @@ bool test_contact(const FrictionLaw& law, const SurfacePoint<Dim>& p, const Vect
 
 // A free node that would penetrate comes into contact where it would have touched.
 template <int Dim>
-bool test_free(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses, const Vector<Dim>& x,
-               const ContactNode<Dim>& entry, ContactNode<Dim>& trial, double gap_tolerance) {
-  const auto nearest = nearest_tool(model, poses, x, entry);
+bool test_free(const ContactModel<Dim>& model, int candidate, const std::vector<Pose<Dim>>& poses,
+               const Vector<Dim>& x, const ContactNode<Dim>& entry, ContactNode<Dim>& trial,
+               double gap_tolerance) {
+  const auto nearest = nearest_tool(model, poses, x, entry, candidate);
   if (!(nearest.foot.gap < -gap_tolerance)) return false;
-  const bool frictionless = model.friction[nearest.tool]->frictionless();
+  const auto foot = model.tools[nearest.tool]->surface(poses[nearest.tool], nearest.foot.s);
+  if (normal_lift(model, candidate, foot.n).isZero()) return false; // the support holds it
+  const bool frictionless = model.law(candidate, nearest.tool).frictionless();
   trial.tool = nearest.tool;
   trial.s_ref = entry.tool == nearest.tool ? entry.s_ref : nearest.foot.s;
   trial.s = frictionless ? nearest.foot.s : trial.s_ref;
@@ -113,19 +134,19 @@ int test_window(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
                 const WindowSolution<Dim>& solution, ContactState<Dim>& trial) {
   const std::vector<int>& window = *problem.window;
   const auto poses = model.poses(solution.state.q);
-  const Eigen::VectorXd du = problem.free_increment + *problem.flexibility * solution.F;
+  const Eigen::VectorXd du = problem.free_increment + *problem.flexibility * solution.load;
   int changes = 0;
   for (std::size_t w = 0; w < window.size(); ++w) {
     const int i = window[w];
     ContactNode<Dim>& node = trial.nodes[i];
     if (in_contact(node.state)) {
       const auto p = model.tools[node.tool]->surface(poses[node.tool], solution.state.nodes[i].s);
-      const Vector<Dim> F = solution.F.template segment<Dim>(Dim * w);
-      changes += test_contact(*model.friction[node.tool], p, F, solution.state.nodes[i], node, problem);
+      const auto force = nodal_force(model, i, p, Vector<Dim>(solution.F.template segment<Dim>(Dim * w)));
+      changes += test_contact(model.law(i, node.tool), p, force, solution.state.nodes[i], node, problem);
     } else {
       const Vector<Dim> x =
           body.position(*problem.u, model.candidates[i]) + du.template segment<Dim>(Dim * w);
-      changes += test_free(model, poses, x, (*problem.entry)[i], node, problem.gap_tolerance);
+      changes += test_free(model, i, poses, x, (*problem.entry)[i], node, problem.gap_tolerance);
     }
   }
   return changes;
@@ -146,6 +167,7 @@ int ensure_support(const ContactModel<Dim>& model, const Program& program, Conta
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {
       const auto& node = state.nodes[i];
       if (!in_contact(node.state) || node.tool != static_cast<int>(t)) continue;
+      if (model.is_held(static_cast<int>(i))) continue;
       sticks = sticks || holds(node.state);
       const auto p = model.tools[t]->surface(poses[t], node.s);
       const Eigen::VectorXd xn = (p.x_q.transpose() * p.n).cwiseAbs(), xx = p.x_q.colwise().norm();

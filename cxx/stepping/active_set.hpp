@@ -10,6 +10,7 @@ namespace burnish {
 template <int Dim> struct WindowProblem {
   const std::vector<int>* window = nullptr;     ///< candidate numbers (index into ContactModel::candidates)
   const Eigen::MatrixXd* flexibility = nullptr; ///< C over the window
+  Eigen::VectorXd shift;                        ///< see ContactBlockInput, Dim*window, or empty
   Eigen::VectorXd free_increment;               ///< (K^-1(-R)) on the window
   const Eigen::VectorXd* u = nullptr;           ///< displacement at the linearization point, num_dofs
   const Eigen::VectorXd* R = nullptr;           ///< residual force there, num_dofs
@@ -28,6 +29,7 @@ template <int Dim> struct WindowSolution {
   ContactState<Dim> state; ///< states, s + ds and q + dq
   std::vector<char> fresh; ///< per candidate: came into contact in this call
   Eigen::VectorXd F;       ///< contact force on the window, Dim*window [force]
+  Eigen::VectorXd load;    ///< F plus what the shift carries, the load of the factor [force]
 };
 
 /// Solves the block, tests every window node, changes states and repeats until nothing changes.

@@ -27,13 +27,12 @@ void free_residual(const ContactModel<Dim>& model, const BodyView<Dim>& body, co
 
 // Residual and state test of one node in contact.
 template <int Dim>
-void contact_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node, const SurfacePoint<Dim>& p,
-                  const Vector<Dim>& F, const Vector<Dim>& x, double force_tolerance, double gap_tolerance,
-                  double offset_tolerance, Balance& result) {
-  const FrictionLaw& law = *model.friction[node.tool];
-  const Vector<Dim> t = p.x_s.col(0).normalized();
-  const double length = p.x_s.col(0).norm(), N = F.dot(p.n), T = F.dot(t);
-  bool bad = N < -force_tolerance || (x - p.x).norm() > offset_tolerance;
+void contact_node(const ContactModel<Dim>& model, int candidate, const ContactNode<Dim>& node,
+                  const SurfacePoint<Dim>& p, const NodalForce<Dim>& force, const Vector<Dim>& x,
+                  double force_tolerance, double gap_tolerance, double offset_tolerance, Balance& result) {
+  const FrictionLaw& law = model.law(candidate, node.tool);
+  const double length = p.x_s.col(0).norm(), N = force.N, T = force.T;
+  bool bad = N < -force_tolerance || offset_to(model, candidate, p, x).norm() > offset_tolerance;
   if (node.state == NodeState::SLIDING) {
     const double r = std::abs(T + node.slip_sign * law.limit(N, node.area));
     if (worse(r, result)) {
@@ -80,19 +79,21 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
     const Vector<Dim> x = body.position(u, model.candidates[i]);
     if (!in_contact(node.state)) {
       if (node.state == NodeState::RECEDING || node.state == NodeState::LEAVING) continue;
-      const double gap = nearest_tool(model, poses, x, node).foot.gap;
+      const double gap = nearest_tool(model, poses, x, node, static_cast<int>(i)).foot.gap;
       result.penetration = std::max(result.penetration, -gap);
       result.inconsistent += gap < -gap_tolerance;
       continue;
     }
     const SurfacePoint<Dim> p = model.tools[node.tool]->surface(poses[node.tool], node.s);
-    const Vector<Dim> F = R.template segment<Dim>(Dim * model.candidates[i]);
-    result.load += F.norm();
+    const NodalForce<Dim> force = nodal_force(
+        model, static_cast<int>(i), p, Vector<Dim>(R.template segment<Dim>(Dim * model.candidates[i])));
+    result.load += force.F.norm();
     for (Eigen::Index k = 0; k < p.x_q.cols(); ++k) {
-      result.tool_force[model.first[node.tool] + k] += p.x_q.col(k).dot(F);
+      result.tool_force[model.first[node.tool] + k] += p.x_q.col(k).dot(force.F);
       lever[model.first[node.tool] + k] = std::max(lever[model.first[node.tool] + k], p.x_q.col(k).norm());
     }
-    contact_node(model, node, p, F, x, force_tolerance, gap_tolerance, offset_tolerance, result);
+    contact_node(model, static_cast<int>(i), node, p, force, x, force_tolerance, gap_tolerance,
+                 offset_tolerance, result);
   }
   free_residual(model, body, state, R, result);
   tool_residual(program, lever, result);

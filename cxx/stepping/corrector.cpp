@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace burnish {
 
@@ -22,6 +23,7 @@ Corrector<Dim>::Corrector(ContactModel<Dim> model, Eigen::VectorXd X, std::vecto
   if (m_body.spacing == 0) m_body.spacing = m_model.tools[0]->profile().length_scale() * 1e-2;
   m_state.nodes.resize(m_model.candidates.size());
   m_state.q = Eigen::VectorXd::Zero(m_model.num_coordinates());
+  m_floating = !holds_rigid_motions(m_body);
 }
 
 template <int Dim>
@@ -107,7 +109,7 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
   {
     const CpuTimer timer(m_counts.factorization_seconds);
     m_factor.analyze(K, m_body.fixed, nodes);
-    m_has_factor = m_factor.factorize(K) == FactorStatus::OK;
+    m_has_factor = m_factor.factorize(m_floating ? shifted(K) : K) == FactorStatus::OK;
   }
   ++m_counts.factorizations;
   m_counts.analyses = m_factor.analyses();
@@ -127,6 +129,26 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
   return FactorStatus::OK;
 }
 
+// Tangent of a body that only its tools hold, with stiffness on the diagonal of the contact nodes and of both
+// ends of the window; the dense block takes it off again (ContactBlockInput::shift).
+template <int Dim> const NodeBlockMatrix<Dim>& Corrector<Dim>::shifted(const NodeBlockMatrix<Dim>& K) {
+  m_shifted = K;
+  m_shift = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(m_window.size()));
+  for (std::size_t w = 0; w < m_window.size(); ++w) {
+    const bool end = w == 0 || w + 1 == m_window.size();
+    if (!end && !in_contact(m_state.nodes[m_window[w]].state)) continue;
+    const int node = m_model.candidates[m_window[w]];
+    double* block = m_shifted.block(m_shifted.find(node, node));
+    for (int c = 0; c < Dim; ++c) {
+      if (m_body.fixed[Dim * node + c]) continue;
+      const double stiffness = std::abs(block[c * Dim + c]);
+      m_shift[Dim * static_cast<Eigen::Index>(w) + c] = stiffness;
+      block[c * Dim + c] += stiffness;
+    }
+  }
+  return m_shifted;
+}
+
 template <int Dim> double Corrector<Dim>::elastic_blend() const {
   constexpr double by_factorization[] = {0, 0.2, 0.2, 0.4}, by_failure[] = {0, 0.05, 0.2, 0.8};
   return std::max(by_factorization[std::min(m_step_factorizations, 3)],
@@ -139,6 +161,7 @@ WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, cons
   WindowProblem<Dim> problem;
   problem.window = &m_window;
   problem.flexibility = &m_flexibility;
+  if (m_floating) problem.shift = m_shift;
   problem.free_increment = on_window(free_increment);
   problem.u = &u;
   problem.R = &R;
@@ -168,7 +191,8 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
     solution = solve_window(m_model, m_body, m_program, m_state, window_problem(u, R, u0));
   }
   if (solution.singular) {
-    m_reason = "singular contact block";
+    m_reason = m_floating ? "singular contact block: neither supports nor tools hold the workpiece"
+                          : "singular contact block";
     if (solution.weakest_coordinate >= 0) {
       std::ostringstream text;
       text << "nothing resists coordinate number " << solution.weakest_coordinate << " under force control";
@@ -176,7 +200,7 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
     }
     return StepStatus::FAILED;
   }
-  const Eigen::VectorXd b = scatter_window(solution.F) - R;
+  const Eigen::VectorXd b = scatter_window(solution.load) - R;
   const Eigen::VectorXd du = solve(b);
   const Eigen::Index n = u.size(), nq = m_state.q.size();
   Eigen::VectorXd z(n + nq), g(n + nq);
@@ -205,9 +229,8 @@ template <int Dim> void Corrector<Dim>::project(Eigen::VectorXd& u, bool keep_fr
     const auto& tool = *m_model.tools[node.tool];
     node.s = holds(node.state) ? node.s_ref : tool.closest_point(poses[node.tool], x, node.s).s;
     if (keep_fresh && m_fresh[i]) continue;
-    const Vector<Dim> target = tool.surface(poses[node.tool], node.s).x;
-    for (int c = 0; c < Dim; ++c)
-      if (!m_body.fixed[Dim * mesh_node + c]) u[Dim * mesh_node + c] += target[c] - x[c];
+    u.template segment<Dim>(Dim * mesh_node) +=
+        offset_to(m_model, static_cast<int>(i), tool.surface(poses[node.tool], node.s), x);
   }
 }
 
@@ -230,7 +253,7 @@ std::vector<int> Corrector<Dim>::near_contact(const Eigen::VectorXd& u, double w
   const auto poses = m_model.poses(m_state.q);
   for (std::size_t t = 0; t < m_model.tools.size(); ++t) {
     std::vector<Vector<Dim>> centers;
-    double best = 0;
+    double best = std::numeric_limits<double>::infinity();
     Vector<Dim> closest = Vector<Dim>::Zero();
     for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
       const Vector<Dim> x = m_body.position(u, m_model.candidates[i]);
@@ -238,14 +261,15 @@ std::vector<int> Corrector<Dim>::near_contact(const Eigen::VectorXd& u, double w
         if (m_state.nodes[i].tool == static_cast<int>(t)) centers.push_back(x);
         continue;
       }
+      if (!m_model.may_touch(static_cast<int>(i), static_cast<int>(t))) continue;
       const double gap = m_model.tools[t]->closest_point(poses[t], x, m_state.nodes[i].s).gap;
-      if (i == 0 || gap < best) {
+      if (gap < best) {
         best = gap;
         closest = x;
       }
       if (gap < m_options.gap_tolerance * m_body.spacing) chosen[i] = 1;
     }
-    if (centers.empty()) centers.push_back(closest);
+    if (centers.empty() && std::isfinite(best)) centers.push_back(closest);
     const double reach = widths * contact_width(u, static_cast<int>(t)) + spacings * m_body.spacing;
     for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
       if (chosen[i]) continue;

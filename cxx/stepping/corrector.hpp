@@ -65,6 +65,7 @@ private:
   void choose_window(const Eigen::VectorXd& u);
   bool window_covers(const Eigen::VectorXd& u) const;
   std::vector<int> near_contact(const Eigen::VectorXd& u, double widths, double spacings) const;
+  const NodeBlockMatrix<Dim>& shifted(const NodeBlockMatrix<Dim>& K);
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
   void project(Eigen::VectorXd& u, bool keep_fresh);
   WindowProblem<Dim> window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
@@ -84,6 +85,9 @@ private:
   bool m_has_factor = false, m_keep_factor = false;
   std::vector<int> m_window;
   Eigen::MatrixXd m_flexibility;
+  bool m_floating = false; // the supports leave a rigid motion free: the factor is that of a shifted tangent
+  NodeBlockMatrix<Dim> m_shifted;
+  Eigen::VectorXd m_shift; // Dim*window
 
   AndersonMixer m_mixer;
   Balance m_balance;

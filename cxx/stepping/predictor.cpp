@@ -48,7 +48,8 @@ carry_increment(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
   double N[16];
   for (int a = 0; a < d.num_nodes; ++a) {
     int tool = 0;
-    if (shifts.size() > 1) tool = nearest_tool(model, poses, body.position(u, a), ContactNode<Dim>{}).tool;
+    if (shifts.size() > 1)
+      tool = nearest_tool(model, poses, body.position(u, a), ContactNode<Dim>{}, -1).tool;
     const Shift<Dim>& shift = shifts[tool];
     const Vector<Dim> P = shift.mean_inverse(d.node(a));
     const int element = locator.find(P, a);
@@ -76,7 +77,8 @@ std::vector<ContactNode<Dim>> entry_nodes(const ContactModel<Dim>& model, const 
   const auto poses = model.poses(state.q);
   for (std::size_t i = 0; i < entry.size(); ++i) {
     if (!in_contact(entry[i].state)) {
-      const auto nearest = nearest_tool(model, poses, body.position(u, model.candidates[i]), entry[i]);
+      const auto nearest =
+          nearest_tool(model, poses, body.position(u, model.candidates[i]), entry[i], static_cast<int>(i));
       entry[i].tool = nearest.tool;
       entry[i].s = nearest.foot.s;
     }
@@ -106,8 +108,9 @@ void carry_states(const ContactModel<Dim>& model, const BodyView<Dim>& body, con
         }
       }
       if (!from || !in_contact(from->state) || from->tool != static_cast<int>(t)) continue;
-      node.state = from->state;
-      node.slip_sign = from->slip_sign;
+      const bool slides = model.law(static_cast<int>(i), static_cast<int>(t)).frictionless();
+      node.state = slides ? NodeState::SLIDING : from->state;
+      node.slip_sign = slides ? 0 : from->slip_sign;
       if (node.tool != static_cast<int>(t)) node.s = node.s_ref = from->s;
       node.tool = static_cast<int>(t);
       break;
@@ -129,16 +132,15 @@ void place_contact_nodes(const ContactModel<Dim>& model, const BodyView<Dim>& bo
     if (node.state == NodeState::SLIDING) {
       node.s = tool.closest_point(poses[node.tool], x, node.s_ref).s;
       const bool against = (node.s - node.s_ref)[0] * node.slip_sign < 0;
-      if (may_stick && against && !model.friction[node.tool]->frictionless())
+      if (may_stick && against && !model.law(static_cast<int>(i), node.tool).frictionless())
         node.state = NodeState::STICKING;
     }
     if (holds(node.state)) {
       node.s = node.s_ref;
       node.slip_sign = 0;
     }
-    const Vector<Dim> target = tool.surface(poses[node.tool], node.s).x;
-    for (int c = 0; c < Dim; ++c)
-      if (!body.fixed[Dim * a + c]) u[Dim * a + c] += target[c] - x[c];
+    u.template segment<Dim>(Dim * a) +=
+        offset_to(model, static_cast<int>(i), tool.surface(poses[node.tool], node.s), x);
   }
 }
 

@@ -36,6 +36,10 @@ void Session<Dim>::add_tool(std::shared_ptr<DrivenTool<Dim>> tool,
 template <int Dim> void Session<Dim>::start() {
   if (m_corrector) return;
   m_model.candidates = m_candidates;
+  for (const int node : m_candidates) {
+    m_model.held.emplace_back();
+    for (int c = 0; c < Dim; ++c) m_model.held.back()[c] = m_fixed[Dim * node + c];
+  }
   m_model.first.assign(1, 0);
   for (const auto& tool : m_tools) {
     m_model.tools.push_back(tool->shared_tool());
@@ -91,7 +95,8 @@ double Session<Dim>::approach(int tool, const std::string& coordinate, const Eig
         auto& node = m_accepted.nodes[i];
         node.tool = tool;
         node.s_ref = node.s;
-        node.state = m_model.friction[tool]->frictionless() ? NodeState::SLIDING : NodeState::STICKING;
+        const bool slides = m_model.law(static_cast<int>(i), tool).frictionless();
+        node.state = slides ? NodeState::SLIDING : NodeState::STICKING;
       }
       m_tools[tool]->q()[k] = q;
       m_u = u;
@@ -123,7 +128,8 @@ template <int Dim> void Session<Dim>::check_not_inside(const Eigen::VectorXd& u)
   const auto poses = m_model.poses(m_accepted.q);
   const auto& body = m_corrector->body();
   for (std::size_t i = 0; i < m_candidates.size(); ++i) {
-    const auto nearest = nearest_tool(m_model, poses, body.position(u, m_candidates[i]), m_accepted.nodes[i]);
+    const auto nearest = nearest_tool(m_model, poses, body.position(u, m_candidates[i]), m_accepted.nodes[i],
+                                      static_cast<int>(i));
     if (nearest.foot.gap >= -1e-3 * body.spacing) continue;
     std::ostringstream text;
     text << "tool \"" << m_tools[nearest.tool]->name() << "\" starts inside the workpiece: node "
