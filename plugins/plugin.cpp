@@ -46,6 +46,7 @@ string* new_string(Stack stack, const std::string& text) {
 static void init() {
   register_tool();
   register_material();
+  register_material_data();
   register_contact();
   register_contact_step();
   register_contact_matrix();

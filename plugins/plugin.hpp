@@ -111,6 +111,7 @@ string* new_string(Stack stack, const std::string& text);
 // Registration of each file's part, in this order.
 void register_tool();
 void register_material();
+void register_material_data();
 void register_contact();
 void register_contact_step();
 void register_contact_matrix();

@@ -1,0 +1,103 @@
+// What a script reads of a material, as arrays over the quadrature points in the order of FEQF2 or P0.
+//   M.stress(i)         Kirchhoff stress xx, yy, zz, xy for i = 0..3 [stress]
+//   M.F(i), M.piola(i)  deformation gradient [-] and first Piola stress [stress]: xx, xy, yx, yy
+//   M.moduli(i, j)      their symmetrized tangent dP_i/dF_j [stress]
+//   M.plasticstrain, M.stresseq, M.yieldexcess (q/sigma_y - 1)
+//   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
+#include "base/error.hpp"
+#include "types.hpp"
+#include "workpiece/nodal_average.hpp"
+
+namespace rigidcontact {
+namespace {
+
+struct NodalTag {};
+struct StressTag {};
+struct GradientTag {};
+struct PiolaTag {};
+struct ModuliTag {};
+
+KN_<double> nodal(Stack stack, const Method<MaterialHandle, NodalTag>& m, const KN_<double>& values) {
+  return guarded([&] {
+    return new_array(stack, burnish::nodal_average(m->get().body->discretization(),
+                                                   to_vector(values, "material.nodal", "values")));
+  });
+}
+
+// Component i of a point-major array with n components.
+KN_<double> component(Stack stack, const std::vector<double>& all, long i, long n, const char* where) {
+  burnish::require(i >= 0 && i < n, where, "component", i, ("0.." + std::to_string(n - 1)).c_str());
+  const long points = static_cast<long>(all.size()) / n;
+  auto* r = Add2StackOfPtr2FreeRC(stack, new KN<double>(points));
+  for (long p = 0; p < points; ++p) (*r)[p] = all[p * n + i];
+  return *r;
+}
+KN_<double> stress(Stack stack, const Method<MaterialHandle, StressTag>& m, const long& i) {
+  return guarded([&] { return component(stack, m->get().body->state().stress, i, 4, "material.stress"); });
+}
+KN_<double> gradient(Stack stack, const Method<MaterialHandle, GradientTag>& m, const long& i) {
+  return guarded([&] { return component(stack, m->get().body->state().F, i, 4, "material.F"); });
+}
+KN_<double> piola(Stack stack, const Method<MaterialHandle, PiolaTag>& m, const long& i) {
+  return guarded([&] {
+    const auto& body = *m->get().body;
+    std::vector<double> all(4 * static_cast<std::size_t>(body.discretization().num_points()));
+    for (int p = 0; p < body.discretization().num_points(); ++p) body.point_piola(p, all.data() + 4 * p);
+    return component(stack, all, i, 4, "material.piola");
+  });
+}
+KN_<double> moduli(Stack stack, const Method<MaterialHandle, ModuliTag>& m, const long& i, const long& j) {
+  return guarded([&] {
+    burnish::require(i >= 0 && i < 4 && j >= 0 && j < 4, "material.moduli", "index", i >= 0 && i < 4 ? j : i,
+                     "0..3");
+    const auto& body = *m->get().body;
+    std::vector<double> all(16 * static_cast<std::size_t>(body.discretization().num_points()));
+    for (int p = 0; p < body.discretization().num_points(); ++p)
+      body.point_moduli(p, burnish::TangentKind::CONSISTENT, 0, all.data() + 16 * p);
+    return component(stack, all, 4 * i + j, 16, "material.moduli");
+  });
+}
+KN_<double> plastic_strain(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] { return new_array(stack, h->get().body->state().plastic_strain_eq); });
+}
+KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] {
+    const auto& body = *h->get().body;
+    Eigen::VectorXd q(body.discretization().num_points());
+    for (int p = 0; p < q.size(); ++p) q[p] = body.stress_eq(p);
+    return new_array(stack, q);
+  });
+}
+KN_<double> yield_excess(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] {
+    const auto& body = *h->get().body;
+    Eigen::VectorXd excess(body.discretization().num_points());
+    for (int p = 0; p < excess.size(); ++p) excess[p] = body.yield_excess(p);
+    return new_array(stack, excess);
+  });
+}
+long number_of_points(MaterialHandle* const& h) {
+  return guarded([&] { return static_cast<long>(h->get().body->discretization().num_points()); });
+}
+
+} // namespace
+
+void register_material_data() {
+  using H = MaterialHandle;
+  add_method<H, NodalTag>(
+      "nodal", [] { return new OneOperator2s_<KN_<double>, Method<H, NodalTag>, KN_<double>>(nodal); });
+  add_method<H, StressTag>(
+      "stress", [] { return new OneOperator2s_<KN_<double>, Method<H, StressTag>, long>(stress); });
+  add_method<H, GradientTag>(
+      "F", [] { return new OneOperator2s_<KN_<double>, Method<H, GradientTag>, long>(gradient); });
+  add_method<H, PiolaTag>("piola",
+                          [] { return new OneOperator2s_<KN_<double>, Method<H, PiolaTag>, long>(piola); });
+  add_method<H, ModuliTag>(
+      "moduli", [] { return new OneOperator3s_<KN_<double>, Method<H, ModuliTag>, long, long>(moduli); });
+  Add<H*>("plasticstrain", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain));
+  Add<H*>("stresseq", ".", new OneOperator1s_<KN_<double>, H*>(stress_eq));
+  Add<H*>("yieldexcess", ".", new OneOperator1s_<KN_<double>, H*>(yield_excess));
+  Add<H*>("points", ".", new OneOperator1_<long, H*>(number_of_points));
+}
+
+} // namespace rigidcontact
