@@ -11,6 +11,7 @@
 //   Event log as a table, i = 0 .. C.eventnumber-1: C.eventtime(i), C.eventkind(i), C.eventnode(i), C.eventtool(i),
 //     C.eventx(i), C.eventy(i)
 #include "base/error.hpp"
+#include "contact/tool_report.hpp"
 #include "named.hpp"
 #include "types.hpp"
 
@@ -80,21 +81,7 @@ double load_scale(H* const& h) {
 
 struct CountTag {};
 long count(const Method<H, CountTag>& m, string* const& state) {
-  return guarded([&] {
-    const Session<2>& s = *m->get().session;
-    bool known = *state == "contact";
-    long n = 0;
-    for (int k = 0; k < 6; ++k)
-      known = known || *state == burnish::name_of(static_cast<burnish::NodeState>(k));
-    if (!known)
-      burnish::fail("contact.count",
-                    "unknown state \"" + *state +
-                        "\", expected free, touched, sliding, sticking, leaving, receding or contact");
-    if (s.started())
-      for (const auto& node : s.accepted().nodes)
-        n += *state == "contact" ? burnish::in_contact(node.state) : *state == burnish::name_of(node.state);
-    return n;
-  });
+  return guarded([&] { return burnish::count_nodes(m->get().session->accepted(), *state, "contact.count"); });
 }
 
 struct StatisticTag {};

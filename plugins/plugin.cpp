@@ -51,6 +51,7 @@ static void init() {
   register_contact_step();
   register_contact_matrix();
   register_contact_data();
+  register_contact_tools();
   register_solver();
   register_tools_of_the_trade();
 }

@@ -116,6 +116,7 @@ void register_contact();
 void register_contact_step();
 void register_contact_matrix();
 void register_contact_data();
+void register_contact_tools();
 void register_solver();
 void register_tools_of_the_trade();
 

@@ -59,7 +59,7 @@ broken force "s/none(0);/none(Vh.ndof); none = 0;/; s/^$at/$at if (t > 0.5) none
 finish force 20 'burnish: stopped early: contact.check: R[0] = '
 whole "$SCRATCH/force" error 'contact.check: R[0] = ' 20 15e-3
 
-broken record 's/^  rcHistoryLine(C, M, roller, history, t, 0, 0);/& int[int] two(2); if (t > 0.5) two[7] = 1;/'
+broken record 's/^func int record(real t) {/& int[int] two(2); if (t > 0.5) two[7] = 1;/'
 finish record 20 'Out of bound in operator []'
 whole "$SCRATCH/record" error 'an error of the script or of FreeFEM, told above' 20 15e-3
 
@@ -71,7 +71,7 @@ finish external 20 'burnish: rcRun: size of external = 3, expected 0 or '
 odd="$SCRATCH/a \"quoted\" \\name"
 "$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -nu 0.3200000001 -out "$odd" >"$SCRATCH/odd.log" 2>&1
 status=$?
-finish odd 0 'Example 1 at t = 1'
+finish odd 0 'rolling at t = 1'
 whole "$odd" finished '' 20 15e-3
 "${PYTHON:-/usr/bin/python3}" - "$odd" <<'END' || report "the options of the summary"
 import json, sys

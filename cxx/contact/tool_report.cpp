@@ -1,0 +1,51 @@
+#include "contact/tool_report.hpp"
+#include "base/error.hpp"
+#include <set>
+
+namespace burnish {
+
+template <int Dim>
+std::vector<std::string> coordinate_names(const std::vector<std::shared_ptr<const Tool<Dim>>>& tools) {
+  std::vector<std::string> names;
+  std::set<std::string> seen;
+  for (const auto& tool : tools) {
+    if (!seen.insert(tool->name()).second)
+      fail("coordinate_names", "two tools bear the name \"" + tool->name() + "\", expected different names");
+    for (const std::string& name : tool->coordinates().names())
+      names.push_back(tools.size() == 1 ? name : tool->name() + "." + name);
+  }
+  return names;
+}
+
+template <int Dim>
+long count_nodes(const ContactState<Dim>& state, const std::string& what, const char* where, int tool) {
+  bool known = what == "contact";
+  for (int k = 0; k <= static_cast<int>(NodeState::RECEDING); ++k)
+    known = known || what == name_of(static_cast<NodeState>(k));
+  if (!known)
+    fail(where, "unknown state \"" + what +
+                    "\", expected free, touched, sliding, sticking, leaving, receding or contact");
+  long n = 0;
+  for (const auto& node : state.nodes) {
+    if (tool >= 0 && node.tool != tool) continue;
+    n += what == "contact" ? in_contact(node.state) : what == name_of(node.state);
+  }
+  return n;
+}
+
+template <int Dim>
+Vector<Dim> tool_resultant(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                           const Eigen::VectorXd& R, int tool) {
+  Vector<Dim> sum = Vector<Dim>::Zero();
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    if (state.nodes[i].tool == tool && in_contact(state.nodes[i].state))
+      sum -= R.template segment<Dim>(Dim * model.candidates[i]);
+  return sum;
+}
+
+template std::vector<std::string> coordinate_names<2>(const std::vector<std::shared_ptr<const Tool<2>>>&);
+template long count_nodes<2>(const ContactState<2>&, const std::string&, const char*, int);
+template Vector<2> tool_resultant<2>(const ContactModel<2>&, const ContactState<2>&, const Eigen::VectorXd&,
+                                     int);
+
+} // namespace burnish

@@ -1,0 +1,104 @@
+// What a script reads of the tools of a contact, i = 0 .. C.toolnumber-1 in the order of C.add, accepted state.
+//   C.toolnumber, C.toolname(i)
+//   C.coordinates                 "x,y,angle"; with several tools "upper.x,upper.y,...,lower.x,..."
+//   C.q, C.Q                      arrays over them: coordinates; generalized forces received from the drives
+//   C.countof("contact", i)       nodes of tool i in a state, see C.count
+//   C.toolforcex(i), C.toolforcey(i)   resultant of the contact forces on tool i [force]
+//   C.nodetool                    array over the candidates: tool in contact, or the last one; -1 none
+#include "base/error.hpp"
+#include "contact/tool_report.hpp"
+#include "named.hpp"
+#include "types.hpp"
+
+namespace rigidcontact {
+namespace {
+
+using H = ContactHandle;
+
+int tool_index(const Session<2>& s, long i, const char* where) {
+  const long n = static_cast<long>(s.tools().size());
+  burnish::require(i >= 0 && i < n, where, "tool", i,
+                   ("0 to toolnumber-1 = " + std::to_string(n - 1)).c_str());
+  return static_cast<int>(i);
+}
+std::vector<std::shared_ptr<const burnish::Tool<2>>> tools_of(const Session<2>& s) {
+  std::vector<std::shared_ptr<const burnish::Tool<2>>> tools;
+  for (const auto& tool : s.tools()) tools.push_back(tool->shared_tool());
+  return tools;
+}
+long tool_number(H* const& h) {
+  return guarded([&] { return static_cast<long>(h->get().session->tools().size()); });
+}
+string* coordinates(Stack stack, H* const& h) {
+  return guarded([&] {
+    std::string text;
+    for (const std::string& name : burnish::coordinate_names<2>(tools_of(*h->get().session)))
+      text += (text.empty() ? "" : ",") + name;
+    return new_string(stack, text);
+  });
+}
+template <Eigen::VectorXd& (burnish::DrivenTool<2>::*member)()>
+KN_<double> all_tools(Stack stack, H* const& h) {
+  return guarded([&] {
+    std::vector<double> values;
+    for (const auto& tool : h->get().session->tools())
+      for (const double v : (tool.get()->*member)()) values.push_back(v);
+    return new_array(stack, values);
+  });
+}
+KN_<double> node_tools(Stack stack, H* const& h) {
+  return guarded([&] {
+    const Session<2>& s = *h->get().session;
+    std::vector<double> values(s.candidates().size(), -1.);
+    if (s.started())
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = s.accepted().nodes[i].tool;
+    return new_array(stack, values);
+  });
+}
+
+struct NameTag {};
+string* tool_name(Stack stack, const Method<H, NameTag>& m, const long& i) {
+  return guarded([&] {
+    const Session<2>& s = *m->get().session;
+    return new_string(stack, s.tools()[tool_index(s, i, "contact.toolname")]->name());
+  });
+}
+struct CountOfTag {};
+long count_of(const Method<H, CountOfTag>& m, string* const& state, const long& i) {
+  return guarded([&] {
+    const Session<2>& s = *m->get().session;
+    const int tool = tool_index(s, i, "contact.countof");
+    return burnish::count_nodes(s.accepted(), *state, "contact.countof", tool);
+  });
+}
+template <int axis> struct ForceTag {};
+template <int axis> double tool_force(const Method<H, ForceTag<axis>>& m, const long& i) {
+  return guarded([&] {
+    const Session<2>& s = *m->get().session;
+    const int tool = tool_index(s, i, axis == 0 ? "contact.toolforcex" : "contact.toolforcey");
+    if (!s.started()) return 0.;
+    return burnish::tool_resultant(s.model(), s.accepted(), s.accepted_force(), tool)[axis];
+  });
+}
+template <int axis> void register_force(const char* name) {
+  add_method<H, ForceTag<axis>>(
+      name, [] { return new OneOperator2_<double, Method<H, ForceTag<axis>>, long>(tool_force<axis>); });
+}
+
+} // namespace
+
+void register_contact_tools() {
+  Add<H*>("toolnumber", ".", new OneOperator1_<long, H*>(tool_number));
+  Add<H*>("coordinates", ".", new OneOperator1s_<string*, H*>(coordinates));
+  Add<H*>("q", ".", new OneOperator1s_<KN_<double>, H*>(all_tools<&burnish::DrivenTool<2>::q>));
+  Add<H*>("Q", ".", new OneOperator1s_<KN_<double>, H*>(all_tools<&burnish::DrivenTool<2>::force>));
+  Add<H*>("nodetool", ".", new OneOperator1s_<KN_<double>, H*>(node_tools));
+  add_method<H, NameTag>("toolname",
+                         [] { return new OneOperator2s_<string*, Method<H, NameTag>, long>(tool_name); });
+  add_method<H, CountOfTag>(
+      "countof", [] { return new OneOperator3_<long, Method<H, CountOfTag>, string*, long>(count_of); });
+  register_force<0>("toolforcex");
+  register_force<1>("toolforcey");
+}
+
+} // namespace rigidcontact
