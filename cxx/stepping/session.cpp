@@ -24,13 +24,19 @@ Session<Dim>::Session(Discretization<Dim> discretization, std::vector<SurfaceEdg
 
 template <int Dim>
 void Session<Dim>::add_tool(std::shared_ptr<DrivenTool<Dim>> tool,
-                            std::shared_ptr<const FrictionLaw> friction) {
+                            std::shared_ptr<const FrictionLaw> friction,
+                            const std::vector<SurfaceEdge>& reach) {
   if (m_corrector) fail("contact.add", "tools must be added before the first step");
   tool->tool();
   for (const auto& other : m_tools)
     if (other->name() == tool->name()) fail("contact.add", "tool \"" + tool->name() + "\" is already there");
   m_tools.push_back(std::move(tool));
   m_model.friction.push_back(std::move(friction));
+  m_model.reach.emplace_back();
+  if (reach.empty()) return;
+  const std::vector<int> nodes = nodes_along(reach);
+  for (const int candidate : m_candidates)
+    m_model.reach.back().push_back(std::find(nodes.begin(), nodes.end(), candidate) != nodes.end());
 }
 
 template <int Dim> void Session<Dim>::start() {
@@ -48,12 +54,13 @@ template <int Dim> void Session<Dim>::start() {
   const auto& X = m_discretization->X;
   m_corrector = std::make_unique<Corrector<Dim>>(
       m_model, Eigen::Map<const Eigen::VectorXd>(X.data(), static_cast<Eigen::Index>(X.size())), m_fixed,
-      m_options);
+      m_options, m_discretization->axisymmetric);
   m_locator = std::make_unique<MeshLocator<Dim>>(*m_discretization);
   m_condensation = std::make_unique<Condensation<Dim>>(m_corrector->model(), m_corrector->body());
   m_accepted = m_corrector->state();
   for (std::size_t t = 0; t < m_tools.size(); ++t)
     m_accepted.q.segment(m_model.first[t], m_tools[t]->q().size()) = m_tools[t]->q();
+  warn_of_curvature();
 }
 
 // Smallest gap of a tool at m_accepted.q, the nodes that have it, and its change with coordinate k of the
@@ -65,16 +72,18 @@ typename Session<Dim>::SmallestGap Session<Dim>::smallest_gap(int tool, int k, c
   const double same = 1e-9 * body.spacing;
   SmallestGap result;
   for (std::size_t i = 0; i < m_candidates.size(); ++i) {
+    if (!m_model.may_touch(static_cast<int>(i), tool)) continue;
     const auto foot =
         m_model.tools[tool]->closest_point(pose, body.position(u, m_candidates[i]), m_accepted.nodes[i].s);
-    if (i > 0 && foot.gap >= result.gap + same) continue;
-    if (i == 0 || foot.gap < result.gap - same) result.nodes.clear();
+    if (!result.nodes.empty() && foot.gap >= result.gap + same) continue;
+    if (result.nodes.empty() || foot.gap < result.gap - same) result.nodes.clear();
     const auto p = m_model.tools[tool]->surface(pose, foot.s);
-    result.gap = i == 0 ? foot.gap : std::min(result.gap, foot.gap);
+    result.gap = result.nodes.empty() ? foot.gap : std::min(result.gap, foot.gap);
     result.slope = -p.n.dot(p.x_q.col(k));
     result.lever = p.x_q.col(k).norm();
     result.nodes.push_back(i);
-    m_accepted.nodes[i].s = foot.s;
+    auto& node = m_accepted.nodes[i];
+    if (node.tool == tool || !in_contact(node.state)) node.s = foot.s; // not where another tool touches
   }
   return result;
 }
@@ -124,65 +133,6 @@ template <int Dim> Program Session<Dim>::read_program() {
   return program;
 }
 
-template <int Dim> void Session<Dim>::check_not_inside(const Eigen::VectorXd& u) const {
-  const auto poses = m_model.poses(m_accepted.q);
-  const auto& body = m_corrector->body();
-  for (std::size_t i = 0; i < m_candidates.size(); ++i) {
-    const auto nearest = nearest_tool(m_model, poses, body.position(u, m_candidates[i]), m_accepted.nodes[i],
-                                      static_cast<int>(i));
-    if (nearest.foot.gap >= -1e-3 * body.spacing) continue;
-    std::ostringstream text;
-    text << "tool \"" << m_tools[nearest.tool]->name() << "\" starts inside the workpiece: node "
-         << m_candidates[i] << " at " << body.position(u, m_candidates[i]).transpose() << " penetrates by "
-         << -nearest.foot.gap << "; place the tool outside and call approach";
-    fail("contact.begin", text.str());
-  }
-}
-
-// A coordinate under zero force that moves no contact point along the normal of a frictionless tool is held.
-template <int Dim> void Session<Dim>::drop_unresisted(Program& program) {
-  const auto poses = m_model.poses(m_accepted.q);
-  for (std::size_t t = 0; t < m_tools.size(); ++t) {
-    if (!m_model.friction[t]->frictionless()) continue;
-    Eigen::VectorXd along, size;
-    for (const auto& node : m_accepted.nodes) {
-      if (node.tool != static_cast<int>(t) && node.tool >= 0) continue;
-      const auto p = m_model.tools[t]->surface(poses[t], node.s);
-      const Eigen::VectorXd a = (p.x_q.transpose() * p.n).cwiseAbs(), b = p.x_q.colwise().norm();
-      along = along.size() ? Eigen::VectorXd(along.cwiseMax(a)) : a;
-      size = size.size() ? Eigen::VectorXd(size.cwiseMax(b)) : b;
-    }
-    for (Eigen::Index k = 0; k < along.size(); ++k) {
-      const int q = m_model.first[t] + static_cast<int>(k);
-      if (program.is_motion[q] || along[k] > 1e-9 * size[k]) continue;
-      const std::string what =
-          "coordinate \"" + m_tools[t]->drive().names()[k] + "\" of tool \"" + m_tools[t]->name() + "\"";
-      if (program.value[q] != 0)
-        fail("contact.begin",
-             what + " has a force but without friction nothing resists it; give it a motion or friction");
-      program.is_motion[q] = 1;
-      program.value[q] = m_accepted.q[q];
-      if (std::find(m_left_out.begin(), m_left_out.end(), what) == m_left_out.end())
-        m_left_out.push_back(what);
-    }
-  }
-}
-
-template <int Dim> void Session<Dim>::check_support(const Program& program) const {
-  for (std::size_t t = 0; t < m_tools.size(); ++t) {
-    bool touches = false;
-    for (const auto& node : m_accepted.nodes)
-      touches = touches || (in_contact(node.state) && node.tool == static_cast<int>(t));
-    if (touches) continue;
-    for (int k = 0; k < m_tools[t]->q().size(); ++k)
-      if (!program.is_motion[m_model.first[t] + k])
-        fail("contact.begin",
-             "coordinate \"" + m_tools[t]->drive().names()[k] + "\" of tool \"" + m_tools[t]->name() +
-                 "\" is under force but the tool touches nothing, so it has no support; bring the tool "
-                 "into contact by motion or with approach first, or give the coordinate a motion");
-  }
-}
-
 template <int Dim> void Session<Dim>::begin(Eigen::VectorXd& u, double t, double dt, Stepping stepping) {
   require(std::isfinite(dt) && dt > 0, "contact.begin", "dt", dt, "> 0");
   require(u.size() == m_u.size(), "contact.begin", "size of u", u.size(), "number of dofs");
@@ -199,6 +149,7 @@ template <int Dim> void Session<Dim>::begin(Eigen::VectorXd& u, double t, double
   m_dt = dt;
   m_stepping = stepping;
   m_u = u;
+  share_surface();
   match_old_program();
   auto prediction = stepping == Stepping::RATES
                         ? resting(u)
@@ -246,6 +197,7 @@ void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
     keep_support(state);
     m_log.insert(m_log.end(), events.begin(), events.end());
   }
+  note_conflicts(state, u);
   m_accepted = state;
   m_load_scale = m_corrector->load_scale();
   m_program_old = m_program;
