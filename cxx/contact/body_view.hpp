@@ -7,9 +7,10 @@ namespace burnish {
 
 /// What both integrators know of the workpiece: nodes, fixed dofs, spacing of the candidates.
 template <int Dim> struct BodyView {
-  Eigen::VectorXd X;       ///< reference coordinates, num_dofs [length]
-  std::vector<char> fixed; ///< per dof: displacement given (zero increment)
-  double spacing = 0;      ///< typical distance of neighboring candidates [length]
+  Eigen::VectorXd X;         ///< reference coordinates, num_dofs [length]
+  std::vector<char> fixed;   ///< per dof: displacement given (zero increment)
+  bool axisymmetric = false; ///< x is the radius, forces are those of whole rings
+  double spacing = 0;        ///< typical distance of neighboring candidates [length]
   Vector<Dim> position(const Eigen::VectorXd& u, int node) const {
     return X.segment<Dim>(Dim * node) + u.segment<Dim>(Dim * node);
   }

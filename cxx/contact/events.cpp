@@ -83,6 +83,21 @@ double stick_fraction(const ContactNode<Dim>& start, const ContactNode<Dim>& end
   return std::clamp(1.5 * before / (before - now) - 0.5, 0., 1.);
 }
 
+// Fraction just beyond the joint where a sliding node passes to the next piece of its tool's profile; NEVER if
+// it stays on its piece.
+template <int Dim>
+double piece_fraction(const Profile<Dim>& profile, const ContactNode<Dim>& start,
+                      const ContactNode<Dim>& end) {
+  const int first = profile.piece(start.s);
+  if (start.tool != end.tool || profile.piece(end.s) == first) return NEVER;
+  double a = 0, b = 1;
+  while (b - a > 1e-12) {
+    const double middle = 0.5 * (a + b);
+    (profile.piece(start.s + middle * (end.s - start.s)) == first ? a : b) = middle;
+  }
+  return b;
+}
+
 template <int Dim>
 ContactEvent<Dim> make_event(const BodyView<Dim>& body, const StepEnds<Dim>& step,
                              const ContactModel<Dim>& model, std::size_t i, EventKind kind, double fraction,
@@ -127,6 +142,11 @@ ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>
     if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released
     release = NEVER;
   }
+  const double piece = n0.state == NodeState::SLIDING && in_contact(n1.state)
+                           ? piece_fraction(model.tools[n0.tool]->profile(), n0, n1)
+                           : NEVER;
+  if (piece < std::min(release, change))
+    return make_event(body, step, model, i, EventKind::NEXT_PIECE, piece, n0.tool);
   if (release <= change) return make_event(body, step, model, i, EventKind::RELEASE, release, n0.tool);
   auto event = make_event(body, step, model, i, kind, change, n0.tool);
   event.slip_sign = b.T > 0 ? -1 : 1;
@@ -176,6 +196,9 @@ std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, con
     } else if (c0 && c1 && holds(n0.state) != holds(n1.state)) {
       add(holds(n1.state) ? EventKind::SLIP_TO_STICK : EventKind::STICK_TO_SLIP, 0.5, n1.tool);
     }
+    if (!c0 || !c1) continue;
+    const double piece = piece_fraction(model.tools[n0.tool]->profile(), n0, n1);
+    if (piece < NEVER) add(EventKind::NEXT_PIECE, piece, n1.tool);
   }
   return changes;
 }
@@ -186,7 +209,7 @@ void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                   ContactState<Dim>& state) {
   const auto poses = model.poses(state.q);
   for (const auto& event : events) {
-    if (event.candidate < 0) continue;
+    if (event.candidate < 0 || event.kind == EventKind::NEXT_PIECE) continue;
     ContactNode<Dim>& node = state.nodes[event.candidate];
     const int mesh_node = model.candidates[event.candidate];
     if (event.kind == EventKind::TOUCH) {

@@ -1,4 +1,6 @@
 #include "contact/surface.hpp"
+#include "contact/surface_share.hpp"
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -38,32 +40,6 @@ std::vector<int> nodes_along(const std::vector<SurfaceEdge>& edges) {
 
 namespace {
 
-template <int Dim>
-Eigen::VectorXd tributary_lengths(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                                  const std::vector<SurfaceEdge>& edges, const Eigen::VectorXd& u) {
-  std::map<int, int> index;
-  for (std::size_t i = 0; i < model.candidates.size(); ++i) index[model.candidates[i]] = static_cast<int>(i);
-  Eigen::VectorXd length = Eigen::VectorXd::Zero(model.candidates.size());
-  const auto add = [&](int node, double part) {
-    const auto it = index.find(node);
-    if (it != index.end()) length[it->second] += part;
-  };
-  for (const SurfaceEdge& edge : edges) {
-    const Vector<Dim> a = body.position(u, edge.a), b = body.position(u, edge.b);
-    if (edge.middle < 0) {
-      add(edge.a, 0.5 * (b - a).norm());
-      add(edge.b, 0.5 * (b - a).norm());
-      continue;
-    }
-    const Vector<Dim> m = body.position(u, edge.middle);
-    const double whole = (m - a).norm() + (b - m).norm();
-    add(edge.a, whole / 6);
-    add(edge.b, whole / 6);
-    add(edge.middle, whole * 2 / 3);
-  }
-  return length;
-}
-
 // Quadratic edges in contact: ends x load shares (1/6, 0, 1/3; ...) of the edge's length, fitted to the nodal
 // forces.
 template <int Dim> class EdgeFit {
@@ -83,9 +59,7 @@ public:
       if (!in_contact(state.nodes[a].state) && !in_contact(state.nodes[b].state) &&
           !in_contact(state.nodes[m].state))
         continue;
-      const double length = (body.position(u, edge.middle) - body.position(u, edge.a)).norm() +
-                            (body.position(u, edge.b) - body.position(u, edge.middle)).norm();
-      m_edges.push_back({a, b, m, length});
+      m_edges.push_back({a, b, m, edge_masses(body, edge, u)});
       for (const int end : {a, b}) {
         m_row.emplace(end, static_cast<int>(m_row.size()));
         if (in_contact(state.nodes[end].state)) m_column.emplace(end, static_cast<int>(m_column.size()));
@@ -99,24 +73,24 @@ public:
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(m_row.size(), m_column.size());
     Eigen::VectorXd right = Eigen::VectorXd::Zero(A.rows());
     for (const Edge& e : m_edges) {
-      for (const int end : {e.a, e.b}) {
-        const auto column = m_column.find(end); // zero at an end that is free
+      const int nodes[] = {e.a, e.b, e.m};
+      for (int end = 0; end < 2; ++end) {
+        const auto column = m_column.find(nodes[end]); // zero at an end that is free
         if (column == m_column.end()) continue;
-        A(m_row.at(end), column->second) += e.length / 6;
-        A(m_row.at(e.middle), column->second) += e.length / 3;
+        for (int i = 0; i < 3; ++i) A(m_row.at(nodes[i]), column->second) += e.mass(i, end);
       }
     }
     for (const auto& [node, row] : m_row) right[row] = force[node];
     const Eigen::VectorXd p = A.colPivHouseholderQr().solve(right);
     for (const auto& [node, column] : m_column) nodal[node] = p[column];
-    for (const Edge& e : m_edges) nodal[e.middle] = 0.5 * (nodal[e.a] + nodal[e.b]);
+    for (const Edge& e : m_edges) nodal[e.m] = 0.5 * (nodal[e.a] + nodal[e.b]);
     return nodal;
   }
 
 private:
   struct Edge {
-    int a, b, middle;
-    double length;
+    int a, b, m;
+    EdgeMasses mass;
   };
   std::vector<Edge> m_edges;
   std::map<int, int> m_column, m_row;
@@ -131,7 +105,7 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
   SurfaceReport<Dim> report;
   const Eigen::Index n = static_cast<Eigen::Index>(model.candidates.size());
   report.gap = report.normal_force = report.tangential_force = Eigen::VectorXd::Zero(n);
-  report.length = tributary_lengths(model, body, edges, u);
+  report.area = surface_shares(model, body, edges, u);
   const auto poses = model.poses(state.q);
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto& node = state.nodes[i];
@@ -147,8 +121,10 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
     report.normal_force[i] = force.N;
     report.tangential_force[i] = force.T;
   }
-  report.pressure = report.normal_force.cwiseQuotient(report.length);
-  report.traction_tangential = report.tangential_force.cwiseQuotient(report.length);
+  const double smallest = 1e-9 * report.area.maxCoeff(); // a quadratic edge gives its end on the axis nothing
+  const Eigen::VectorXd area = (report.area.array() > smallest).select(report.area, INFINITY);
+  report.pressure = report.normal_force.cwiseQuotient(area);
+  report.traction_tangential = report.tangential_force.cwiseQuotient(area);
   const EdgeFit<Dim> edges_in_contact(model, body, state, edges, u);
   report.pressure_fit = report.pressure;
   report.traction_fit = report.traction_tangential;

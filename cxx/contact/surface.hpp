@@ -1,25 +1,19 @@
 #pragma once
 // The contact surface: its edges, its nodes in order, and what acts on them.
-#include "contact/body_view.hpp"
-#include "contact/contact_model.hpp"
+#include "contact/surface_share.hpp"
 
 namespace burnish {
-
-/// One boundary edge of the contact surface: its nodes (2, or 3 with the middle one).
-struct SurfaceEdge {
-  int a = 0, b = 0, middle = -1;
-};
 
 /// Nodes of the edges, each once, neighbors after one another along every chain of edges.
 std::vector<int> nodes_along(const std::vector<SurfaceEdge>& edges);
 
-/// State of the candidates, one entry each. Pressure and traction are nodal forces over the tributary length
-/// in the present configuration (1/2 : 1/2 of a linear edge, 1/6 : 2/3 : 1/6 of a quadratic one).
+/// State of the candidates, one entry each. Pressure and traction are nodal forces over the node's share of
+/// the surface in the present configuration (surface_share.hpp).
 template <int Dim> struct SurfaceReport {
   Eigen::VectorXd gap;                 ///< positive = open, zero in contact [length]
   Eigen::VectorXd normal_force;        ///< N >= 0 [force]
   Eigen::VectorXd tangential_force;    ///< of the tool on the body, along the tool's tangent X_s [force]
-  Eigen::VectorXd length;              ///< tributary length [length]
+  Eigen::VectorXd area;                ///< share of the surface [length, axisymmetric: area]
   Eigen::VectorXd pressure;            ///< [stress]
   Eigen::VectorXd traction_tangential; ///< on the body [stress]
   /// The pressure and traction that are linear on every edge and whose consistent nodal forces fit the nodal

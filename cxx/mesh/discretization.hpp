@@ -8,6 +8,7 @@ namespace burnish {
 /// Everything refers to the reference configuration; integration happens there (method.md section 1).
 template <int Dim> struct Discretization {
   int num_nodes = 0, nodes_per_element = 0, points_per_element = 0, num_elements = 0;
+  bool axisymmetric = false;      ///< x is the radius; weights and nodal forces are those of whole rings
   std::vector<double> X;          ///< reference node coordinates, num_nodes x Dim [length]
   std::vector<int> connectivity;  ///< num_elements x nodes_per_element; the Dim+1 vertices come first
   std::vector<double> weight;     ///< num_points: quadrature weight times element volume [length^Dim]

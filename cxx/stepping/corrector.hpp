@@ -18,7 +18,8 @@ template <int Dim> class Corrector {
 public:
   /// @param X reference coordinates, num_dofs; @param fixed per dof, 1 where the displacement is given
   /// @throws std::invalid_argument for an empty contact set, wrong sizes, non-finite coordinates
-  Corrector(ContactModel<Dim> model, Eigen::VectorXd X, std::vector<char> fixed, StepOptions options = {});
+  Corrector(ContactModel<Dim> model, Eigen::VectorXd X, std::vector<char> fixed, StepOptions options = {},
+            bool axisymmetric = false);
 
   const ContactModel<Dim>& model() const { return m_model; }
   const BodyView<Dim>& body() const { return m_body; }

@@ -26,7 +26,9 @@ public:
           StepOptions options = {});
 
   /// @throws std::invalid_argument after the first step began
-  void add_tool(std::shared_ptr<DrivenTool<Dim>> tool, std::shared_ptr<const FrictionLaw> friction);
+  /// @param reach edges that the tool may touch; empty: the whole contact surface
+  void add_tool(std::shared_ptr<DrivenTool<Dim>> tool, std::shared_ptr<const FrictionLaw> friction,
+                const std::vector<SurfaceEdge>& reach = {});
   /// Moves one coordinate until the tool just touches the body and puts the touching nodes in contact.
   /// @returns the coordinate's value. @throws std::invalid_argument if it cannot touch by this coordinate
   /// alone
@@ -83,6 +85,8 @@ public:
   const std::vector<std::string>& left_out() const {
     return m_left_out;
   } ///< coordinates that nothing resists
+  /// What the scene asks for beyond what it can give, each once: (subject, text).
+  const std::vector<std::pair<std::string, std::string>>& warnings() const { return m_warnings; }
   /// Contact width and speed of the contact along the body in the last step, for the step control; 0 if
   /// unknown.
   double contact_width() const;
@@ -104,6 +108,10 @@ private:
   void check_support(const Program& program) const;
   void drop_unresisted(Program& program);
   void check_not_inside(const Eigen::VectorXd& u) const;
+  void share_surface();
+  void warn(const std::string& subject, const std::string& text);
+  void warn_of_curvature();
+  void note_conflicts(const ContactState<Dim>& state, const Eigen::VectorXd& u);
 
   std::shared_ptr<const Discretization<Dim>> m_discretization;
   std::vector<SurfaceEdge> m_surface;
@@ -126,6 +134,7 @@ private:
   long m_condensations = 0;
   std::vector<ContactEvent<Dim>> m_log;
   std::vector<std::string> m_left_out;
+  std::vector<std::pair<std::string, std::string>> m_warnings;
 };
 
 } // namespace burnish

@@ -78,11 +78,11 @@ struct Surface {
 } // namespace
 
 TEST(SurfaceReport, TributaryLengthsOfThePresentShape) {
-  const Eigen::VectorXd linear = Surface(false).report(Eigen::VectorXd::Zero(8)).length;
+  const Eigen::VectorXd linear = Surface(false).report(Eigen::VectorXd::Zero(8)).area;
   expect_close(linear, Eigen::Vector4d(1, 3, 5, 3), 1, 1e-14, "linear edges");
   Eigen::VectorXd expected(7);
   expected << 1. / 3, 1, 5. / 3, 1, 4. / 3, 8. / 3, 4;
-  expect_close(Surface(true).report(Eigen::VectorXd::Zero(14)).length, expected, 1, 1e-14, "quadratic edges");
+  expect_close(Surface(true).report(Eigen::VectorXd::Zero(14)).area, expected, 1, 1e-14, "quadratic edges");
 }
 
 TEST(SurfaceReport, UniformPressureRecovered) {
