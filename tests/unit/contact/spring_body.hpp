@@ -1,6 +1,7 @@
 #pragma once
 // An artificial body with an exactly known symmetric tangent, touched by tools: what the condensation sees.
 #include "contact/condensation.hpp"
+#include "geometry/arc_chain.hpp"
 #include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
@@ -78,13 +79,17 @@ private:
   NodeBlockMatrix<2> m_matrix;
 };
 
-enum class Shape { CIRCLE, INSIDE, SEGMENT };
+enum class Shape { CIRCLE, INSIDE, SEGMENT, ARC_CHAIN };
 enum class Frame { CARTESIAN, POLAR };
 
 inline std::shared_ptr<const Tool<2>> make_tool(const std::string& name, Shape shape, Frame frame) {
   std::shared_ptr<const Profile<2>> profile;
   if (shape == Shape::SEGMENT)
     profile = std::make_shared<Segment>(Vector<2>(-1, 0.2), Vector<2>(1.5, 0.4));
+  else if (shape == Shape::ARC_CHAIN) // joints at s = 0.424, 1.388, 1.877, 2.402
+    profile =
+        std::make_shared<ArcChain>(std::vector<Vector<2>>{{-1, 0.2}, {-0.2, -0.4}, {0.8, 0.5}, {1.5, 0.4}},
+                                   std::vector<double>{0, 0.7, 0.6, 0});
   else
     profile = std::make_shared<Circle>(1.3, shape == Shape::INSIDE);
   std::shared_ptr<const Coordinates<2>> coordinates = std::make_shared<Cartesian>();

@@ -1,0 +1,93 @@
+#include "geometry/arc_chain.hpp"
+#include "base/error.hpp"
+#include "geometry/plane.hpp"
+#include <algorithm>
+#include <limits>
+
+namespace burnish {
+
+namespace {
+
+// Positive if the chain runs counter-clockwise: sum of its turns is +2 pi or -2 pi, the lines add nothing.
+double turning(const std::vector<ArcPiece>& pieces) {
+  double sum = 0;
+  for (const ArcPiece& piece : pieces) sum += piece.curvature * piece.length;
+  return sum;
+}
+
+} // namespace
+
+ArcChain::ArcChain(const std::vector<Vector<2>>& points, const std::vector<double>& radii, bool closed,
+                   bool inside)
+    : m_pieces(filleted(points, radii, closed)), m_start{0}, m_closed(closed) {
+  for (const ArcPiece& piece : m_pieces) m_start.push_back(m_start.back() + piece.length);
+  m_side = closed && turning(m_pieces) > 0 ? -1 : 1;
+  if (inside) m_side = -m_side;
+}
+
+double ArcChain::wrapped(double s) const { return m_closed ? s - length() * std::floor(s / length()) : s; }
+
+int ArcChain::piece_at(double wrapped_s) const {
+  const auto next = std::upper_bound(m_start.begin(), m_start.end(), wrapped_s);
+  const auto count = static_cast<std::ptrdiff_t>(m_pieces.size());
+  return static_cast<int>(std::clamp<std::ptrdiff_t>(next - m_start.begin() - 1, 0, count - 1));
+}
+
+int ArcChain::piece(const Param<2>& s) const {
+  require(s.allFinite(), "ArcChain::piece", "s", s(0), "a finite arc length");
+  return piece_at(wrapped(s(0)));
+}
+
+ProfilePoint<2> ArcChain::evaluate(const Param<2>& s) const {
+  require(s.allFinite(), "ArcChain::evaluate", "s", s(0), "a finite arc length");
+  const double at = wrapped(s(0));
+  const auto i = static_cast<std::size_t>(piece_at(at));
+  const ArcPiece& piece = m_pieces[i];
+  const double local = at - m_start[i];
+  const Vector<2> t = piece.direction(local), left = left_of(t);
+  ProfilePoint<2> point;
+  point.x = piece.point(local);
+  point.x_s = t;
+  point.x_ss[0] = piece.curvature * left;
+  point.n = m_side * left;
+  point.n_s = -m_side * piece.curvature * t;
+  return point;
+}
+
+ClosestPoint<2> ArcChain::closest_point(const Vector<2>& x, const Param<2>& near) const {
+  require(x.allFinite(), "ArcChain::closest_point", "x", x.transpose(), "finite components");
+  require(near.allFinite(), "ArcChain::closest_point", "near", near(0), "a finite arc length");
+  const double L = length(), tolerance = 1e-12 * L, here = wrapped(near(0));
+  const auto away = [&](double s) { return m_closed ? std::remainder(s - here, L) : s - here; };
+  ArcFoot best{};
+  double best_s = 0, nearest = std::numeric_limits<double>::infinity();
+  bool best_normal = false;
+  for (std::size_t i = 0; i < m_pieces.size(); ++i) {
+    const double start = m_start[i], end = m_start[i + 1];
+    const ArcFoot foot = m_pieces[i].closest(x, std::clamp(here, start, end) - start);
+    if (foot.distance > nearest + tolerance) continue;
+    const double s = std::min(start + foot.s, end);
+    // of equals: a normal projection before an end, then the one closer to near
+    const bool normal = foot.excess <= tolerance, clearly = foot.distance < nearest - tolerance;
+    const bool rather = normal != best_normal ? normal : std::abs(away(s)) < std::abs(away(best_s));
+    nearest = std::min(nearest, foot.distance);
+    if (!clearly && !rather) continue;
+    best = foot;
+    best_s = s;
+    best_normal = normal;
+  }
+  const bool at_end = !m_closed && (best_s == 0 || best_s == L);
+  if (at_end && best.excess > tolerance) return {Param<2>(best_s), best.distance, true};
+  const double s = m_closed ? near(0) + away(best_s) : best_s;
+  return {Param<2>(s), m_side * best.offset, false};
+}
+
+double ArcChain::length_scale() const { return m_closed ? length() / (2 * M_PI) : length(); }
+
+double ArcChain::tightest_radius() const {
+  double sharpest = 0;
+  for (const ArcPiece& piece : m_pieces) sharpest = std::max(sharpest, std::abs(piece.curvature));
+  return 1 / sharpest;
+}
+
+} // namespace burnish
