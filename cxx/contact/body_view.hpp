@@ -9,8 +9,8 @@ namespace burnish {
 template <int Dim> struct BodyView {
   Eigen::VectorXd X;         ///< reference coordinates, num_dofs [length]
   std::vector<char> fixed;   ///< per dof: displacement given (zero increment)
-  bool axisymmetric = false; ///< x is the radius, forces are those of whole rings
   double spacing = 0;        ///< typical distance of neighboring candidates [length]
+  bool axisymmetric = false; ///< x is the radius, forces are those of whole rings
   Vector<Dim> position(const Eigen::VectorXd& u, int node) const {
     return X.segment<Dim>(Dim * node) + u.segment<Dim>(Dim * node);
   }
