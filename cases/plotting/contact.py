@@ -38,12 +38,12 @@ def middle_of_contact(surface):
     return np.array([surface[c][nodes[[0, -1]]].mean() for c in "xy"])
 
 
-def mark_contact(axes, surface, letters="EF"):
-    """Bold line along the contact arc with a letter at each end, the first one at the larger angle."""
+def mark_contact(axes, surface, letters="EF", scale=MM):
+    """Bold line along the contact arc with a letter at each end, the first one at the larger angle; scale: to mm."""
     where = touching(surface)
     if not where.any():
         return Line2D([], [], linestyle="none", label="no contact")
-    x, y = MM * surface["x"], MM * surface["y"]
+    x, y = scale * surface["x"], scale * surface["y"]
     for part in runs(where):
         dot = "o" if part.stop - part.start == 1 else None
         axes.plot(x[part], y[part], color="black", linewidth=4, solid_capstyle="butt", marker=dot, zorder=4)
@@ -52,7 +52,7 @@ def mark_contact(axes, surface, letters="EF"):
     for end, letter, side in zip(ends, letters, (-7, 7)):
         axes.annotate(letter, (x[end], y[end]), xytext=(side, 9), textcoords="offset points", ha="center",
                       va="bottom", fontweight="bold", path_effects=WHITE_EDGE, zorder=6)
-    return Line2D([], [], color="black", linewidth=4, label=f"contact arc {letters}")
+    return Line2D([], [], color="black", linewidth=4, label=f"contact arc {letters}" if letters else "in contact")
 
 
 def arc_from_middle(surface):

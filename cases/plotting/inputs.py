@@ -59,6 +59,12 @@ def read_table(path, numbers, texts=(), rows=1):
     return table
 
 
+def read_whole_table(path, texts=(), rows=1):
+    """The same with all columns: those in texts as words, the others as numbers."""
+    header = [name.strip() for name in next(csv.reader(read_text(path).splitlines()[:1]), [])]
+    return read_table(path, [name for name in header if name not in texts], texts, rows)
+
+
 def read_summary(path):
     """JSON object as dict."""
     try:

@@ -11,9 +11,9 @@ from plotting.figure import GRAY, MM
 WHITE_EDGE = [patheffects.withStroke(linewidth=3, foreground="white")]
 
 
-def deformed(field):
-    """Triangulation of the deformed workpiece [mm]."""
-    place = MM * (field.points + field.data["displacement"][:, :2])
+def deformed(field, scale=MM):
+    """Triangulation of the deformed workpiece [mm]; scale: to mm."""
+    place = scale * (field.points + field.data["displacement"][:, :2])
     bad = ~np.isfinite(place).all(axis=1)
     return Triangulation(*np.where(bad[:, None], 0, place).T, field.triangles,
                          mask=bad[field.triangles].any(axis=1) if bad.any() else None)

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Pictures of example 1: plot.py OUTDIR reads what rolling.edp wrote there and puts PNG files beside it."""
 import os
-import signal
 import sys
 from types import SimpleNamespace
 
@@ -11,8 +10,8 @@ try:
     from matplotlib.patches import Rectangle
     from matplotlib.ticker import MaxNLocator
     from plotting import contact, maps
-    from plotting.figure import (BLUE, GRAY, GREEN, MICRON, MM, ORANGE, RED, SKY, apply_style, key_below, new_figure,
-                                 save, say_empty)
+    from plotting.case import draw
+    from plotting.figure import (BLUE, GRAY, GREEN, MICRON, MM, ORANGE, RED, SKY, key_below, new_figure, say_empty)
     from plotting.inputs import InputError, option, read_summary, read_table
     from plotting.vtu import read_vtu
 except ImportError as error:
@@ -212,28 +211,5 @@ PICTURES = (stress_below_yield, stress_above_yield, plastic_strain, tool_histori
             events)
 
 
-def main(arguments):
-    if len(arguments) != 1 or arguments[0].startswith("-"):
-        print(f"usage: plot.py OUTDIR    (the folder with {', '.join(FILES)})", file=sys.stderr)
-        return 2
-    try:
-        run = read_run(arguments[0])
-    except InputError as error:
-        print(f"plot.py: {error}", file=sys.stderr)
-        return 1
-    apply_style()
-    failed = 0
-    for picture in PICTURES:
-        name = picture.__name__.replace("_", "-")
-        try:
-            print(save(picture(run), arguments[0], name), flush=True)
-        except Exception as error:  # the other pictures may still be drawn
-            print(f"plot.py: {name}.png not made: {type(error).__name__}: {error}", file=sys.stderr)
-            failed = 1
-    return failed
-
-
 if __name__ == "__main__":
-    for name in (signal.SIGINT, signal.SIGPIPE):
-        signal.signal(name, signal.SIG_DFL)  # stop quietly
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(draw(sys.argv[1:], read_run, PICTURES))

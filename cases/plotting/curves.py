@@ -1,0 +1,184 @@
+"""Curves of a run: history, chosen columns against one another, pressure under each tool, computed against expected."""
+import numpy as np
+from matplotlib.ticker import MaxNLocator
+
+from plotting import contact
+from plotting import units as u
+from plotting.figure import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, SKY, new_figure, say_empty
+
+COLORS = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "black", GRAY)
+PANELS = ((u.LENGTH, "displacement of the tools"), (u.ANGLE, "turn of the tools"), (u.FORCE, "drive force"),
+          (u.MOMENT, "drive moment"), (u.NODES, "nodes"), (u.STRAIN, "largest plastic strain"),
+          (u.STRESS, "largest von Mises stress"))
+
+
+def moves(values):
+    return np.nanmax(values) - np.nanmin(values) > 1e-12 * max(np.nanmax(np.abs(values)), 1e-300)
+
+
+def draw_column(axes, run, column, against, color, change=False):
+    """One column over another one; change: from its first value."""
+    x, y = run.columns[against], run.columns[column]
+    values = y.factor * (run.history[column] - (run.history[column][0] if change else 0))
+    how = "steps-mid" if y.kind == u.NODES else "default"
+    axes.plot(x.factor * run.history[against], values, color=color, label=y.label, drawstyle=how,
+              linewidth=1.0 if y.kind == u.NODES else 1.5)
+
+
+def label_panel(axes, run, columns, title, change):
+    """Axis label of what is drawn together; a key if there are several curves."""
+    first = run.columns[columns[0]]
+    if len(columns) == 1:
+        axes.set_ylabel(("change of " if change else "") + first.axis())
+    else:
+        axes.set_ylabel(f"{title} [{first.unit}]")
+        axes.legend(fontsize=9, loc="best")
+    if first.kind == u.NODES:
+        axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+
+
+def default_panels(run):
+    """(title, columns, change) of the panels that have something to show; a column of the case has a panel of its own."""
+    panels = []
+    for kind, title in PANELS:
+        names = [n for n, c in run.columns.items() if c.kind == kind and moves(run.history[n])]
+        if names:
+            panels.append((title, names, kind in (u.LENGTH, u.ANGLE)))
+    own = [n for n, c in run.columns.items() if c.kind == u.OTHER and n != "factorizations" and moves(run.history[n])]
+    return panels + [(run.columns[n].label, [n], False) for n in own]
+
+
+def history_figure(run, panels=None, against="t"):
+    """Chosen columns against t or another column. panels: a list of lists of columns, default: all that change, by kind."""
+    chosen = default_panels(run) if panels is None else [("", list(p), False) for p in panels]
+    rows = max(1, -(-len(chosen) // 2))
+    columns = 2 if len(chosen) > 1 else 1
+    figure, axes = new_figure(5.2 * columns, 0.8 + 2.5 * rows, nrows=rows, ncols=columns, squeeze=False)
+    for place, (title, names, change) in zip(axes.flat, chosen):
+        for name, color in zip(names, COLORS * len(names)):
+            draw_column(place, run, name, against, color, change)
+        units = {run.columns[n].unit for n in names}
+        label_panel(place, run, names, title or " / ".join(sorted(units)) if len(units) > 1 else title, change)
+        place.set_xlabel(run.columns[against].axis())
+    for place in list(axes.flat)[len(chosen):]:
+        place.set_visible(False)
+    if not chosen:
+        say_empty(axes.flat[0], "nothing changes")
+    return figure
+
+
+def arcs(surface, mm):
+    """Length along the surface [mm] in the order of the nodes; neighbors that are far apart belong to different chains,
+    which are set a kilometer apart."""
+    gaps = mm * np.hypot(np.diff(surface["x"]), np.diff(surface["y"]))
+    return np.r_[0, np.cumsum(np.where(gaps > 8 * np.median(gaps), 1e6, gaps))]
+
+
+def under_tool(run, name):
+    """Arc from the middle of the contact [mm], growing with x (or y where the surface stands upright), and the nodes near
+    the contact of one tool; None without contact."""
+    surface, mm = run.surface, run.units.mm
+    touching = contact.touching(surface) & (surface["tool"] == name)
+    if not touching.any():
+        return None
+    nodes = np.flatnonzero(touching)
+    arc = arcs(surface, mm)
+    arc = arc - 0.5 * (arc[nodes[0]] + arc[nodes[-1]])
+    ends = nodes[[0, -1]] if len(nodes) > 1 else np.clip([nodes[0] - 1, nodes[0] + 1], 0, len(arc) - 1)
+    step = np.array([np.diff(surface[c][ends])[0] for c in "xy"])
+    if step[np.argmax(np.abs(step))] < 0:
+        arc = -arc
+    reach = 1.3 * np.abs(arc[touching]).max() + 2 * np.median(np.abs(np.diff(arc)))
+    other = contact.touching(surface) & (surface["tool"] != name)
+    return arc, (np.abs(arc) <= reach) & ~other
+
+
+def pressure_panel(axes, run, name, mu=None, expected=None):
+    """Pressure and tangential traction under one tool; expected: function of the arc [mm] that gives MPa, and its label."""
+    found = under_tool(run, name)
+    axes.set_ylabel("traction [MPa]")
+    axes.set_xlabel("length from the middle of the contact [mm]")
+    if found is None:
+        say_empty(axes, f"{name} touches no node")
+        return
+    arc, shown = found
+    order = np.flatnonzero(shown)[np.argsort(arc[shown])]
+    for fit, nodal, color, label in (("pressure_fit", "pressure", BLUE, "pressure p"),
+                                     ("traction_fit", "traction_tangential", RED, "tangential traction")):
+        values = run.units.MPa * run.surface[fit][order]
+        if label != "pressure p" and not values.any():
+            continue
+        axes.plot(arc[order], values, color=color, label=label)
+        if len(order) < 120:
+            axes.plot(arc[order], run.units.MPa * run.surface[nodal][order], color=color, marker="o", markersize=3,
+                      linestyle="none", alpha=0.35)
+        if mu and label == "pressure p":
+            for sign in (1, -1):
+                axes.plot(arc[order], sign * mu * values, color=GRAY, linewidth=0.9, linestyle="--", zorder=1.5,
+                          label=rf"$\pm\mu p$, $\mu$ = {mu:g}" if sign > 0 else None)
+    if expected:
+        x = np.linspace(arc[order[0]], arc[order[-1]], 400)
+        axes.plot(x, expected[0](x), color="black", linewidth=1.2, linestyle=(0, (5, 2)), label=expected[1])
+    if contact.shade_sticking(axes, arc[order], {"state": run.surface["state"][order]}):
+        axes.fill([], [], color=SKY, alpha=0.25, label="sticking nodes")
+    axes.axhline(0, color="black", linewidth=0.8)
+    axes.legend(fontsize=9)
+
+
+def pressure_figure(run, mu=None, expected=None):
+    """Contact pressure and friction under each tool at the end (dots: nodal forces over their share of the surface)."""
+    names = [o for o in dict.fromkeys(run.surface["tool"]) if o and under_tool(run, o)] or ["no tool"]
+    names = names[:6]
+    columns = 2 if len(names) > 1 else 1
+    rows = -(-len(names) // columns)
+    figure, panels = new_figure(7.5 if columns == 1 else 10.5, 0.9 + 3.6 * rows, nrows=rows, ncols=columns, squeeze=False)
+    for axes, name in zip(panels.flat, names):
+        pressure_panel(axes, run, name, mu, expected)
+        axes.set_title(f"Contact with {name} at t = {run.t:.4g}" if name != "no tool" else "No contact")
+    for axes in list(panels.flat)[len(names):]:
+        axes.set_visible(False)
+    return figure
+
+
+def compare_figure(curves, xlabel, ylabel, title=""):
+    """Computed points beside what is expected. curves: (x, computed, x_expected, expected, label, label_expected) each."""
+    figure, axes = new_figure(7.5, 4.8)
+    for (x, y, x_expected, expected, label, label_expected), color in zip(curves, COLORS * len(curves)):
+        axes.plot(x_expected, expected, color=color, linewidth=1.2, linestyle="--", label=label_expected)
+        axes.plot(x, y, color=color, marker="o", markersize=3.5, linewidth=0.8, label=label)
+    axes.set_xlabel(xlabel)
+    axes.set_ylabel(ylabel)
+    axes.set_title(title)
+    axes.legend()
+    return figure
+
+
+def expected_results(summary):
+    """(name, entry) of the results with an expected value."""
+    results = summary.get("results") or {}
+    return [(name, r) for name, r in results.items() if isinstance(r, dict) and r.get("expected") is not None]
+
+
+def expected_figure(run):
+    """Error of each result over the error allowed, with the numbers; None if nothing is expected."""
+    rows = expected_results(run.summary)
+    if not rows:
+        return None
+    figure, axes = new_figure(8.5, 1.4 + 0.5 * len(rows))
+    for i, (name, r) in enumerate(rows):
+        deviation = (r["value"] - r["expected"]) / (abs(r["expected"]) or 1) if r["value"] is not None else np.nan
+        part = np.clip(deviation / r["tolerance"], -1.9, 1.9) if r["tolerance"] else 0.0
+        axes.barh(i, part, color=BLUE if abs(part) <= 1 else RED, height=0.5, zorder=2)
+        value = "nan" if r["value"] is None else f"{r['value']:.5g}"
+        error = f"{100 * deviation:+.3g} %" if r["expected"] else f"{deviation:+.3g}"
+        axes.text(2.05, i, f"{value} {r['unit'].replace('-', '')}  ({error})\n{r['expected']:.5g} expected, {r['source']}",
+                  va="center", fontsize=9)
+    axes.axvspan(-1, 1, color="#e8f0e8", zorder=0)
+    axes.axvline(0, color="black", linewidth=0.8)
+    axes.set_xlim(-2, 2)
+    axes.set_yticks(range(len(rows)), [name for name, _ in rows])
+    axes.set_ylim(len(rows) - 0.4, -0.6)
+    axes.grid(axis="y")
+    axes.set_xlabel("error / error allowed")
+    axes.set_title("Computed against expected")
+    return figure

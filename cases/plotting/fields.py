@@ -1,0 +1,90 @@
+"""Maps of a nodal field on the deformed workpiece with the tools: one picture, or a row of instants."""
+import numpy as np
+from matplotlib.ticker import MaxNLocator
+
+from plotting import contact, maps, tools
+from plotting.figure import new_figure, say_empty
+
+# field of the .vtu: label, color map; the unit comes from the case
+STRESS = ("sigma_eq", "von Mises stress", "viridis_r")
+STRAIN = ("plastic_strain_eq", "accumulated plastic strain", "magma_r")
+
+
+def levels_to(largest, number=12):
+    """Round levels from zero to the largest value."""
+    return MaxNLocator(number, steps=[1, 2, 2.5, 5, 10]).tick_values(0, largest)
+
+
+def draw_map(axes, mesh, values, levels, outlines, box, cmap):
+    """Filled bands, outline of the workpiece, tools; returns (bands or None, handles)."""
+    maps.set_view(axes, box)
+    axes.grid(False)
+    bands = None
+    if np.nanmax(values) > levels[0] and np.nanmax(values) > 0:
+        bands = maps.draw_bands(axes, mesh, np.maximum(values, levels[0]), levels, cmap)
+    axes.triplot(mesh, color="black", linewidth=0.2, alpha=min(0.35, 400 / len(mesh.triangles)), zorder=1.5)
+    maps.draw_outline(axes, mesh)
+    return bands, tools.draw_tools(axes, outlines, mesh)
+
+
+def mesh_box(mesh):
+    return maps.box_of(mesh.x, mesh.y, 0.03)
+
+
+def shape_of(box, width):
+    """Height of a figure of this width for the box, with room for the labels."""
+    return float(np.clip((width - 2.6) * (box[3] - box[2]) / (box[1] - box[0]) + 1.4, 3.2, 9.5))
+
+
+def field_figure(run, field, unit, factor, box=None, width=8.5):
+    """One field at the end; field: STRESS, STRAIN or the like. box: limits in mm, default the workpiece and the tools
+    near it."""
+    name, label, cmap = field
+    values = factor * np.nan_to_num(run.field.data[name])
+    outlines = tools.at_time(run.tools, run.t)
+    box = box or tools.widened(mesh_box(run.mesh), outlines)
+    figure, axes = new_figure(width, shape_of(box, width))
+    levels = levels_to(max(values.max(), 1e-12))
+    bands, handles = draw_map(axes, run.mesh, values, levels, outlines, box, cmap)
+    handles.append(contact.mark_contact(axes, run.surface, letters="", scale=run.units.mm))
+    if bands is None:
+        say_empty(axes, f"no {label}")
+    else:
+        figure.colorbar(bands, ax=axes, label=f"{label} [{unit}]", shrink=0.9, format="%.4g")
+    axes.set_title(f"{label[0].upper() + label[1:]} at t = {run.t:.4g}: largest {values.max():.3g} {unit if unit != '-' else ''}")
+    axes.legend(handles=handles, loc="upper right", fontsize=9)
+    return figure
+
+
+def instants(run, number):
+    """Evenly chosen field files of the series and the end: (t, field) pairs."""
+    files = run.series[:-1] if run.series and abs(run.series[-1][0] - run.t) < 1e-9 else run.series
+    chosen = [files[i] for i in np.linspace(0, len(files) - 1, number - 1).round().astype(int)] if files else []
+    pairs = [(t, run.read_field(path)) for t, path in dict(chosen).items()]
+    return pairs + [(run.t, run.field)]
+
+
+def sequence_figure(run, field, unit, factor, number=4, width=10.0):
+    """The same field at several instants with one scale."""
+    name, label, cmap = field
+    shown = [(t, maps.deformed(f, run.units.mm), factor * np.nan_to_num(f.data[name])) for t, f in instants(run, number)]
+    outlines = [tools.at_time(run.tools, t) for t, _, _ in shown]
+    boxes = np.array([tools.widened(mesh_box(mesh), o, 0.2) for (_, mesh, _), o in zip(shown, outlines)])
+    box = (boxes[:, 0].min(), boxes[:, 1].max(), boxes[:, 2].min(), boxes[:, 3].max())
+    columns = 2 if len(shown) > 2 else len(shown)
+    rows = -(-len(shown) // columns)
+    height = rows * ((width - 2.4) / columns * (box[3] - box[2]) / (box[1] - box[0]) + 0.4) + 0.6
+    figure, panels = new_figure(width, float(np.clip(height, 3.5, 12)), nrows=rows, ncols=columns, squeeze=False,
+                                sharex=True, sharey=True)
+    levels = levels_to(max(max(values.max() for _, _, values in shown), 1e-12))
+    bands = None
+    for axes, (t, mesh, values), drawn in zip(panels.flat, shown, outlines):
+        mine, _ = draw_map(axes, mesh, values, levels, drawn, box, cmap)
+        bands = mine or bands
+        axes.set_title(f"t = {t:.3g}")
+        axes.label_outer()
+    for axes in list(panels.flat)[len(shown):]:
+        axes.set_visible(False)
+    if bands is not None:
+        figure.colorbar(bands, ax=list(panels.flat), label=f"{label} [{unit}]", format="%.4g", shrink=0.9)
+    return figure

@@ -1,0 +1,66 @@
+"""Outlines of the tools from tools.csv (tool, name, t, x, y): reading, choosing a time, drawing over a map."""
+from collections import namedtuple
+
+import numpy as np
+from matplotlib.lines import Line2D
+from matplotlib.path import Path
+
+from plotting.figure import GRAY
+from plotting.inputs import read_table
+
+FACE = "#d9d9d9"
+
+Outline = namedtuple("Outline", "name t points")  # points: n x 2 [mm]
+
+
+def read_tools(path, mm):
+    """All outlines of the file; mm: factor from the case's length unit."""
+    table = read_table(path, ("tool", "t", "x", "y"), ("name",), rows=0)
+    points = mm * np.column_stack([table["x"], table["y"]])
+    border = np.flatnonzero((np.diff(table["tool"]) != 0) | (np.diff(table["t"]) != 0)) + 1
+    blocks = [b for b in np.split(np.arange(len(points)), border) if len(b)]
+    return [Outline(str(table["name"][b[0]]), table["t"][b[0]], points[b]) for b in blocks]
+
+
+def at_time(outlines, t):
+    """Of each tool the outline nearest to t."""
+    best = {}
+    for outline in outlines:
+        if outline.name not in best or abs(outline.t - t) < abs(best[outline.name].t - t):
+            best[outline.name] = outline
+    return list(best.values())
+
+
+def closed(points):
+    size = np.ptp(points, axis=0).max()
+    return len(points) > 3 and np.hypot(*(points[0] - points[-1])) < 1e-3 * size
+
+
+def encloses(points, mesh):
+    """Whether most of the workpiece lies within a closed outline: the tool is what is outside of it."""
+    corners = np.column_stack([mesh.x, mesh.y])
+    return Path(points).contains_points(corners).mean() > 0.5
+
+
+def widened(box, outlines, part=0.3):
+    """Limits that show the tools too, but not more than a part of the larger side beyond each side of the box."""
+    x0, x1, y0, y1 = box
+    room = part * max(x1 - x0, y1 - y0)
+    for outline in outlines:
+        low, high = np.nanmin(outline.points, axis=0), np.nanmax(outline.points, axis=0)
+        x0, y0 = min(x0, max(low[0], box[0] - room)), min(y0, max(low[1], box[2] - room))
+        x1, y1 = max(x1, min(high[0], box[1] + room)), max(y1, min(high[1], box[3] + room))
+    pad = 0.02 * max(x1 - x0, y1 - y0)
+    return x0 - pad, x1 + pad, y0 - pad, y1 + pad
+
+
+def draw_tools(axes, outlines, mesh, names=True):
+    """Outlines, filled where they are closed and do not enclose the workpiece; returns handles for the key."""
+    for outline in outlines:
+        if closed(outline.points) and not encloses(outline.points, mesh):
+            axes.fill(*outline.points.T, facecolor=FACE, edgecolor="none", zorder=0.5)
+        axes.plot(*outline.points.T, color=GRAY, linewidth=1.2, zorder=3.5)
+    if not outlines or not names:
+        return []
+    label = outlines[0].name if len(outlines) == 1 else "tools"
+    return [Line2D([], [], color=GRAY, linewidth=1.2, label=label)]
