@@ -84,6 +84,9 @@ bool factorize_material(const Method<ContactHandle, FactorizeTag>& m, MaterialHa
     const int size = object.body->discretization().num_dofs(), expected = session.discretization().num_dofs();
     burnish::require(size == expected, "contact.factorize", "degrees of freedom of the material", size,
                      (std::to_string(expected) + " as the contact's space").c_str());
+    if (object.body->discretization().axisymmetric != session.discretization().axisymmetric)
+      burnish::fail("contact.factorize",
+                    "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
     do {
       {
         const burnish::CpuTimer timer(object.assembly_seconds);

@@ -6,7 +6,9 @@
 //     tolerance=          residual over the load, 1e-4
 //     gaptolerance=       gap and slip over the spacing of the nodes, 1e-6
 //     maxiterations=, memory= (Anderson), terms="complete" | "article" | "none"
-//   C.add(roller);  C.add(roller, friction=0.3);
+//     axisymmetric=true   x is the radius (as in rcMaterial)
+//   C.add(roller);  C.add(roller, friction=0.3);  C.add(roller, label=3);  labels=: the part it may touch
+//   C.warnings                                     text, one line each: tools that reach for one node, ...
 //   real q = C.approach(roller, "r", u[]);         moves one coordinate until the tool just touches
 #include "base/error.hpp"
 #include "named.hpp"
@@ -15,16 +17,21 @@
 namespace rigidcontact {
 namespace {
 
+std::vector<long> labels_of(const Named& a) {
+  std::vector<long> labels;
+  if (a.has("label")) labels.push_back(a.integer("label", 0));
+  if (a.has("labels")) {
+    const KN_<long> list = a.integers("labels");
+    for (long i = 0; i < list.N(); ++i) labels.push_back(list[i]);
+  }
+  return labels;
+}
+
 struct Construct {
-  static const int n = 9;
+  static const int n = 10;
   static basicAC_F0::name_and_type names[n];
   static Made<ContactObject> call(const Named& a, pfes* space) {
-    std::vector<long> labels;
-    if (a.has("label")) labels.push_back(a.integer("label", 0));
-    if (a.has("labels")) {
-      const KN_<long> list = a.integers("labels");
-      for (long i = 0; i < list.N(); ++i) labels.push_back(list[i]);
-    }
+    const std::vector<long> labels = labels_of(a);
     if (labels.empty()) burnish::fail("contact", "the contact surface is missing: label=... or labels=...");
     auto discretization = discretization_of(space, "contact");
     std::vector<char> fixed(discretization.num_dofs(), 0);
@@ -47,6 +54,8 @@ struct Construct {
     options.terms = terms_of(a.text("terms", "complete"));
     auto object = std::make_shared<ContactObject>();
     object->friction = called("rcContact", [&] { return burnish::make_coulomb(a.real("friction", 0)); });
+    for (const long label : labels) object->edges[label] = surface_of(space, {label}, "contact");
+    discretization.axisymmetric = a.boolean("axisymmetric", false);
     object->session = std::make_unique<Session<2>>(std::move(discretization),
                                                    surface_of(space, labels, "contact"), fixed, options);
     return made(std::move(object));
@@ -55,11 +64,26 @@ struct Construct {
 basicAC_F0::name_and_type Construct::names[] = {
     {"label", &typeid(long)},         {"labels", &typeid(KN_<long>)}, {"fixed", &typeid(KN_<double>)},
     {"friction", &typeid(double)},    {"tolerance", &typeid(double)}, {"gaptolerance", &typeid(double)},
-    {"maxiterations", &typeid(long)}, {"memory", &typeid(long)},      {"terms", &typeid(string*)}};
+    {"maxiterations", &typeid(long)}, {"memory", &typeid(long)},      {"terms", &typeid(string*)},
+    {"axisymmetric", &typeid(bool)}};
+
+// Edges of the labels that a tool may touch; empty: all.
+std::vector<burnish::SurfaceEdge> reach_of(const Named& a, const ContactObject& contact) {
+  std::vector<burnish::SurfaceEdge> reach;
+  for (const long label : labels_of(a)) {
+    const auto found = contact.edges.find(label);
+    std::string known;
+    for (const auto& entry : contact.edges) known += " " + std::to_string(entry.first);
+    burnish::require(found != contact.edges.end(), "contact.add", "label", label,
+                     ("a label of the contact:" + known).c_str());
+    reach.insert(reach.end(), found->second.begin(), found->second.end());
+  }
+  return reach;
+}
 
 struct AddTag {};
 struct AddTool {
-  static const int n = 1;
+  static const int n = 3;
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& a, Method<ContactHandle, AddTag> m, ToolHandle* tool) {
     ContactObject& contact = m->get();
@@ -67,12 +91,21 @@ struct AddTool {
         a.has("friction")
             ? called("contact.add", [&] { return burnish::make_coulomb(a.real("friction", 0)); })
             : contact.friction;
-    contact.session->add_tool(tool->get().tool, friction);
+    contact.session->add_tool(tool->get().tool, friction, reach_of(a, contact));
     tool->get().added = true;
     return true;
   }
 };
-basicAC_F0::name_and_type AddTool::names[] = {{"friction", &typeid(double)}};
+basicAC_F0::name_and_type AddTool::names[] = {
+    {"friction", &typeid(double)}, {"label", &typeid(long)}, {"labels", &typeid(KN_<long>)}};
+
+string* warnings(Stack stack, ContactHandle* const& h) {
+  return guarded([&] {
+    std::string text;
+    for (const auto& warning : h->get().session->warnings()) text += warning.second + "\n";
+    return new_string(stack, text);
+  });
+}
 
 struct ApproachTag {};
 double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& tool,
@@ -109,6 +142,7 @@ void register_contact() {
   Global.Add("rcContact", "(", new NamedOperator<Construct, Made<ContactObject>, pfes*>);
   add_method<H, AddTag>("add",
                         [] { return new NamedOperator<AddTool, bool, Method<H, AddTag>, ToolHandle*>; });
+  Add<H*>("warnings", ".", new OneOperator1s_<string*, H*>(warnings));
   add_method<H, ApproachTag>("approach", [] {
     return new OneOperator4_<double, Method<H, ApproachTag>, ToolHandle*, string*, KN_<double>>(approach);
   });

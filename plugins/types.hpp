@@ -6,6 +6,8 @@
 #include "stepping/session.hpp"
 #include "workpiece/workpiece.hpp"
 
+#include <map>
+
 namespace rigidcontact {
 
 using burnish::Session;
@@ -28,7 +30,8 @@ struct ContactObject {
   /// What the step under way has seen: the order of calls is begin, check, correct..., accept or revert.
   enum Stage { NO_STEP, BEGUN, CHECKED } stage = NO_STEP;
   std::unique_ptr<Session<2>> session;
-  std::shared_ptr<const burnish::FrictionLaw> friction; // default of add()
+  std::shared_ptr<const burnish::FrictionLaw> friction;    // default of add()
+  std::map<long, std::vector<burnish::SurfaceEdge>> edges; // by boundary label
   burnish::TripletReader<2> reader;
   std::vector<burnish::ContactEvent<2>> pending;  // found by events(), applied by accept() or switchstates()
   std::vector<double> rhs;                        // of the last condensed matrix
