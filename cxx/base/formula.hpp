@@ -13,24 +13,28 @@ struct FormulaNames {
   std::map<std::string, double> parameters;
 };
 
-/// Immutable; copies share the parsed expression. pi is known as pi and Pi; functions are those of GiNaC
-/// (sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs step ...), powers are ^.
+/// Immutable; copies share the parsed expression. pi is known as pi and Pi; functions are sin cos tan asin
+/// acos atan atan2 sinh cosh tanh asinh acosh atanh exp log sqrt pow abs step (0, at zero 1/2, 1) and csgn
+/// (-1, 0, 1); powers are ^. A sign after an operator needs parentheses: x^(-2). Parameters are put in as
+/// numbers. One evaluation costs some 0.1 microseconds.
 class Formula {
 public:
   /// @param what  how messages call it, for example: x of tool "crank"
-  /// @throws std::invalid_argument `what "text": ...` for wrong syntax (with the place in the text), for a name
-  /// that is neither variable, parameter nor function (lists the names known), for names that are no
-  /// identifiers, occur twice, or are GiNaC's own
+  /// @throws std::invalid_argument `what "text": ...` with the place in the text for wrong syntax and for a
+  /// name that is neither variable, parameter nor function (lists the names known); for names that are no
+  /// identifiers, occur twice, or are taken by functions or constants (pi, Pi, I, Euler, Catalan); for
+  /// parameters that are not finite, and for constant parts without a finite real value (1/0, sqrt(-1))
   Formula(std::string what, std::string text, const FormulaNames& names);
   /// Value at the variables' values, one per variable.
-  /// @throws std::invalid_argument quoting formula and place ("beta = 1.5708") where the value is not a finite
-  /// real number (pole, root or logarithm of a negative number)
+  /// @throws std::invalid_argument quoting formula and place ("beta = 1.5708") where the value, or one on the
+  /// way to it, is not a finite real number (pole, root or logarithm of a negative number)
   double operator()(const double* values) const;
-  /// Exact derivative by a variable. @throws std::invalid_argument if the variable is out of range
+  /// Exact derivative by a variable; step and csgn count as flat everywhere, abs has none at zero.
+  /// @throws std::invalid_argument if the variable is out of range
   Formula derivative(int variable) const;
   /// False if the value does not change with the variable.
   bool depends_on(int variable) const;
-  const std::string& text() const;
+  const std::string& text() const; ///< as given; that of the original for a derivative
 
 private:
   struct Impl;
