@@ -37,7 +37,8 @@ struct Formula::Impl {
   GiNaC::ex expression;
   FormulaTape tape;
 
-  [[noreturn]] void refuse(const std::string& why) const { fail(what + " \"" + text + "\"" + label, why); }
+  std::string where() const { return what + " \"" + text + "\"" + label; }
+  [[noreturn]] void refuse(const std::string& why) const { fail(where(), why); }
   void compile() {
     try {
       tape = FormulaTape(expression, variables);
@@ -61,8 +62,8 @@ Formula::Formula(std::string what, std::string text, const FormulaNames& names) 
   impl->text = std::move(text);
   impl->names = names.variables;
   GiNaC::symtab table{{"pi", GiNaC::Pi}, {"Pi", GiNaC::Pi}};
+  check_formula_names(impl->where(), names);
   try {
-    check_formula_names(names);
     for (const std::string& name : names.variables) {
       impl->variables.push_back(GiNaC::realsymbol(name));
       table[name] = impl->variables.back();

@@ -13,6 +13,12 @@ struct FormulaNames {
   std::map<std::string, double> parameters;
 };
 
+/// Names of GiNaC's own functions that formulas cannot call (beta, zeta, psi, S, H ...) are free.
+/// @throws std::invalid_argument "where: ..." for a variable or parameter whose name is no identifier, occurs
+/// twice, or is a constant of GiNaC or a function that formulas may call, and for a parameter that is not
+/// finite
+void check_formula_names(const std::string& where, const FormulaNames& names);
+
 /// Immutable; copies share the parsed expression. pi is known as pi and Pi; functions are sin cos tan asin
 /// acos atan atan2 sinh cosh tanh asinh acosh atanh exp log sqrt pow abs step (0, at zero 1/2, 1) and csgn
 /// (-1, 0, 1); powers are ^. A sign after an operator needs parentheses: x^(-2). Parameters are put in as

@@ -1,5 +1,6 @@
 #include "base/formula_scan.hpp"
 #include "base/error.hpp"
+#include "base/formula.hpp"
 #include "base/formula_tape.hpp"
 #include <algorithm>
 #include <cln/cln.h>
@@ -161,26 +162,22 @@ std::string syntax_message(const std::string& message, std::istringstream& strea
 
 } // namespace
 
-void check_formula_names(const FormulaNames& names) {
+void check_formula_names(const std::string& where, const FormulaNames& names) {
   static const std::set<std::string> constants{"I", "Pi", "pi", "Euler", "Catalan"};
   static const std::regex identifier("[A-Za-z][A-Za-z0-9_]*");
   std::set<std::string> known;
   const auto check = [&](const std::string& name) {
     if (!std::regex_match(name, identifier))
-      throw std::invalid_argument("name \"" + name +
-                                  "\" is no identifier (a letter, then letters and digits)");
-    const bool function = is_function(name);
-    if (function || constants.count(name))
-      throw std::invalid_argument("name \"" + name + "\" is taken by a " +
-                                  (function ? "function" : "constant"));
-    if (!known.insert(name).second) throw std::invalid_argument("name \"" + name + "\" occurs twice");
+      fail(where, "name \"" + name + "\" is no identifier (a letter, then letters, digits and _)");
+    if (is_function(name) || constants.count(name))
+      fail(where, "name \"" + name + "\" is taken by a " + (is_function(name) ? "function" : "constant"));
+    if (!known.insert(name).second) fail(where, "name \"" + name + "\" occurs twice");
   };
   for (const std::string& name : names.variables) check(name);
   for (const auto& [name, value] : names.parameters) {
     check(name);
-    if (!std::isfinite(value))
-      throw std::invalid_argument("parameter \"" + name + "\" = " + std::to_string(value) +
-                                  ", expected a finite number");
+    require(std::isfinite(value), where.c_str(), ("parameter \"" + name + "\"").c_str(), value,
+            "a finite number");
   }
 }
 

@@ -1,14 +1,9 @@
 #pragma once
-// Reads the text of a formula: words and places are checked here, GiNaC's parser does the rest.
-#include "base/formula.hpp"
+// Reads the text of a formula: words, names and places are checked here, GiNaC's parser does the rest.
 #include <ginac/ginac.h>
+#include <string>
 
 namespace burnish {
-
-/// Names of GiNaC's own functions that formulas cannot call (beta, zeta, psi, S, H ...) are free.
-/// @throws std::invalid_argument for a variable or parameter whose name is no identifier, occurs twice, or is
-/// a constant of GiNaC or a function that formulas may call, and for a parameter that is not finite
-void check_formula_names(const FormulaNames& names);
 
 /// The simplest fraction that rounds to the value (0.1: 1/10): GiNaC then computes without rounding errors.
 /// @throws an exception of CLN for numbers below 1e-307

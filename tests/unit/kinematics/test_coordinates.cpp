@@ -1,7 +1,7 @@
 // Cartesian and polar coordinates: poses, derivatives, carriers.
 #include "kinematics/cartesian.hpp"
 #include "kinematics/polar.hpp"
-#include "unit/finite_difference.hpp"
+#include "unit/kinematics/pose_derivatives.hpp"
 #include <cmath>
 
 using namespace burnish;
@@ -11,29 +11,6 @@ using Eigen::Vector3d;
 namespace {
 const Vector<2> PIVOT(0.4, -0.7);
 const Vector3d POSES[] = {{1, 0, 0}, {1.5, 0.3, -2}, {0.8, -4, 9}, {0, 1, 1}, {-1, 2, 0.1}};
-
-/// Every derivative of the pose at q against finite differences of the pose.
-void check_pose_derivatives(const Coordinates<2>& coordinates, const Eigen::VectorXd& q) {
-  const Pose<2> pose = coordinates.pose(q);
-  for (int k = 0; k < coordinates.size(); ++k) {
-    SCOPED_TRACE("coordinate " + coordinates.names()[k]);
-    const auto moved = [&](double t) {
-      Eigen::VectorXd q_moved = q;
-      q_moved(k) = t;
-      return coordinates.pose(q_moved);
-    };
-    const auto check = [&](const auto& member, const auto& derivative) {
-      const auto expected = finite_difference([&](double t) { return member(moved(t)); }, q(k), 1e-3);
-      expect_close(derivative, expected, 1, 1e-10, "derivative");
-    };
-    check([](const Pose<2>& p) { return p.origin; }, pose.origin_q[k]);
-    check([](const Pose<2>& p) { return p.R; }, pose.R_q[k]);
-    for (int l = 0; l < coordinates.size(); ++l) {
-      check([l](const Pose<2>& p) { return p.origin_q[l]; }, pose.origin_qq[l][k]);
-      check([l](const Pose<2>& p) { return p.R_q[l]; }, pose.R_qq[l][k]);
-    }
-  }
-}
 } // namespace
 
 TEST(Coordinates, DerivativesAgainstFiniteDifferences) {
