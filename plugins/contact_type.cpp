@@ -7,10 +7,14 @@
 //     gaptolerance=       gap and slip over the spacing of the nodes, 1e-6
 //     maxiterations=, memory= (Anderson), terms="complete" | "article" | "none"
 //     axisymmetric=true   x is the radius (as in rcMaterial)
-//   C.add(roller);  C.add(roller, friction=0.3);  C.add(roller, label=3);  labels=: the part it may touch
+//   C.add(roller);  C.add(roller, label=3);  labels=: the part it may touch
+//     friction=0.3 | friction=0.3, shearlimit=1e8 | tresca=5e7 | sticking=true | frictionlaw="0.3*p/(1+p/k)":
+//     another law than the contact's, see friction_choice.hpp
+//   C.parameter("k", 1e8);                         a number by name for the formulas of later calls of add
 //   C.warnings                                     text, one line each: tools that reach for one node, ...
 //   real q = C.approach(roller, "r", u[]);         moves one coordinate until the tool just touches
 #include "base/error.hpp"
+#include "friction_choice.hpp"
 #include "named.hpp"
 #include "types.hpp"
 
@@ -83,21 +87,28 @@ std::vector<burnish::SurfaceEdge> reach_of(const Named& a, const ContactObject& 
 
 struct AddTag {};
 struct AddTool {
-  static const int n = 3;
+  static const int n = 7;
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& a, Method<ContactHandle, AddTag> m, ToolHandle* tool) {
     ContactObject& contact = m->get();
-    const auto friction =
-        a.has("friction")
-            ? called("contact.add", [&] { return burnish::make_coulomb(a.real("friction", 0)); })
-            : contact.friction;
+    const auto friction = friction_choice(a, contact.friction, contact.parameters);
     contact.session->add_tool(tool->get().tool, friction, reach_of(a, contact));
     tool->get().added = true;
     return true;
   }
 };
 basicAC_F0::name_and_type AddTool::names[] = {
-    {"friction", &typeid(double)}, {"label", &typeid(long)}, {"labels", &typeid(KN_<long>)}};
+    {"friction", &typeid(double)}, {"shearlimit", &typeid(double)},   {"tresca", &typeid(double)},
+    {"sticking", &typeid(bool)},   {"frictionlaw", &typeid(string*)}, {"label", &typeid(long)},
+    {"labels", &typeid(KN_<long>)}};
+
+struct ParameterTag {};
+double parameter(const Method<ContactHandle, ParameterTag>& m, string* const& name, const double& value) {
+  return guarded([&] {
+    burnish::require(std::isfinite(value), "contact.parameter", name->c_str(), value, "a finite number");
+    return m->get().parameters[*name] = value;
+  });
+}
 
 string* warnings(Stack stack, ContactHandle* const& h) {
   return guarded([&] {
@@ -143,6 +154,9 @@ void register_contact() {
   add_method<H, AddTag>("add",
                         [] { return new NamedOperator<AddTool, bool, Method<H, AddTag>, ToolHandle*>; });
   Add<H*>("warnings", ".", new OneOperator1s_<string*, H*>(warnings));
+  add_method<H, ParameterTag>("parameter", [] {
+    return new OneOperator3_<double, Method<H, ParameterTag>, string*, double>(parameter);
+  });
   add_method<H, ApproachTag>("approach", [] {
     return new OneOperator4_<double, Method<H, ApproachTag>, ToolHandle*, string*, KN_<double>>(approach);
   });

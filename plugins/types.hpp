@@ -31,6 +31,7 @@ struct ContactObject {
   enum Stage { NO_STEP, BEGUN, CHECKED } stage = NO_STEP;
   std::unique_ptr<Session<2>> session;
   std::shared_ptr<const burnish::FrictionLaw> friction;    // default of add()
+  std::map<std::string, double> parameters;                // numbers by name for formulas of friction
   std::map<long, std::vector<burnish::SurfaceEdge>> edges; // by boundary label
   burnish::TripletReader<2> reader;
   std::vector<burnish::ContactEvent<2>> pending;  // found by events(), applied by accept() or switchstates()

@@ -42,9 +42,11 @@ private:
 };
 
 /// Tresca: a sliding node feels the shear traction k under any pressure, g = A k. The same for N <= 0, where
-/// the law itself jumps to zero: the contact test releases such a node, so that the jump is that release. With
-/// the jump inside the law, or a ramp from zero to A k over small pressures (0.01 k, 0.1 k), dragging a roller
-/// over a block took twice the iterations, and event stepping did not get through.
+/// the law itself jumps to zero: the contact test releases such a node, so that the jump is that release.
+/// With the jump inside the law, or a ramp from zero to A k over small pressures (0.01 k, 0.1 k), dragging a
+/// roller over a block took up to twice the iterations, and event stepping did not get through.
+/// Where k is much above the pressure (light loads, ends of the contact) a node may find no equilibrium: it
+/// is released with its whole traction. LimitedCoulombFriction has no such jump.
 class TrescaFriction final : public FrictionLaw {
 public:
   /// @param k shear traction [stress]; @throws std::invalid_argument if k < 0 or not finite

@@ -1,5 +1,6 @@
 // T1: the condensed tangent with COMPLETE terms against finite differences of the condensed residual, block
 // by block, and what the ARTICLE and NONE forms leave out.
+#include "contact/formula_friction.hpp"
 #include "unit/contact/condensed_residual.hpp"
 #include "unit/contact/spring_body.hpp"
 #include <tuple>
@@ -164,4 +165,31 @@ TEST(CondensedTangentMore, TwoTools) {
   s.u = 0.2 * Eigen::VectorXd::LinSpaced(24, -1, 2).array().cos();
   s.contact.place(s.spring.body, s.u);
   expect_blocks(s.tangent(GeometricTerms::COMPLETE), s.expected(), s.kinds(), 1e-9);
+}
+
+// Laws of pressure and traction, every node with a share of its own; the limited one on both sides of its kink.
+TEST(CondensedTangentMore, EveryFrictionLaw) {
+  struct Case {
+    const char* name;
+    std::shared_ptr<const FrictionLaw> law;
+    int steep; // of the three sliding nodes, those where g grows with N
+  };
+  for (const Case& c : {Case{"Tresca", make_tresca(0.7), 0},
+                        {"limited", make_limited_coulomb(0.3, 0.5), 1},
+                        {"formula", make_formula_friction("0.1 + mu*p/(1 + (p/3)^2)", {{"mu", 0.3}}), 1}}) {
+    SCOPED_TRACE(c.name);
+    Sample s = sample(Shape::CIRCLE, Frame::POLAR, 0.3);
+    s.contact.model.friction[0] = c.law;
+    const Eigen::VectorXd R = s.spring.force(s.u);
+    int steep = 0;
+    for (std::size_t i = 0; i < s.contact.state.nodes.size(); ++i) {
+      auto& node = s.contact.state.nodes[i];
+      node.area = 0.4 + 0.3 * static_cast<double>(i);
+      if (node.state != NodeState::SLIDING) continue;
+      const auto p = s.contact.model.tools[0]->surface(s.contact.state.q, node.s);
+      steep += c.law->slope(R.segment<2>(2 * s.contact.model.candidates[i]).dot(p.n), node.area) > 0;
+    }
+    EXPECT_EQ(steep, c.steep);
+    expect_blocks(s.tangent(GeometricTerms::COMPLETE), s.expected(), s.kinds(), 1e-9);
+  }
 }
