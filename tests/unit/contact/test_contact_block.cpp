@@ -169,3 +169,60 @@ TEST(Friction, LawsAndBadInput) {
   expect_invalid([] { make_coulomb(-0.3); }, "CoulombFriction: mu = -0.3, expected mu >= 0");
   expect_invalid([] { make_coulomb(std::nan("")); }, "CoulombFriction: mu = nan, expected mu >= 0");
 }
+
+// A stiffness added to the tangent before it is factorized, and taken off in the block, leaves no trace: also on
+// a node that is not in contact.
+TEST(ContactBlock, ShiftLeavesNoTrace) {
+  for (const double mu : {0., 0.3}) {
+    Scene scene(mu);
+    const auto plain = scene.solve_block();
+    NodeBlockMatrix<2> K = scene.spring.tangent(scene.u);
+    const std::vector<int> shifted = {0, 2, 4}; // candidates; 2 is loose
+    std::vector<int> active = {0, 1, 2, 3, 4};
+    Eigen::VectorXd shift = Eigen::VectorXd::Zero(10);
+    for (const int i : shifted) {
+      const int node = scene.contact.model.candidates[i];
+      for (int c = 0; c < 2; ++c) {
+        if (scene.spring.body.fixed[2 * node + c]) continue;
+        shift[2 * i + c] = 1.5 + i + c;
+        K.block(K.find(node, node))[3 * c] += shift[2 * i + c];
+      }
+    }
+    SchurFactor<2> factor;
+    factor.analyze(K, scene.spring.body.fixed, scene.contact.model.candidates);
+    ASSERT_EQ(factor.factorize(K), FactorStatus::OK);
+    const Eigen::MatrixXd all = factor.candidate_flexibility();
+    const Eigen::VectorXd free = factor.solve(-scene.R);
+    std::vector<NodeLinearization<2>> nodes;
+    Eigen::MatrixXd flexibility(10, 10);
+    ContactBlockInput<2> input;
+    input.offset = input.free_increment = Eigen::VectorXd::Zero(10);
+    for (int a = 0, known = 0; a < 5; ++a) {
+      if (a == 2) {
+        nodes.emplace_back();
+        nodes.back().loose = true;
+      } else {
+        nodes.push_back(scene.nodes[known]);
+        input.offset.segment<2>(2 * a) = scene.input.offset.segment<2>(2 * known++);
+      }
+      input.free_increment.segment<2>(2 * a) = free.segment<2>(2 * scene.contact.model.candidates[a]);
+      for (int b = 0; b < 5; ++b) flexibility.block<2, 2>(2 * a, 2 * b) = all.block<2, 2>(2 * a, 2 * b);
+    }
+    input.nodes = &nodes;
+    input.flexibility = &flexibility;
+    input.shift = shift;
+    const auto with =
+        solve_contact_block(scene.contact.model, scene.contact.program, scene.contact.state.q, input);
+    ASSERT_FALSE(with.singular);
+    EXPECT_LT((with.dq - plain.dq).norm(), 1e-11 * plain.dq.norm());
+    for (int a = 0, known = 0; a < 5; ++a) {
+      if (a == 2) {
+        EXPECT_LT(with.F.segment<2>(4).norm(), 1e-11 * plain.F.norm()) << "no force on a loose node";
+        continue;
+      }
+      EXPECT_LT((with.F.segment<2>(2 * a) - plain.F.segment<2>(2 * known)).norm(), 1e-10 * plain.F.norm());
+      EXPECT_NEAR(with.ds[a], plain.ds[known], 1e-11);
+      ++known;
+    }
+  }
+}
