@@ -35,14 +35,16 @@ template <class F> auto guarded(F&& f) -> decltype(f()) {
   }
 }
 
-/// Runs f; its errors bear the name that the script called instead of the core's.
+/// Runs f; its errors bear the name that the script called instead of the core's. A place of more than one
+/// word (x of tool "crank" ...) stays.
 template <class F> auto called(const char* where, F&& f) -> decltype(f()) {
   try {
     return f();
   } catch (const std::invalid_argument& e) {
     const std::string text = e.what();
     const std::size_t colon = text.find(": ");
-    throw std::invalid_argument(where + (colon == std::string::npos ? ": " + text : text.substr(colon)));
+    const bool names_core = colon != std::string::npos && text.find(' ') > colon;
+    throw std::invalid_argument(where + (names_core ? text.substr(colon) : ": " + text));
   }
 }
 

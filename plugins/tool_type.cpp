@@ -1,6 +1,8 @@
 // Script type `tool`: profile, coordinates, motion or force of each coordinate.
 //   tool roller(circle=R);                            also  inside=true, line=[x0,y0,x1,y1], name="roller"
-//   roller.coordinates("polar", x=0, y=0);            or "cartesian"
+//   roller.coordinates("polar", pivot=[x0,y0]);       or "cartesian"
+//   crank.parameter("e", 1e-2);                       a number that formulas call by name
+//   crank.coordinates("beta", x="e*cos(beta)", y="e*sin(beta)", angle="0");   names, separated by commas
 //   roller.place("r", r0);  roller.move("phi", v);  roller.force("r", Q);      (load is a keyword of FreeFEM)
 //   roller.value("r") present coordinate, roller.drive("r") generalized force received from the drive,
 //   roller.q and roller.Q all of them as arrays, roller.name
@@ -8,6 +10,7 @@
 #include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
+#include "kinematics/formula_coordinates.hpp"
 #include "kinematics/polar.hpp"
 #include "named.hpp"
 #include "types.hpp"
@@ -47,27 +50,79 @@ basicAC_F0::name_and_type Construct::names[] = {{"circle", &typeid(double)},
 struct CoordinatesTag {};
 using CoordinatesMethod = Method<ToolHandle, CoordinatesTag>;
 struct Coordinates {
-  static const int n = 2;
+  static const int n = 4;
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& named, CoordinatesMethod m, string* kind) {
-    std::shared_ptr<const burnish::Coordinates<2>> coordinates;
-    if (*kind == "polar")
-      coordinates =
-          std::make_shared<burnish::Polar>(burnish::Vector<2>(named.real("x", 0), named.real("y", 0)));
-    else if (*kind == "cartesian")
-      coordinates = std::make_shared<burnish::Cartesian>();
-    else
+    ToolObject& object = m->get();
+    const std::shared_ptr<const burnish::Coordinates<2>> coordinates = *kind == "polar" ? polar(named)
+                                                                       : *kind == "cartesian"
+                                                                           ? cartesian(named)
+                                                                           : by_formula(named, *kind, object);
+    if (object.added)
       burnish::fail("tool.coordinates",
-                    "unknown kind \"" + *kind + "\", expected \"polar\" or \"cartesian\"");
-    if (m->get().added)
-      burnish::fail("tool.coordinates",
-                    "tool \"" + m->get().tool->name() +
+                    "tool \"" + object.tool->name() +
                         "\" belongs to a contact already: choose its coordinates before add");
-    m->get().tool->set_coordinates(coordinates);
+    object.tool->set_coordinates(coordinates);
     return true;
   }
+
+private:
+  using Made = std::shared_ptr<const burnish::Coordinates<2>>;
+  static void refuse_formulas(const Named& named, const std::string& kind, const std::string& takes) {
+    for (const char* formula : {"x", "y", "angle"})
+      if (named.has(formula))
+        burnish::fail("tool.coordinates", "\"" + kind + "\" takes " + takes + ", not " + formula +
+                                              "=, which is a formula of coordinates named by the script");
+  }
+  static Made polar(const Named& named) {
+    refuse_formulas(named, "polar", "pivot=[x0,y0]");
+    if (!named.has("pivot")) return std::make_shared<burnish::Polar>();
+    const std::vector<double> p = named.list("pivot");
+    burnish::require(p.size() == 2, "tool.coordinates", "number of values in pivot", p.size(), "2: [x0,y0]");
+    return std::make_shared<burnish::Polar>(burnish::Vector<2>(p[0], p[1]));
+  }
+  static void refuse_pivot(const Named& named, const std::string& kind) {
+    if (named.has("pivot"))
+      burnish::fail("tool.coordinates", "\"" + kind + "\" takes no pivot=, only \"polar\" does");
+  }
+  static Made cartesian(const Named& named) {
+    refuse_formulas(named, "cartesian", "no more parameters");
+    refuse_pivot(named, "cartesian");
+    return std::make_shared<burnish::Cartesian>();
+  }
+  static Made by_formula(const Named& named, const std::string& list, const ToolObject& object) {
+    if (!named.has("x") && !named.has("y") && !named.has("angle"))
+      burnish::fail(
+          "tool.coordinates",
+          "unknown kind \"" + list +
+              "\", expected \"polar\", \"cartesian\", or names of coordinates with their formulas x= "
+              "and y=");
+    refuse_pivot(named, list);
+    for (const char* formula : {"x", "y"})
+      if (!named.has(formula))
+        burnish::fail("tool.coordinates", "coordinates \"" + list + "\" of tool \"" + object.tool->name() +
+                                              "\" lack the formula " + formula + "=");
+    const burnish::PlaneFormulas formulas{named.text("x", ""), named.text("y", ""), named.text("angle", "0")};
+    return std::make_shared<burnish::FormulaCoordinates>(object.tool->name(), burnish::coordinate_names(list),
+                                                         formulas, object.parameters);
+  }
 };
-basicAC_F0::name_and_type Coordinates::names[] = {{"x", &typeid(double)}, {"y", &typeid(double)}};
+basicAC_F0::name_and_type Coordinates::names[] = {{"pivot", &typeid(E_Array)},
+                                                  {"x", &typeid(string*)},
+                                                  {"y", &typeid(string*)},
+                                                  {"angle", &typeid(string*)}};
+
+struct ParameterTag {};
+double parameter(const Method<ToolHandle, ParameterTag>& m, string* const& name, const double& value) {
+  return guarded([&] {
+    ToolObject& object = m->get();
+    const std::string where = "tool.parameter of \"" + object.tool->name() + "\"";
+    burnish::check_formula_names(where, {{}, {{*name, value}}});
+    if (object.tool->shared_tool())
+      burnish::fail(where, "\"" + *name + "\" comes too late: set parameters before coordinates(...)");
+    return object.parameters[*name] = value;
+  });
+}
 
 struct PlaceTag {};
 struct MoveTag {};
@@ -115,6 +170,9 @@ void register_tool() {
   TheOperators->Add("<-", new NamedOperator<Construct, ToolHandle*, ToolHandle*>);
   add_method<ToolHandle, CoordinatesTag>(
       "coordinates", [] { return new NamedOperator<Coordinates, bool, CoordinatesMethod, string*>; });
+  add_method<ToolHandle, ParameterTag>("parameter", [] {
+    return new OneOperator3_<double, Method<ToolHandle, ParameterTag>, string*, double>(parameter);
+  });
   add_method<ToolHandle, PlaceTag>("place", [] {
     return new OneOperator3_<double, Method<ToolHandle, PlaceTag>, string*, double>(place);
   });

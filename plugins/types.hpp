@@ -15,7 +15,8 @@ using burnish::Workpiece;
 
 struct ToolObject {
   static constexpr const char* TYPE = "tool";
-  bool added = false; // to a contact: the coordinates stay
+  bool added = false;                       // to a contact: the coordinates stay
+  std::map<std::string, double> parameters; // of the formulas
   std::shared_ptr<burnish::DrivenTool<2>> tool;
 };
 struct MaterialObject {

@@ -71,7 +71,9 @@ Formula::Formula(std::string what, std::string text, const FormulaNames& names) 
     for (const auto& [name, value] : names.parameters) table[name] = exact_number(value);
     impl->expression = parse_formula(impl->text, table);
   } catch (const std::exception& error) {
-    impl->refuse(error.what());
+    const std::string text = error.what(); // GiNaC's begin with its own place: "power::eval(): "
+    const std::size_t place = text.find("(): ");
+    impl->refuse(place == std::string::npos ? text : text.substr(place + 4));
   }
   impl->compile();
   m_impl = std::move(impl);

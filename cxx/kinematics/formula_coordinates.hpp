@@ -13,7 +13,7 @@ struct PlaneFormulas {
 
 /// origin = (x, y), R = rotation by angle. Conjugate force of coordinate k on the tool: what does work along
 /// a change of that coordinate alone, Q_k = x_k f_x + y_k f_y + angle_k M, with the force f put at the
-/// frame's origin and the moment M about it. One coordinate may drive several of the three: crank, screw, gear.
+/// frame's origin and the moment M about it. One coordinate may drive several of the three: crank, screw.
 /// The carrier is the default one, the translation of the origin.
 class FormulaCoordinates : public Coordinates<2> {
 public:

@@ -63,6 +63,11 @@ broken record 's/^func int record(real t) {/& int[int] two(2); if (t > 0.5) two[
 finish record 20 'Out of bound in operator []'
 whole "$SCRATCH/record" error 'an error of the script or of FreeFEM, told above' 20 15e-3
 
+# a formula of the roller's coordinates that ends at phi = 1.6, on the way
+broken formula 's|^roller.coordinates(.*|roller.coordinates("r, phi, theta", x="r*cos(phi)+1e-30*sqrt(phi-1.6)", y="r*sin(phi)", angle="theta");|'
+finish formula 20 'x of tool "roller" "r*cos(phi)+1e-30*sqrt(phi-1.6)": sqrt(-'
+whole "$SCRATCH/formula" error 'is no finite real number, at r = 0.0' 20 15e-3
+
 # external forces of another size are refused, not left out
 broken external 's/none(0);/none(3); none = 0;/'
 finish external 20 'burnish: rcRun: size of external = 3, expected 0 or '

@@ -170,7 +170,7 @@ TEST(Formula, UnknownNamesListTheKnownOnes) {
 }
 
 TEST(Formula, ConstantPartsAreChecked) {
-  HAS(refused("x/0"), "\"x/0\": power::eval(): division by zero");
+  HAS(refused("x/0"), "\"x/0\": division by zero");
   HAS(refused("x/nothing"), "division by zero");
   HAS(refused("x+log(0)"), "log(0)");
   HAS(refused("x*sqrt(-2)"), "no finite real number");
