@@ -5,6 +5,7 @@
 #include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
+#include "kinematics/formula_coordinates.hpp"
 #include "kinematics/polar.hpp"
 #include "solver/sparse_view.hpp"
 #include <random>
@@ -80,7 +81,20 @@ private:
 };
 
 enum class Shape { CIRCLE, INSIDE, SEGMENT, ARC_CHAIN };
-enum class Frame { CARTESIAN, POLAR };
+enum class Frame { CARTESIAN, POLAR, CRANK, POLAR_BY_FORMULA };
+
+inline std::shared_ptr<const Coordinates<2>> make_coordinates(const std::string& tool, Frame frame) {
+  if (frame == Frame::POLAR) return std::make_shared<Polar>(Vector<2>(0.4, -0.3));
+  if (frame == Frame::CRANK) // one coordinate: crank and connecting rod, turning the tool a little
+    return std::make_shared<FormulaCoordinates>(
+        tool, std::vector<std::string>{"beta"},
+        PlaneFormulas{"e*cos(beta)+sqrt(l^2-e^2*sin(beta)^2)-1", "h", "beta/2"},
+        std::map<std::string, double>{{"e", 0.6}, {"l", 1.5}, {"h", -0.3}});
+  if (frame == Frame::POLAR_BY_FORMULA)
+    return std::make_shared<FormulaCoordinates>(tool, std::vector<std::string>{"r", "phi", "theta"},
+                                                PlaneFormulas{"0.4+r*cos(phi)", "r*sin(phi)-0.3", "theta"});
+  return std::make_shared<Cartesian>();
+}
 
 inline std::shared_ptr<const Tool<2>> make_tool(const std::string& name, Shape shape, Frame frame) {
   std::shared_ptr<const Profile<2>> profile;
@@ -92,9 +106,7 @@ inline std::shared_ptr<const Tool<2>> make_tool(const std::string& name, Shape s
                                    std::vector<double>{0, 0.7, 0.6, 0});
   else
     profile = std::make_shared<Circle>(1.3, shape == Shape::INSIDE);
-  std::shared_ptr<const Coordinates<2>> coordinates = std::make_shared<Cartesian>();
-  if (frame == Frame::POLAR) coordinates = std::make_shared<Polar>(Vector<2>(0.4, -0.3));
-  return std::make_shared<Tool<2>>(name, profile, coordinates);
+  return std::make_shared<Tool<2>>(name, profile, make_coordinates(name, frame));
 }
 
 /// Contact of nodes 3..8 of the body with tools; nothing in contact yet.

@@ -52,8 +52,9 @@ class CondensedTangent : public testing::TestWithParam<std::tuple<Shape, Frame, 
 
 std::string name_of_case(const testing::TestParamInfo<CondensedTangent::ParamType>& info) {
   const char* shapes[] = {"Circle", "InsideCircle", "Segment", "ArcChain"};
+  const char* frames[] = {"Cartesian", "Polar", "Crank", "PolarByFormula"};
   return std::string(shapes[static_cast<int>(std::get<0>(info.param))]) +
-         (std::get<1>(info.param) == Frame::POLAR ? "Polar" : "Cartesian") +
+         frames[static_cast<int>(std::get<1>(info.param))] +
          (std::get<2>(info.param) > 0 ? "Friction" : "NoFriction");
 }
 
@@ -102,7 +103,7 @@ TEST_P(CondensedTangent, SymmetricWithoutFriction) {
 TEST_P(CondensedTangent, ShorterFormsDifferByTheirParts) {
   const auto [shape, frame, mu] = GetParam();
   Sample mixed = sample(shape, frame, mu);
-  const auto kind = mixed.kinds();
+  const Eigen::Index nq = mixed.contact.model.num_coordinates();
   const Eigen::MatrixXd complete = mixed.tangent(GeometricTerms::COMPLETE),
                         article = mixed.tangent(GeometricTerms::ARTICLE),
                         none = mixed.tangent(GeometricTerms::NONE);
@@ -115,11 +116,11 @@ TEST_P(CondensedTangent, ShorterFormsDifferByTheirParts) {
     const auto poses = mixed.contact.model.poses(mixed.contact.state.q);
     const auto linear = linearize_node(mixed.contact.model, node, static_cast<int>(i), poses,
                                        Vector<2>(R.segment<2>(dof)), GeometricTerms::COMPLETE);
-    rest.block<3, 3>(24, 24) += linear.geo_qq;
+    rest.block(24, 24, nq, nq) += linear.geo_qq;
     if (!linear.sliding) continue;
     slip_rows(dof, dof) += linear.geo_ss;
-    slip_rows.block<1, 3>(dof, 24) += linear.geo_sq.transpose();
-    rest.block<3, 1>(24, dof) += linear.geo_qs;
+    slip_rows.block(dof, 24, 1, nq) += linear.geo_sq.transpose();
+    rest.block(24, dof, nq, 1) += linear.geo_qs;
   }
   EXPECT_LE((none + slip_rows - article).norm(), 1e-14 * complete.norm());
   EXPECT_LE((none + slip_rows + rest - complete).norm(), 1e-14 * complete.norm());
@@ -130,7 +131,8 @@ TEST_P(CondensedTangent, ShorterFormsDifferByTheirParts) {
 INSTANTIATE_TEST_SUITE_P(
     T1, CondensedTangent,
     testing::Combine(testing::Values(Shape::CIRCLE, Shape::INSIDE, Shape::SEGMENT, Shape::ARC_CHAIN),
-                     testing::Values(Frame::CARTESIAN, Frame::POLAR), testing::Values(0., 0.3)),
+                     testing::Values(Frame::CARTESIAN, Frame::POLAR, Frame::CRANK, Frame::POLAR_BY_FORMULA),
+                     testing::Values(0., 0.3)),
     name_of_case);
 
 namespace {
