@@ -20,7 +20,7 @@ struct RolledBlock {
   static constexpr int STEPS = 20;
   Scene scene;
   std::vector<Eigen::VectorXd> u; ///< displacement after every step
-  std::vector<Vector<3>> q, force;
+  std::vector<Eigen::VectorXd> q, force;
 
   explicit RolledBlock(std::shared_ptr<const Profile<2>> profile,
                        std::shared_ptr<const Coordinates<2>> coordinates, double mu, double turn = 0)
@@ -39,11 +39,11 @@ struct RolledBlock {
       force.push_back(scene.tool->force());
     }
   }
-  void move(const Vector<3>& to) {
-    for (int k = 0; k < 3; ++k) scene.tool->drive().move(scene.tool->drive().names()[k], to[k]);
+  void move(const Eigen::VectorXd& to) {
+    for (int k = 0; k < to.size(); ++k) scene.tool->drive().move(scene.tool->drive().names()[k], to[k]);
   }
-  void load(const Vector<3>& with) {
-    for (int k = 0; k < 3; ++k) scene.tool->drive().load(scene.tool->drive().names()[k], with[k]);
+  void load(const Eigen::VectorXd& with) {
+    for (int k = 0; k < with.size(); ++k) scene.tool->drive().load(scene.tool->drive().names()[k], with[k]);
   }
 };
 
