@@ -1,8 +1,8 @@
 #include "geometry/arc_chain.hpp"
 #include "base/error.hpp"
+#include "geometry/foot_choice.hpp"
 #include "geometry/plane.hpp"
 #include <algorithm>
-#include <limits>
 
 namespace burnish {
 
@@ -58,28 +58,16 @@ ClosestPoint<2> ArcChain::closest_point(const Vector<2>& x, const Param<2>& near
   require(x.allFinite(), "ArcChain::closest_point", "x", x.transpose(), "finite components");
   require(near.allFinite(), "ArcChain::closest_point", "near", near(0), "a finite arc length");
   const double L = length(), tolerance = 1e-12 * L, here = wrapped(near(0));
-  const auto away = [&](double s) { return m_closed ? std::remainder(s - here, L) : s - here; };
+  FootChoice choice(near(0), m_closed ? L : 0, tolerance);
   ArcFoot best{};
-  double best_s = 0, nearest = std::numeric_limits<double>::infinity();
-  bool best_normal = false;
   for (std::size_t i = 0; i < m_pieces.size(); ++i) {
     const double start = m_start[i], end = m_start[i + 1];
     const ArcFoot foot = m_pieces[i].closest(x, std::clamp(here, start, end) - start);
-    if (foot.distance > nearest + tolerance) continue;
-    const double s = std::min(start + foot.s, end);
-    // of equals: a normal projection before an end, then the one closer to near
-    const bool normal = foot.excess <= tolerance, clearly = foot.distance < nearest - tolerance;
-    const bool rather = normal != best_normal ? normal : std::abs(away(s)) < std::abs(away(best_s));
-    nearest = std::min(nearest, foot.distance);
-    if (!clearly && !rather) continue;
-    best = foot;
-    best_s = s;
-    best_normal = normal;
+    if (choice.offer(std::min(start + foot.s, end), foot.distance, foot.excess <= tolerance)) best = foot;
   }
-  const bool at_end = !m_closed && (best_s == 0 || best_s == L);
-  if (at_end && best.excess > tolerance) return {Param<2>(best_s), best.distance, true};
-  const double s = m_closed ? near(0) + away(best_s) : best_s;
-  return {Param<2>(s), m_side * best.offset, false};
+  const double s = choice.parameter();
+  const bool beyond = !m_closed && (s == 0 || s == L) && best.excess > tolerance;
+  return {Param<2>(s), beyond ? best.distance : m_side * best.offset, beyond};
 }
 
 double ArcChain::length_scale() const { return m_closed ? length() / (2 * M_PI) : length(); }

@@ -1,0 +1,58 @@
+#include "geometry/cad_piece.hpp"
+#include <algorithm>
+#include <utility>
+
+namespace burnish {
+
+namespace {
+
+// Three-point Gauss rule on n parts of each span.
+double arc_length(const CadSpans& spans, int n) {
+  const auto& knots = spans.knots();
+  const double place = std::sqrt(0.6);
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+    for (int k = 0; k < n; ++k) {
+      const double half = (knots[i + 1] - knots[i]) / (2 * n), middle = knots[i] + (2 * k + 1) * half;
+      const auto speed = [&](double t) { return spans.evaluate(middle + t * half).first.norm(); };
+      sum += half * (5 * speed(-place) + 8 * speed(0) + 5 * speed(place)) / 9;
+    }
+  return sum;
+}
+
+double arc_length(const CadSpans& spans) {
+  double before = arc_length(spans, 4);
+  for (int n = 8;; n *= 2) {
+    const double length = arc_length(spans, n);
+    if (std::abs(length - before) <= 1e-14 * length || n >= 512) return length;
+    before = length;
+  }
+}
+
+} // namespace
+
+CadPiece::CadPiece(int tag, std::shared_ptr<const CadSpans> spans) : m_tag(tag), m_spans(std::move(spans)) {
+  m_begin = m_spans->knots().front();
+  m_length = arc_length(*m_spans);
+  m_rate = (m_spans->knots().back() - m_begin) / m_length;
+}
+
+CadValue CadPiece::at(double s) const {
+  const double rate = m_reversed ? -m_rate : m_rate;
+  CadValue value = m_spans->evaluate(m_begin + m_rate * (m_reversed ? m_length - s : s));
+  value.first *= rate;
+  value.second *= rate * rate;
+  return value;
+}
+
+std::vector<double> CadPiece::knots() const {
+  std::vector<double> s;
+  for (const double u : m_spans->knots()) s.push_back((u - m_begin) / m_rate);
+  s.back() = m_length;
+  if (!m_reversed) return s;
+  for (double& value : s) value = m_length - value;
+  std::reverse(s.begin(), s.end());
+  return s;
+}
+
+} // namespace burnish

@@ -1,0 +1,97 @@
+#include "geometry/cad_spans.hpp"
+#include "base/error.hpp"
+#include <algorithm>
+
+namespace burnish {
+
+namespace {
+
+constexpr double EXACT = 1e-13; // relative: rounding
+
+double largest(const Eigen::Matrix2Xd& columns) {
+  return std::sqrt(columns.colwise().squaredNorm().maxCoeff());
+}
+
+std::string place(const CadSource& source, double u) {
+  const Eigen::Matrix2Xd x = source.value({u});
+  std::ostringstream text;
+  text << "(" << x(0, 0) << ", " << x(1, 0) << ")";
+  return text.str();
+}
+
+} // namespace
+
+CadSpans::CadSpans(const CadSource& source) {
+  std::vector<double> u;
+  for (int i = 0; i <= 200; ++i) u.push_back(source.begin + (source.end - source.begin) * i / 200);
+  const Eigen::Matrix2Xd x = source.value(u);
+  if (!x.allFinite()) fail("CadCurve", source.name + " has points that are not finite");
+  m_size = largest(x);
+  const double extent = largest(x.colwise() - x.col(0));
+  if (!(extent > 0)) fail("CadCurve", source.name + " has no length");
+  m_knots.push_back(source.begin);
+  const auto knots = source.derivative ? knots_of_derivative(source, u, extent) : knots_of_value(source);
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) cover(source, knots[i], knots[i + 1], 0);
+}
+
+std::vector<double> CadSpans::knots_of_derivative(const CadSource& source, const std::vector<double>& u,
+                                                  double extent) {
+  m_noise = EXACT * largest(source.derivative(u)) * std::max(1., m_size / extent);
+  double jump = 0;
+  const auto knots = find_knots(source.derivative, source.begin, source.end, m_noise, jump);
+  if (knots.empty())
+    fail("CadCurve", source.name + " is broken near " + place(source, jump) +
+                         ": its first derivative jumps there; split it in the CAD system");
+  return knots;
+}
+
+// gmsh's own kernel: an arc is smooth, everything else consists of equal cubics.
+std::vector<double> CadSpans::knots_of_value(const CadSource& source) const {
+  Coefficients c;
+  if (cad_misfit(source.value, CAD_DEGREE, source.begin, source.end, c) > EXACT * m_size) {
+    const auto knots = equal_cubics(source.value, source.begin, source.end, EXACT * m_size);
+    if (!knots.empty()) return knots;
+  }
+  return {source.begin, source.end};
+}
+
+bool CadSpans::fit(const CadSource& source, double begin, double end, Span& span) const {
+  for (const int degree : {1, 2, 3, 5, 8, 12, CAD_DEGREE}) {
+    if (cad_misfit(source.value, degree, begin, end, span.x) > 2 * EXACT * m_size) continue;
+    span.begin = begin;
+    span.end = end;
+    span.first = chebyshev_derivative(span.x, end - begin);
+    if (source.derivative && cad_misfit(source.derivative, degree - 1, begin, end, span.first) > 2 * m_noise)
+      continue;
+    span.second = chebyshev_derivative(span.first, end - begin);
+    return true;
+  }
+  return false;
+}
+
+// Spans that are no polynomials are halved until one of high degree is as good.
+void CadSpans::cover(const CadSource& source, double begin, double end, int depth) {
+  Span span;
+  if (fit(source, begin, end, span)) {
+    m_spans.push_back(span);
+    m_knots.push_back(end);
+    return;
+  }
+  if (depth == 6)
+    fail("CadCurve",
+         "the second derivatives of " + source.name + " near " + place(source, begin) +
+             " cannot be recovered from what gmsh gives; draw it with another kind of curve, or use "
+             "SetFactory(\"OpenCASCADE\") in the .geo file");
+  cover(source, begin, (begin + end) / 2, depth + 1);
+  cover(source, (begin + end) / 2, end, depth + 1);
+}
+
+CadValue CadSpans::evaluate(double u, bool before) const {
+  const auto inner = m_knots.begin() + 1, last = m_knots.end() - 1;
+  const auto place = before ? std::lower_bound(inner, last, u) : std::upper_bound(inner, last, u);
+  const Span& span = m_spans[static_cast<std::size_t>(place - inner)];
+  const double t = (2 * u - span.begin - span.end) / (span.end - span.begin);
+  return {chebyshev_value(span.x, t), chebyshev_value(span.first, t), chebyshev_value(span.second, t)};
+}
+
+} // namespace burnish

@@ -1,0 +1,51 @@
+#pragma once
+// A plane CAD curve as polynomials between its knots: value and both derivatives by u to rounding.
+#include "geometry/cad_knots.hpp"
+#include <string>
+
+namespace burnish {
+
+/// Where a curve comes from: columns are points (derivatives) at the parameters u.
+struct CadSource {
+  std::string name; ///< for messages
+  double begin = 0, end = 0;
+  CadSamples value;
+  CadSamples derivative; ///< exact to rounding; none if only values are
+};
+
+/// x, x_u, x_uu of a curve in its own parameter u [length, length/u, length/u^2].
+struct CadValue {
+  Vector<2> x, first, second;
+};
+
+/// gmsh 4.8.4 gives no usable second derivative (central difference of the first one with a step of 1e-3 in u;
+/// built-in kernel: the first one is a difference, too). Curves of CAD systems are polynomials, rational
+/// functions or arcs between their knots, so they are recovered here: Chebyshev polynomials that agree with
+/// values (and exact first derivatives) to 1e-13 between the knots. What cannot be recovered is refused.
+class CadSpans {
+public:
+  /// @throws std::invalid_argument if the curve has no such form
+  explicit CadSpans(const CadSource& source);
+  /// Beyond the ends the first and last polynomials go on. At a knot: that of the span that begins there;
+  /// `before`: of the one that ends there.
+  CadValue evaluate(double u, bool before = false) const;
+  /// begin, knots, end; ascending.
+  const std::vector<double>& knots() const { return m_knots; }
+
+private:
+  struct Span {
+    double begin, end;
+    Coefficients x, first, second; ///< on [begin, end]
+  };
+  std::vector<double> knots_of_derivative(const CadSource& source, const std::vector<double>& u,
+                                          double extent);
+  std::vector<double> knots_of_value(const CadSource& source) const;
+  bool fit(const CadSource& source, double begin, double end, Span& span) const;
+  void cover(const CadSource& source, double begin, double end, int depth);
+
+  double m_size = 0, m_noise = 0; ///< largest |x|; rounding of x_u
+  std::vector<Span> m_spans;
+  std::vector<double> m_knots;
+};
+
+} // namespace burnish
