@@ -132,7 +132,7 @@ double event_time(const Method<H, TimeTag>& m, const long& i) {
   return guarded([&] { return event(m.object, i).t; });
 }
 string* event_kind(Stack stack, const Method<H, KindTag>& m, const long& i) {
-  return guarded([&] { return new_string(stack, burnish::name_of(event(m.object, i).kind)); });
+  return guarded([&] { return new_string(stack, burnish::kind_of(event(m.object, i))); });
 }
 long event_node(const Method<H, NodeTag>& m, const long& i) {
   return guarded([&] { return static_cast<long>(event(m.object, i).node); });

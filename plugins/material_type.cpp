@@ -86,10 +86,10 @@ double force(Stack, const Method<MaterialHandle, ForceTag>& m, const KN_<double>
   });
 }
 bool accept(const Method<MaterialHandle, AcceptTag>& m) {
-  return guarded([&] { return m->get().body->accept(), true; });
+  return guarded([&] { return m->get().own.accept(*m->get().body), m->get().body->accept(), true; });
 }
 bool revert(const Method<MaterialHandle, RevertTag>& m) {
-  return guarded([&] { return m->get().body->revert(), true; });
+  return guarded([&] { return m->get().own.revert(), m->get().body->revert(), true; });
 }
 
 struct EventsTag {};

@@ -49,6 +49,7 @@ static void init() {
   register_material_data();
   register_contact();
   register_contact_step();
+  register_point_events();
   register_contact_matrix();
   register_contact_data();
   register_contact_tools();

@@ -4,7 +4,7 @@
 #include "kinematics/driven_tool.hpp"
 #include "plugin.hpp"
 #include "stepping/session.hpp"
-#include "workpiece/workpiece.hpp"
+#include "workpiece/point_events.hpp"
 
 #include <map>
 
@@ -24,6 +24,8 @@ struct MaterialObject {
   std::unique_ptr<Workpiece<2>> body;
   burnish::NodeBlockMatrix<2> tangent;
   std::vector<burnish::ElementEvent<2>> pending; // found by events(), used by switchpoints() and logevents()
+  burnish::PointEvents<2> own;                   // events by the script's formulas
+  std::map<std::string, double> parameters;      // numbers by name for them
   double update_seconds = 0, assembly_seconds = 0; // CPU
 };
 struct ContactObject {

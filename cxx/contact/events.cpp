@@ -21,6 +21,8 @@ const char* name_of(EventKind kind) {
     return "yield";
   case EventKind::UNLOADING:
     return "unloading";
+  case EventKind::SCRIPT:
+    return "script";
   }
   return "?";
 }

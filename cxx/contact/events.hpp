@@ -7,7 +7,17 @@
 
 namespace burnish {
 
-enum class EventKind : char { TOUCH, RELEASE, SLIP_TO_STICK, STICK_TO_SLIP, NEXT_PIECE, YIELD, UNLOADING };
+/// The last three are of quadrature points; SCRIPT by a script's own formula, ContactEvent::name is its name.
+enum class EventKind : char {
+  TOUCH,
+  RELEASE,
+  SLIP_TO_STICK,
+  STICK_TO_SLIP,
+  NEXT_PIECE,
+  YIELD,
+  UNLOADING,
+  SCRIPT
+};
 const char* name_of(EventKind kind);
 
 template <int Dim> struct ContactEvent {
@@ -20,7 +30,13 @@ template <int Dim> struct ContactEvent {
   Vector<Dim> x = Vector<Dim>::Zero(); ///< place at that instant [length]
   double slip_sign =
       0; ///< STICK_TO_SLIP: direction of the slip, against the tangential force at the end of the step
+  std::string name; ///< SCRIPT: the event's own name
 };
+
+/// What a log calls the event: the name of its kind, or its own.
+template <int Dim> std::string kind_of(const ContactEvent<Dim>& event) {
+  return event.kind == EventKind::SCRIPT ? event.name : name_of(event.kind);
+}
 
 /// Both ends of a step that was solved with fixed states. R: internal minus external nodal force.
 template <int Dim> struct StepEnds {

@@ -47,7 +47,8 @@ public:
   /// @param until events later than this fraction (plus the tolerance) do not count
   std::vector<ContactEvent<Dim>> events(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
                                         double tolerance = 1e-3, double until = 1) const;
-  /// Appends element events of the present step to the log: candidate and tool -1, node = quadrature point.
+  /// Appends element events of the present step to the log: candidate and tool -1, node = quadrature point. In
+  /// the order of time among themselves.
   void log(const std::vector<ElementEvent<Dim>>& events);
   /// Changes states at the accepted state without moving (events at fraction zero).
   void switch_states(const std::vector<ContactEvent<Dim>>& events);

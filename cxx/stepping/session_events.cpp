@@ -58,16 +58,30 @@ template <int Dim> void Session<Dim>::switch_states(const std::vector<ContactEve
   m_log.insert(m_log.end(), events.begin(), events.end());
 }
 
+namespace {
+
+EventKind kind_for(PointChange change) {
+  if (change == PointChange::SCRIPT) return EventKind::SCRIPT;
+  return change == PointChange::YIELD ? EventKind::YIELD : EventKind::UNLOADING;
+}
+
+} // namespace
+
 template <int Dim> void Session<Dim>::log(const std::vector<ElementEvent<Dim>>& events) {
+  auto first = static_cast<std::ptrdiff_t>(m_log.size()); // of this step's element events
+  while (first > 0 && m_log[first - 1].candidate < 0 && m_log[first - 1].t >= m_t) --first;
   for (const auto& found : events) {
     ContactEvent<Dim> event;
     event.t = m_t + found.fraction * m_dt;
     event.fraction = found.fraction;
-    event.kind = found.change == PointChange::YIELD ? EventKind::YIELD : EventKind::UNLOADING;
+    event.kind = kind_for(found.change);
     event.node = found.point;
     event.x = found.x;
+    event.name = found.name;
     m_log.push_back(event);
   }
+  std::stable_sort(m_log.begin() + first, m_log.end(),
+                   [](const auto& a, const auto& b) { return a.t < b.t; });
 }
 
 // members of this file; session.cpp instantiates the others

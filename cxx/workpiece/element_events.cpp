@@ -1,6 +1,7 @@
 #include "workpiece/element_events.hpp"
 #include "base/error.hpp"
 #include "material/rate_law.hpp"
+#include "workpiece/point_place.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -80,22 +81,6 @@ double sign_change(double rate_old, double dt_old, double rate, double dt) {
   return std::clamp((after_middle - 0.5 * dt_old) / dt, 0., 1.);
 }
 
-// Place of a point: linear around the nearest node of its element (exact for P1, and for P2 where the points
-// are mid-edge nodes).
-template <int Dim>
-Vector<Dim> place(const Discretization<Dim>& mesh, int point, const Tensor<Dim>& F,
-                  const Eigen::VectorXd& u_old, const Eigen::VectorXd& u, double fraction) {
-  const Vector<Dim> X = Eigen::Map<const Vector<Dim>>(mesh.point.data() + Dim * point);
-  const int* element = mesh.element(point / mesh.points_per_element);
-  int nearest = element[0];
-  for (int a = 1; a < mesh.nodes_per_element; ++a)
-    if ((mesh.node(element[a]) - X).squaredNorm() < (mesh.node(nearest) - X).squaredNorm())
-      nearest = element[a];
-  const Vector<Dim> moved = (1 - fraction) * u_old.template segment<Dim>(Dim * nearest) +
-                            fraction * u.template segment<Dim>(Dim * nearest);
-  return mesh.node(nearest) + moved + F * (X - mesh.node(nearest));
-}
-
 // Finds the events of one point after another.
 template <int Dim> class Finder {
 public:
@@ -110,7 +95,7 @@ public:
     if (!(kin.det_mid > 0)) return; // the update of the step has failed
     const ElasticTrial<Dim> trial = elastic_trial<Dim>(m_body.material(), kin, path.stress_old);
     if (!old.plastic[point]) {
-      add(point, PointChange::YIELD, yield_fraction(path, trial, m_last, m_noise), path);
+      add(point, PointChange::YIELD, yield_fraction(path, trial, m_last, m_noise));
       return;
     }
     const double loading = contract<Dim>(trial.s_old, kin.strain);
@@ -124,8 +109,8 @@ public:
                                            old.dt
                                      : 0;
     const double f = sign_change(before, old.dt, loading / now.dt, now.dt);
-    add(point, PointChange::UNLOADING, f, path);
-    add(point, PointChange::YIELD, std::max(f, again), path);
+    add(point, PointChange::UNLOADING, f);
+    add(point, PointChange::YIELD, std::max(f, again));
   }
 
   std::vector<ElementEvent<Dim>> take() {
@@ -146,13 +131,16 @@ private:
             yield_stress_at(m_body.material(), old.plastic_strain_eq[point])};
   }
 
-  void add(int point, PointChange change, double fraction, const ElasticPath<Dim>& path) {
+  void add(int point, PointChange change, double fraction) {
     if (fraction == NEVER) return;
     const double f = std::min(fraction, 1.);
-    const Tensor<Dim> F = path.F_old + f * path.dF;
-    m_events.push_back({f, change, point,
-                        place<Dim>(m_body.discretization(), point, F, m_body.state_old().displacement,
-                                   m_body.state().displacement, f)});
+    const Discretization<Dim>& mesh = m_body.discretization();
+    m_events.push_back({f,
+                        change,
+                        point,
+                        (1 - f) * point_place(mesh, point, m_body.state_old()) +
+                            f * point_place(mesh, point, m_body.state()),
+                        {}});
   }
 
   const Workpiece<Dim>& m_body;
@@ -187,7 +175,9 @@ std::vector<ElementEvent<Dim>> earliest(const std::vector<ElementEvent<Dim>>& ev
 
 template <int Dim>
 void switch_points(const std::vector<ElementEvent<Dim>>& events, Workpiece<Dim>& workpiece) {
-  for (const auto& event : events) workpiece.set_plastic(event.point, event.change == PointChange::YIELD);
+  for (const auto& event : events)
+    if (event.change != PointChange::SCRIPT)
+      workpiece.set_plastic(event.point, event.change == PointChange::YIELD);
 }
 
 template <int Dim> void hold_points(double noise, Workpiece<Dim>& workpiece) {

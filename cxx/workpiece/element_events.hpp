@@ -2,16 +2,19 @@
 // Events of quadrature points inside a step: first yield and elastic unloading, located in the fraction of
 // the step (article section 2: "transitions in the finite elements"; method.md section 4). Knows no tool.
 #include "workpiece/workpiece.hpp"
+#include <string>
 
 namespace burnish {
 
-enum class PointChange : char { YIELD, UNLOADING };
+/// SCRIPT: by a script's own formula, see point_events.hpp.
+enum class PointChange : char { YIELD, UNLOADING, SCRIPT };
 
 template <int Dim> struct ElementEvent {
   double fraction = 0; ///< of the step from state_old to state, 0..1
   PointChange change = PointChange::YIELD;
   int point = -1;                      ///< quadrature point
   Vector<Dim> x = Vector<Dim>::Zero(); ///< its place at that instant [length]
+  std::string name;                    ///< SCRIPT: the event's own
 };
 
 /// All events of the step that the last update made, by fraction. The displacement is linear in the fraction.

@@ -1,0 +1,87 @@
+// Events of a script's own at the points of a material. They are found and logged; nothing changes by them.
+//   M.parameter("D", 0.1);                a number by name for the formulas of later calls of event
+//   M.event("damage", "ep - D*exp(-1.5*sm/seq)");
+//     happens at a point where the formula passes through zero from < 0 to >= 0. Names: ep plastic strain, seq von
+//     Mises, sm mean stress, sxx syy szz sxy, s1 s3 largest and smallest principal stress, x y present place
+//   real[int] n = M.eventpoints("damage");  how often it has happened, per quadrature point
+//   int n = M.eventnumber("damage");        in all
+//   int n = C.logpoints(M);               before M.accept: all of them in this step to the log of the contact, C.eventkind
+//                                         is their name
+//   real f = M.pointevents(tol, least);   fraction of the earliest one beyond least, 2 if there is none; until accept or
+//                                         revert those within tol after the end of the step count as at its end
+#include "base/error.hpp"
+#include "types.hpp"
+
+namespace rigidcontact {
+namespace {
+
+using M = MaterialHandle;
+struct ParameterTag {};
+struct EventTag {};
+struct PointsTag {};
+struct NumberTag {};
+struct EarliestTag {};
+struct LogTag {};
+
+double parameter(const Method<M, ParameterTag>& m, string* const& name, const double& value) {
+  return guarded([&] {
+    burnish::require(std::isfinite(value), "material.parameter", name->c_str(), value, "a finite number");
+    return m->get().parameters[*name] = value;
+  });
+}
+bool event(const Method<M, EventTag>& m, string* const& name, string* const& formula) {
+  return guarded([&] {
+    using burnish::EventKind;
+    for (char kind = 0; kind <= static_cast<char>(EventKind::SCRIPT); ++kind)
+      if (*name == burnish::name_of(static_cast<EventKind>(kind)))
+        burnish::fail("material.event", "name \"" + *name + "\" is that of an event of its own kind");
+    MaterialObject& object = m->get();
+    object.own.add(*object.body, *name, *formula, object.parameters);
+    return true;
+  });
+}
+KN_<double> points(Stack stack, const Method<M, PointsTag>& m, string* const& name) {
+  return guarded([&] {
+    const std::vector<int>& counts = m->get().own.counts(*name);
+    return new_array(stack, std::vector<double>(counts.begin(), counts.end()));
+  });
+}
+long number(const Method<M, NumberTag>& m, string* const& name) {
+  return guarded([&] { return m->get().own.number(*name); });
+}
+double earliest(const Method<M, EarliestTag>& m, const double& tolerance, const double& least) {
+  return guarded([&] {
+    return called("material.pointevents",
+                  [&] { return m->get().own.earliest(*m->get().body, tolerance, least); });
+  });
+}
+long log_points(const Method<ContactHandle, LogTag>& c, M* const& material) {
+  return guarded([&] {
+    require_stage(c->get(), ContactObject::BEGUN, "contact.logpoints");
+    const burnish::CpuTimer timer(c->get().event_seconds);
+    const auto events = material->get().own.find(*material->get().body);
+    c->get().session->log(events);
+    return static_cast<long>(events.size());
+  });
+}
+
+} // namespace
+
+void register_point_events() {
+  add_method<M, ParameterTag>("parameter", [] {
+    return new OneOperator3_<double, Method<M, ParameterTag>, string*, double>(parameter);
+  });
+  add_method<M, EventTag>(
+      "event", [] { return new OneOperator3_<bool, Method<M, EventTag>, string*, string*>(event); });
+  add_method<M, PointsTag>(
+      "eventpoints", [] { return new OneOperator2s_<KN_<double>, Method<M, PointsTag>, string*>(points); });
+  add_method<M, NumberTag>("eventnumber",
+                           [] { return new OneOperator2_<long, Method<M, NumberTag>, string*>(number); });
+  add_method<M, EarliestTag>("pointevents", [] {
+    return new OneOperator3_<double, Method<M, EarliestTag>, double, double>(earliest);
+  });
+  add_method<ContactHandle, LogTag>(
+      "logpoints", [] { return new OneOperator2_<long, Method<ContactHandle, LogTag>, M*>(log_points); });
+}
+
+} // namespace rigidcontact
