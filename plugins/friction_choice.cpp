@@ -15,8 +15,8 @@ Law friction_choice(const Named& a, const Law& otherwise, const std::map<std::st
   if (a.has("shearlimit") && !a.has("friction"))
     burnish::fail(where, "shearlimit= limits Coulomb friction: give friction= with it");
   if (sticking) return std::make_shared<burnish::StickingFriction>();
-  if (a.has("frictionlaw")) return burnish::make_formula_friction(a.text("frictionlaw", ""), parameters);
   return called(where, [&]() -> Law {
+    if (a.has("frictionlaw")) return burnish::make_formula_friction(a.text("frictionlaw", ""), parameters);
     if (a.has("tresca")) return burnish::make_tresca(a.real("tresca", 0));
     if (a.has("shearlimit"))
       return burnish::make_limited_coulomb(a.real("friction", 0), a.real("shearlimit", 0));

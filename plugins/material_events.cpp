@@ -36,18 +36,18 @@ bool event(const Method<M, EventTag>& m, string* const& name, string* const& for
       if (*name == burnish::name_of(static_cast<EventKind>(kind)))
         burnish::fail("material.event", "name \"" + *name + "\" is that of an event of its own kind");
     MaterialObject& object = m->get();
-    object.own.add(*object.body, *name, *formula, object.parameters);
+    called("material.event", [&] { object.own.add(*object.body, *name, *formula, object.parameters); });
     return true;
   });
 }
 KN_<double> points(Stack stack, const Method<M, PointsTag>& m, string* const& name) {
   return guarded([&] {
-    const std::vector<int>& counts = m->get().own.counts(*name);
+    const auto counts = called("material.eventpoints", [&] { return m->get().own.counts(*name); });
     return new_array(stack, std::vector<double>(counts.begin(), counts.end()));
   });
 }
 long number(const Method<M, NumberTag>& m, string* const& name) {
-  return guarded([&] { return m->get().own.number(*name); });
+  return guarded([&] { return called("material.eventnumber", [&] { return m->get().own.number(*name); }); });
 }
 double earliest(const Method<M, EarliestTag>& m, const double& tolerance, const double& least) {
   return guarded([&] {

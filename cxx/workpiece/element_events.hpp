@@ -14,7 +14,7 @@ template <int Dim> struct ElementEvent {
   PointChange change = PointChange::YIELD;
   int point = -1;                      ///< quadrature point
   Vector<Dim> x = Vector<Dim>::Zero(); ///< its place at that instant [length]
-  std::string name;                    ///< SCRIPT: the event's own
+  std::string name = {};               ///< SCRIPT: the event's own
 };
 
 /// All events of the step that the last update made, by fraction. The displacement is linear in the fraction.

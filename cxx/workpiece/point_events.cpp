@@ -10,6 +10,7 @@ namespace {
 
 constexpr int VARIABLES = 11, PARTS = 8;
 constexpr double NO_STRESS = 1e-300;
+constexpr const char* WHERE = "PointEvents";
 using Values = std::array<double, VARIABLES>;
 
 // What is linear inside a step.
@@ -87,7 +88,7 @@ void follow(const PointPath& value, double overshoot, char& above, const Happene
 
 void check_name(const std::string& name) {
   if (name.empty() || name.find_first_of(",\"\n\r") != std::string::npos)
-    fail("point event", "name \"" + name + "\", expected a text without comma, quote and line break");
+    fail(WHERE, "name \"" + name + "\", expected a text without comma, quote and line break");
 }
 
 } // namespace
@@ -104,7 +105,7 @@ void PointEvents<Dim>::add(const Workpiece<Dim>& body, const std::string& name, 
   static_assert(Dim == 2, "names and principal stresses are those of the plane");
   check_name(name);
   for (const Event& known : m_events)
-    if (known.name == name) fail("point event", "name \"" + name + "\" is taken");
+    if (known.name == name) fail(WHERE, "name \"" + name + "\" is taken");
   Event event{
       name, Formula("event \"" + name + "\"", formula, {point_event_variables(), parameters}), {}, {}};
   const int points = body.discretization().num_points();
@@ -134,7 +135,7 @@ template <int Dim> std::vector<ElementEvent<Dim>> PointEvents<Dim>::find(const W
 
 template <int Dim>
 double PointEvents<Dim>::earliest(const Workpiece<Dim>& body, double overshoot, double least) {
-  require(overshoot >= 0, "point events", "overshoot", overshoot, ">= 0");
+  require(overshoot >= 0, WHERE, "overshoot", overshoot, ">= 0");
   m_overshoot = overshoot;
   for (const auto& event : find(body))
     if (event.fraction > least) return event.fraction;
@@ -158,7 +159,7 @@ const typename PointEvents<Dim>::Event& PointEvents<Dim>::event(const std::strin
     if (event.name == name) return event;
     known += (known.empty() ? "" : ", ") + event.name;
   }
-  fail("point event", "no event \"" + name + "\", expected one of " + (known.empty() ? "none" : known));
+  fail(WHERE, "no event \"" + name + "\", expected one of " + (known.empty() ? "none" : known));
 }
 
 template <int Dim> const std::vector<int>& PointEvents<Dim>::counts(const std::string& name) const {
