@@ -1,6 +1,6 @@
 // What a script reads of a material, as arrays over the quadrature points in the order of FEQF2 or P0.
 //   M.stress(i)         Kirchhoff stress xx, yy, zz, xy for i = 0..3 [stress]
-//   M.F(i), M.piola(i)  deformation gradient [-] and first Piola stress [stress]: xx, xy, yx, yy
+//   M.F(i), M.piola(i)  deformation gradient [-] and first Piola stress [stress]: xx, xy, yx, yy, zz
 //   M.moduli(i, j)      their symmetrized tangent dP_i/dF_j [stress]
 //   M.plasticstrain, M.stresseq, M.yieldexcess (q/sigma_y - 1)
 //   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
@@ -10,6 +10,8 @@
 
 namespace rigidcontact {
 namespace {
+
+constexpr int GRADIENT = burnish::num_gradient<2>;
 
 struct NodalTag {};
 struct StressTag {};
@@ -36,25 +38,27 @@ KN_<double> stress(Stack stack, const Method<MaterialHandle, StressTag>& m, cons
   return guarded([&] { return component(stack, m->get().body->state().stress, i, 4, "material.stress"); });
 }
 KN_<double> gradient(Stack stack, const Method<MaterialHandle, GradientTag>& m, const long& i) {
-  return guarded([&] { return component(stack, m->get().body->state().F, i, 4, "material.F"); });
+  return guarded([&] { return component(stack, m->get().body->state().F, i, GRADIENT, "material.F"); });
 }
 KN_<double> piola(Stack stack, const Method<MaterialHandle, PiolaTag>& m, const long& i) {
   return guarded([&] {
     const auto& body = *m->get().body;
-    std::vector<double> all(4 * static_cast<std::size_t>(body.discretization().num_points()));
-    for (int p = 0; p < body.discretization().num_points(); ++p) body.point_piola(p, all.data() + 4 * p);
-    return component(stack, all, i, 4, "material.piola");
+    std::vector<double> all(GRADIENT * static_cast<std::size_t>(body.discretization().num_points()));
+    for (int p = 0; p < body.discretization().num_points(); ++p)
+      body.point_piola(p, all.data() + GRADIENT * p);
+    return component(stack, all, i, GRADIENT, "material.piola");
   });
 }
 KN_<double> moduli(Stack stack, const Method<MaterialHandle, ModuliTag>& m, const long& i, const long& j) {
   return guarded([&] {
-    burnish::require(i >= 0 && i < 4 && j >= 0 && j < 4, "material.moduli", "index", i >= 0 && i < 4 ? j : i,
-                     "0..3");
+    constexpr int n = GRADIENT;
+    burnish::require(i >= 0 && i < n && j >= 0 && j < n, "material.moduli", "index", i >= 0 && i < n ? j : i,
+                     "0..4");
     const auto& body = *m->get().body;
-    std::vector<double> all(16 * static_cast<std::size_t>(body.discretization().num_points()));
+    std::vector<double> all(n * n * static_cast<std::size_t>(body.discretization().num_points()));
     for (int p = 0; p < body.discretization().num_points(); ++p)
-      body.point_moduli(p, burnish::TangentKind::CONSISTENT, 0, all.data() + 16 * p);
-    return component(stack, all, 4 * i + j, 16, "material.moduli");
+      body.point_moduli(p, burnish::TangentKind::CONSISTENT, 0, all.data() + n * n * p);
+    return component(stack, all, n * i + j, n * n, "material.moduli");
   });
 }
 KN_<double> plastic_strain(Stack stack, MaterialHandle* const& h) {

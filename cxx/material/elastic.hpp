@@ -9,14 +9,12 @@ template <int Dim> Stress<Dim> deviatoric_stress(const J2Parameters& material, c
   return 2 * material.G * deviator<Dim>(strain);
 }
 
-/// Derivative of 2G dev(dd) with respect to the step's increments: zero in the columns of the rotation.
-inline StressByIncrement<2> deviatoric_moduli(const J2Parameters& material) {
+/// Derivative of 2G dev(dd) with respect to the step's increments.
+template <int Dim> StressByIncrement<Dim> deviatoric_moduli(const J2Parameters& material) {
   const double third = 2 * material.G / 3;
-  StressByIncrement<2> moduli;
-  moduli << 2 * third, -third, 0, 0, //
-      -third, 2 * third, 0, 0,       //
-      -third, -third, 0, 0,          //
-      0, 0, 2 * material.G, 0;
+  StressByIncrement<Dim> moduli = 2 * material.G * strain_by_increment<Dim>();
+  moduli.template topLeftCorner<3, 3>().setConstant(-third);
+  moduli.diagonal().template head<3>().setConstant(2 * third);
   return moduli;
 }
 

@@ -4,35 +4,35 @@
 
 namespace burnish {
 
-/// Symmetric tensor of the in-plane components.
-inline Tensor<2> in_plane(const Stress<2>& stress) {
-  Tensor<2> t;
-  t << stress[0], stress[3], stress[3], stress[1];
-  return t;
+/// P = tau F^-T, P_iJ = tau_im (F^-1)_Jm, in the order of Gradient [stress]; force = sum V0 P_iJ dN/dX_J, and
+/// in axisymmetry P_zz N/R in the radial component.
+inline Gradient<2> first_piola(const Stress<2>& stress, const Gradient<2>& F_inverse) {
+  const Gradient<2>& g = F_inverse;
+  Gradient<2> P;
+  P[0] = stress[0] * g[0] + stress[3] * g[1];
+  P[1] = stress[0] * g[2] + stress[3] * g[3];
+  P[2] = stress[3] * g[0] + stress[1] * g[1];
+  P[3] = stress[3] * g[2] + stress[1] * g[3];
+  P[ZZ] = stress[2] * g[ZZ];
+  return P;
 }
 
-/// P = tau F^-T, P_iJ = tau_im (F^-1)_Jm [stress]; force = sum V0 P_iJ dN/dX_J.
-inline Tensor<2> first_piola(const Stress<2>& stress, const Tensor<2>& F_inverse) {
-  return in_plane(stress) * F_inverse.transpose();
-}
-
-/// A_iJkL = dP_iJ/dF_kL, row 2i + J, column 2k + L: in the plane acts on [du/dX, du/dY, dv/dX, dv/dY].
-template <int Dim> using PiolaTangent = Eigen::Matrix<double, Dim * Dim, Dim * Dim, Eigen::RowMajor>;
+/// A = dP/dF, rows and columns in the order of Gradient.
+template <int Dim>
+using PiolaTangent = Eigen::Matrix<double, num_gradient<Dim>, num_gradient<Dim>, Eigen::RowMajor>;
 
 /// A_iJkL = (d tau_im/dF_kL) (F^-1)_Jm - P_iL (F^-1)_Jk, exact, not symmetrized.
-/// @param stress_by_F d tau/dF, num_stress x Dim*Dim, columns k*Dim + L [stress]
-inline PiolaTangent<2> piola_tangent(const StressByIncrement<2>& stress_by_F, const Stress<2>& stress,
-                                     const Tensor<2>& F_inverse) {
-  const Tensor<2> P = first_piola(stress, F_inverse);
-  const int component[2][2] = {{0, 3}, {3, 1}}; // of tau_im
+/// @param stress_by_F d tau/dF, columns in the order of Gradient [stress]
+inline PiolaTangent<2> piola_tangent(const Eigen::Matrix<double, 4, 5>& stress_by_F, const Stress<2>& stress,
+                                     const Gradient<2>& F_inverse) {
+  const Gradient<2> P = first_piola(stress, F_inverse);
   PiolaTangent<2> A;
+  for (int c = 0; c < 5; ++c) A.col(c) = first_piola(stress_by_F.col(c), F_inverse);
   for (int i = 0; i < 2; ++i)
-    for (int J = 0; J < 2; ++J) {
-      A.row(2 * i + J) = F_inverse(J, 0) * stress_by_F.row(component[i][0]) +
-                         F_inverse(J, 1) * stress_by_F.row(component[i][1]);
+    for (int J = 0; J < 2; ++J)
       for (int k = 0; k < 2; ++k)
-        for (int L = 0; L < 2; ++L) A(2 * i + J, 2 * k + L) -= P(i, L) * F_inverse(J, k);
-    }
+        for (int L = 0; L < 2; ++L) A(2 * i + J, 2 * k + L) -= P[2 * i + L] * F_inverse[2 * J + k];
+  A(ZZ, ZZ) -= P[ZZ] * F_inverse[ZZ];
   return A;
 }
 

@@ -8,7 +8,7 @@ namespace burnish {
 
 /// A point at the start of the step.
 template <int Dim> struct PointOld {
-  Tensor<Dim> F;                ///< deformation gradient [-]
+  Gradient<Dim> F;              ///< deformation gradient [-]
   Stress<Dim> stress;           ///< Kirchhoff stress [stress]
   double plastic_strain_eq = 0; ///< ep [-]
   Stress<Dim> strain_increment; ///< of the step that ended here [-]
@@ -37,7 +37,7 @@ PointNew<Dim> updated_point(const J2Parameters& material, const PointScheme& sch
                             const StepKinematics<Dim>& kin, const ElasticTrial<Dim>& trial);
 
 /// d tau/dy of updated_point, exact: the chain of algorithms.md section 2 through all substeps, here directly
-/// for the Dim*Dim increments y of step_kinematics.hpp instead of MA and MB.
+/// for the increments y of step_kinematics.hpp instead of MA and MB.
 template <int Dim>
 StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const PointScheme& scheme,
                                          const PointOld<Dim>& old, const StepKinematics<Dim>& kin,
@@ -48,14 +48,14 @@ StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const Poi
 template <int Dim>
 PiolaTangent<Dim> consistent_tangent(const J2Parameters& material, const PointScheme& scheme,
                                      const PointOld<Dim>& old, const StepKinematics<Dim>& kin,
-                                     const Tensor<Dim>& F, const Stress<Dim>& stress);
+                                     const Gradient<Dim>& F, const Stress<Dim>& stress);
 
 /// Tangent of the rates (1.11) on the reference mesh, symmetric [stress]:
 /// with dF = L F, dF:dP = dL_ij (D:d + w tau - tau d)_ij.
 /// (The article writes D:d - d.tau - tau.w: its double dot pairs dL_ij with the transpose.)
 /// @param plastic true: D of (3.1) loading; false: elastic moduli, same geometric terms
 template <int Dim>
-PiolaTangent<Dim> rate_tangent(const J2Parameters& material, const Stress<Dim>& stress, const Tensor<Dim>& F,
-                               bool plastic);
+PiolaTangent<Dim> rate_tangent(const J2Parameters& material, const Stress<Dim>& stress,
+                               const Gradient<Dim>& F, bool plastic);
 
 } // namespace burnish

@@ -23,7 +23,7 @@ template <int Dim> double plastic_factor(const J2Parameters& material, const Str
   return G3 / (squared_equivalent<Dim>(s) * (1 + material.hardening_modulus / G3));
 }
 
-/// d tau/dy for y = (d_xx, d_yy, d_xy, w_21): D in the strain columns, w tau - tau w in the
+/// d tau/dy for the rates y = (d_xx, d_yy, d_zz, d_xy, w_21): D in the strain columns, w tau - tau w in the
 /// column of the rotation.
 /// @param stress Kirchhoff stress tau [stress]; @param plastic true: D of (3.1), false: E
 template <int Dim>

@@ -7,7 +7,7 @@ StrainPath<Dim> strain_path(const J2Parameters& material, const StepKinematics<D
                             const Stress<Dim>& De, const PathHistory<Dim>& history,
                             PathDerivative<Dim>* derivative) {
   StrainPath<Dim> path{De, Stress<Dim>::Zero()};
-  if (derivative) *derivative = {deviatoric_moduli(material), StressByIncrement<Dim>::Zero()};
+  if (derivative) *derivative = {deviatoric_moduli<Dim>(material), StressByIncrement<Dim>::Zero()};
   if (history.ratio <= 0) return path;
 
   const Stress<Dim>& dd = kin.strain;
@@ -23,15 +23,15 @@ StrainPath<Dim> strain_path(const J2Parameters& material, const StepKinematics<D
   path.bend = deviatoric_stress<Dim>(material, b * change);
   if (!derivative || b == 0) return path;
 
-  StressByIncrement<Dim> change_by = strain_by_increment();
-  if (turns) change_by.col(Dim * Dim - 1) -= spin_rate(before);
+  StressByIncrement<Dim> change_by = strain_by_increment<Dim>();
+  if (turns) change_by.template rightCols<1>() -= spin_rate(before);
   StressByIncrement<Dim> bend_by = b * change_by;
   if (limited) { // d(b)/b = dd:d(dd)/|dd|^2 - c:dc/|c|^2 with c the change
-    const ScalarByIncrement<Dim> b_by = (b / dd2) * contraction_row<Dim>(dd) * strain_by_increment() -
+    const ScalarByIncrement<Dim> b_by = (b / dd2) * contraction_row<Dim>(dd) * strain_by_increment<Dim>() -
                                         (b / change2) * contraction_row<Dim>(change) * change_by;
     bend_by.noalias() += change * b_by;
   }
-  for (int k = 0; k < Dim * Dim; ++k)
+  for (int k = 0; k < num_increments<Dim>; ++k)
     derivative->bend.col(k) = deviatoric_stress<Dim>(material, bend_by.col(k));
   return path;
 }

@@ -6,10 +6,15 @@
 
 namespace burnish {
 
-/// Derivative of stress components with respect to the step's increments (see step_kinematics.hpp).
-template <int Dim> using StressByIncrement = Eigen::Matrix<double, num_stress<Dim>, Dim * Dim>;
+/// A step's increments: the strains of Stress<Dim>, then the rotations (see step_kinematics.hpp).
+template <int Dim> inline constexpr int num_increments = Dim == 2 ? 5 : 9;
+/// Derivative of stress components with respect to them.
+template <int Dim> using StressByIncrement = Eigen::Matrix<double, num_stress<Dim>, num_increments<Dim>>;
 /// Derivative of a scalar with respect to them.
-template <int Dim> using ScalarByIncrement = Eigen::Matrix<double, 1, Dim * Dim>;
+template <int Dim> using ScalarByIncrement = Eigen::Matrix<double, 1, num_increments<Dim>>;
+
+/// Derivative of the strains with respect to the increments: zeros in the columns of the rotations.
+template <int Dim> StressByIncrement<Dim> strain_by_increment() { return StressByIncrement<Dim>::Identity(); }
 
 /// Mean tr(t)/3.
 template <int Dim> double mean(const Stress<Dim>& t) { return (t[0] + t[1] + t[2]) / 3; }

@@ -5,9 +5,9 @@
 namespace burnish {
 namespace {
 
-template <int Dim> Tensor<Dim> deformation(const WorkpieceState<Dim>& state, int point) {
-  return Eigen::Map<const Tensor<Dim>>(state.F.data() + static_cast<std::size_t>(point) * Dim * Dim)
-      .transpose();
+template <int Dim> Gradient<Dim> deformation(const WorkpieceState<Dim>& state, int point) {
+  return Eigen::Map<const Gradient<Dim>>(state.F.data() +
+                                         static_cast<std::size_t>(point) * num_gradient<Dim>);
 }
 
 template <int Dim> Stress<Dim> kirchhoff(const WorkpieceState<Dim>& state, int point) {
@@ -31,17 +31,21 @@ template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal_force() const {
   for (int p = 0; p < mesh.num_points(); ++p) {
     const int* node = mesh.element(p / mesh.points_per_element);
     const double* gradient = mesh.gradients(p);
-    const Tensor<Dim> F_inverse = deformation(m_state, p).inverse();
-    const Tensor<Dim> P = mesh.weight[p] * first_piola(kirchhoff(m_state, p), F_inverse);
+    const Gradient<Dim> F_inverse = inverse(deformation(m_state, p));
+    const Gradient<Dim> P = first_piola(kirchhoff(m_state, p), F_inverse);
+    const Tensor<Dim> in_mesh = mesh.weight[p] * mesh_part<Dim>(P);
     for (int a = 0; a < mesh.nodes_per_element; ++a)
       Eigen::Map<Vector<Dim>>(force.data() + Dim * node[a]).noalias() +=
-          P * Eigen::Map<const Vector<Dim>>(gradient + Dim * a);
+          in_mesh * Eigen::Map<const Vector<Dim>>(gradient + Dim * a);
+    if (!mesh.axisymmetric) continue;
+    const double hoop = mesh.weight[p] * P[ZZ] * mesh.inverse_radius(p);
+    for (int a = 0; a < mesh.nodes_per_element; ++a) force[Dim * node[a]] += hoop * mesh.shapes(p)[a];
   }
   return force;
 }
 
 template <int Dim>
-PiolaTangent<Dim> Workpiece<Dim>::consistent_at(int point, const Tensor<Dim>& F,
+PiolaTangent<Dim> Workpiece<Dim>::consistent_at(int point, const Gradient<Dim>& F,
                                                 const Stress<Dim>& stress) const {
   const PointOld<Dim> old = point_old(point);
   const StepKinematics<Dim> kin = step_kinematics(old.F, F, m_options.strain_frame);
@@ -51,7 +55,7 @@ PiolaTangent<Dim> Workpiece<Dim>::consistent_at(int point, const Tensor<Dim>& F,
 
 template <int Dim>
 PiolaTangent<Dim> Workpiece<Dim>::moduli(int point, TangentKind kind, double elastic_blend) const {
-  const Tensor<Dim> F = deformation(m_state, point);
+  const Gradient<Dim> F = deformation(m_state, point);
   const Stress<Dim> stress = kirchhoff(m_state, point);
   const bool plastic = m_state.plastic[point];
   if (kind == TangentKind::ELASTIC) return rate_tangent<Dim>(m_material, stress, F, false);
@@ -64,22 +68,27 @@ PiolaTangent<Dim> Workpiece<Dim>::moduli(int point, TangentKind kind, double ela
 }
 
 template <int Dim>
+template <int Hoop>
 void Workpiece<Dim>::add_point(NodeBlockMatrix<Dim>& matrix, int element, int point,
                                const PiolaTangent<Dim>& A) const {
   using Block = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
   const int nodes = m_discretization.nodes_per_element;
-  const double* gradient = m_discretization.gradients(point);
+  const double *gradient = m_discretization.gradients(point), *shape = m_discretization.shapes(point);
+  const double inverse_radius = Hoop ? m_discretization.inverse_radius(point) : 0;
   const int* slot = m_slot.data() + static_cast<std::size_t>(element) * nodes * nodes;
   for (int b = 0; b < nodes; ++b) {
-    // row 2i+J of A_iJkL dN_b/dX_L, columns k; then the block (i,k) of pair (a,b)
+    // A times the gradients that the components k of node b cause; then the block (i,k) of pair (a,b)
     const Eigen::Map<const Vector<Dim>> grad_b(gradient + Dim * b);
-    Eigen::Matrix<double, Dim * Dim, Dim> column;
-    for (int k = 0; k < Dim; ++k) column.col(k).noalias() = A.template middleCols<Dim>(Dim * k) * grad_b;
+    Eigen::Matrix<double, Dim * Dim + Hoop, Dim> column;
+    for (int k = 0; k < Dim; ++k)
+      column.col(k).noalias() = A.template block<Dim * Dim + Hoop, Dim>(0, Dim * k) * grad_b;
+    if constexpr (Hoop) column.col(0) += shape[b] * inverse_radius * A.template rightCols<1>();
     for (int a = 0; a <= b; ++a) {
       const Eigen::Map<const Vector<Dim>> grad_a(gradient + Dim * a);
       Block block;
       for (int i = 0; i < Dim; ++i)
         block.row(i).noalias() = grad_a.transpose() * column.template middleRows<Dim>(Dim * i);
+      if constexpr (Hoop) block.row(0) += shape[a] * inverse_radius * column.template bottomRows<1>();
       Eigen::Map<Block>(matrix.block(slot[a * nodes + b])) += block;
       if (a != b) Eigen::Map<Block>(matrix.block(slot[b * nodes + a])) += block.transpose();
     }
@@ -95,8 +104,14 @@ void Workpiece<Dim>::tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, dou
     fail(where, "the matrix has another pattern than this discretization, expected one from pattern()");
   std::fill(matrix.value.begin(), matrix.value.end(), 0.);
   const Discretization<Dim>& mesh = m_discretization;
-  for (int p = 0; p < mesh.num_points(); ++p)
-    add_point(matrix, p / mesh.points_per_element, p, mesh.weight[p] * moduli(p, kind, elastic_blend));
+  for (int p = 0; p < mesh.num_points(); ++p) {
+    const PiolaTangent<Dim> A = mesh.weight[p] * moduli(p, kind, elastic_blend);
+    const int element = p / mesh.points_per_element;
+    if (mesh.axisymmetric)
+      add_point<1>(matrix, element, p, A);
+    else
+      add_point<0>(matrix, element, p, A);
+  }
 }
 
 template <int Dim>
@@ -108,9 +123,7 @@ void Workpiece<Dim>::point_moduli(int point, TangentKind kind, double elastic_bl
 
 template <int Dim> void Workpiece<Dim>::point_piola(int point, double* P) const {
   require_point("Workpiece::point_piola", point, m_discretization.num_points());
-  const Tensor<Dim> F_inverse = deformation(m_state, point).inverse();
-  Eigen::Map<Tensor<Dim>>{P} =
-      first_piola(kirchhoff(m_state, point), F_inverse).transpose(); // row-major there
+  Eigen::Map<Gradient<Dim>>{P} = first_piola(kirchhoff(m_state, point), inverse(deformation(m_state, point)));
 }
 
 template <int Dim> double Workpiece<Dim>::stress_eq(int point) const {

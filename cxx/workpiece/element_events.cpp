@@ -17,12 +17,12 @@ constexpr double NEUTRAL = 1e-12;
 template <int Dim> struct ElasticPath {
   const J2Parameters& material;
   StrainFrame frame;
-  Tensor<Dim> F_old, dF;
+  Gradient<Dim> F_old, dF;
   Stress<Dim> stress_old;
   double yield; // sigma_y(ep) at the start
 
   ElasticTrial<Dim> at(double f) const {
-    const StepKinematics<Dim> kin = step_kinematics(F_old, Tensor<Dim>(F_old + f * dF), frame);
+    const StepKinematics<Dim> kin = step_kinematics(F_old, F_old + f * dF, frame);
     return elastic_trial<Dim>(material, kin, stress_old);
   }
   double excess(double f) const { // q/sigma_y - 1
@@ -31,9 +31,8 @@ template <int Dim> struct ElasticPath {
   }
 };
 
-template <int Dim> Tensor<Dim> tensor_at(const std::vector<double>& F, int point) {
-  const std::size_t size = Dim * Dim;
-  return Eigen::Map<const Tensor<Dim>>(F.data() + size * point).transpose(); // row-major there
+template <int Dim> Gradient<Dim> gradient_at(const std::vector<double>& F, int point) {
+  return Eigen::Map<const Gradient<Dim>>(F.data() + static_cast<std::size_t>(num_gradient<Dim>) * point);
 }
 template <int Dim> Stress<Dim> stress_at(const std::vector<double>& all, int point) {
   return Eigen::Map<const Stress<Dim>>(all.data() + static_cast<std::size_t>(num_stress<Dim>) * point);
@@ -90,8 +89,7 @@ public:
   void add_events_of(int point) {
     const WorkpieceState<Dim>&old = m_body.state_old(), &now = m_body.state();
     const ElasticPath<Dim> path = path_of(point);
-    const StepKinematics<Dim> kin =
-        step_kinematics(path.F_old, Tensor<Dim>(path.F_old + path.dF), path.frame);
+    const StepKinematics<Dim> kin = step_kinematics(path.F_old, path.F_old + path.dF, path.frame);
     if (!(kin.det_mid > 0)) return; // the update of the step has failed
     const ElasticTrial<Dim> trial = elastic_trial<Dim>(m_body.material(), kin, path.stress_old);
     if (!old.plastic[point]) {
@@ -122,11 +120,11 @@ public:
 private:
   ElasticPath<Dim> path_of(int point) const {
     const WorkpieceState<Dim>&old = m_body.state_old(), &now = m_body.state();
-    const Tensor<Dim> F_old = tensor_at<Dim>(old.F, point);
+    const Gradient<Dim> F_old = gradient_at<Dim>(old.F, point);
     return {m_body.material(),
             m_body.options().strain_frame,
             F_old,
-            tensor_at<Dim>(now.F, point) - F_old,
+            gradient_at<Dim>(now.F, point) - F_old,
             stress_at<Dim>(old.stress, point),
             yield_stress_at(m_body.material(), old.plastic_strain_eq[point])};
   }
@@ -156,11 +154,8 @@ std::vector<ElementEvent<Dim>> element_events(const Workpiece<Dim>& workpiece, d
                                               double noise) {
   require(overshoot >= 0, "element_events", "overshoot", overshoot, ">= 0");
   require(noise >= 0, "element_events", "noise", noise, ">= 0");
-  const Discretization<Dim>& mesh = workpiece.discretization();
-  require(mesh.point.size() == static_cast<std::size_t>(Dim) * mesh.num_points(), "element_events",
-          "size of Discretization::point", mesh.point.size(), "num_points x Dim");
   Finder<Dim> finder(workpiece, overshoot, noise);
-  for (int p = 0; p < mesh.num_points(); ++p) finder.add_events_of(p);
+  for (int p = 0; p < workpiece.discretization().num_points(); ++p) finder.add_events_of(p);
   return finder.take();
 }
 

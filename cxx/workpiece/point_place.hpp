@@ -4,8 +4,7 @@
 
 namespace burnish {
 
-/// Present position: linear around the nearest node of its element (exact for P1, and for P2 where the points
-/// are mid-edge nodes). @param state either state of the workpiece on that mesh [length]
+/// Present position, sum N_a (X_a + u_a). @param state either state of the workpiece on that mesh [length]
 template <int Dim>
 Vector<Dim> point_place(const Discretization<Dim>& mesh, int point, const WorkpieceState<Dim>& state);
 

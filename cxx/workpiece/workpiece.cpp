@@ -22,15 +22,17 @@ template <int Dim> void require_valid(const Discretization<Dim>& mesh) {
   require(mesh.weight.size() == points, where, "size of weight", mesh.weight.size(), "num_points");
   require(mesh.shape_grad.size() == points * per_point, where, "size of shape_grad", mesh.shape_grad.size(),
           "num_points x nodes_per_element x Dim");
+  require(mesh.shape.size() * Dim == mesh.shape_grad.size(), where, "size of shape", mesh.shape.size(),
+          "num_points x nodes_per_element");
+  require(mesh.point.size() == points * Dim, where, "size of point", mesh.point.size(), "num_points x Dim");
 }
 
 template <int Dim> WorkpieceState<Dim> initial_state(const Discretization<Dim>& mesh) {
   WorkpieceState<Dim> state;
   const std::size_t points = mesh.num_points();
   state.displacement = Eigen::VectorXd::Zero(mesh.num_dofs());
-  state.F.assign(points * Dim * Dim, 0.);
-  for (std::size_t p = 0; p < points; ++p)
-    for (int i = 0; i < Dim; ++i) state.F[p * Dim * Dim + i * (Dim + 1)] = 1;
+  const Gradient<Dim> F = undeformed<Dim>();
+  for (std::size_t p = 0; p < points; ++p) state.F.insert(state.F.end(), F.begin(), F.end());
   state.stress.assign(points * num_stress<Dim>, 0.);
   state.strain_increment = state.stress;
   state.plastic_strain_eq.assign(points, 0.);
@@ -77,20 +79,28 @@ Workpiece<Dim>::Workpiece(Discretization<Dim> discretization, J2Parameters mater
 }
 
 template <int Dim>
-Tensor<Dim> Workpiece<Dim>::gradient_of_deformation(int element, int point, const Eigen::VectorXd& u) const {
-  const int* node = m_discretization.element(element);
-  const double* gradient = m_discretization.gradients(point);
-  Tensor<Dim> F = Tensor<Dim>::Identity();
-  for (int a = 0; a < m_discretization.nodes_per_element; ++a)
-    F.noalias() += Eigen::Map<const Vector<Dim>>(u.data() + Dim * node[a]) *
-                   Eigen::Map<const Vector<Dim>>(gradient + Dim * a).transpose();
+Gradient<Dim> Workpiece<Dim>::gradient_of_deformation(int element, int point,
+                                                      const Eigen::VectorXd& u) const {
+  const Discretization<Dim>& mesh = m_discretization;
+  const int* node = mesh.element(element);
+  const double* gradient = mesh.gradients(point);
+  RowMajorTensor<Dim> in_mesh = RowMajorTensor<Dim>::Identity();
+  for (int a = 0; a < mesh.nodes_per_element; ++a)
+    in_mesh.noalias() += Eigen::Map<const Vector<Dim>>(u.data() + Dim * node[a]) *
+                         Eigen::Map<const Vector<Dim>>(gradient + Dim * a).transpose();
+  Gradient<Dim> F = undeformed<Dim>();
+  mesh_part<Dim>(F) = in_mesh;
+  if (!mesh.axisymmetric) return F;
+  double radial = 0;
+  for (int a = 0; a < mesh.nodes_per_element; ++a) radial += mesh.shapes(point)[a] * u[Dim * node[a]];
+  F[ZZ] += radial * mesh.inverse_radius(point);
   return F;
 }
 
 template <int Dim> PointOld<Dim> Workpiece<Dim>::point_old(int point) const {
   const std::size_t p = point;
   PointOld<Dim> old;
-  old.F = Eigen::Map<const Tensor<Dim>>(m_state_old.F.data() + p * Dim * Dim).transpose(); // row-major there
+  old.F = Eigen::Map<const Gradient<Dim>>(m_state_old.F.data() + p * num_gradient<Dim>);
   old.stress = Eigen::Map<const Stress<Dim>>(m_state_old.stress.data() + p * num_stress<Dim>);
   old.plastic_strain_eq = m_state_old.plastic_strain_eq[p];
   old.strain_increment =
@@ -108,9 +118,9 @@ template <int Dim> double Workpiece<Dim>::step_ratio() const {
 }
 
 template <int Dim>
-bool Workpiece<Dim>::update_point(int point, const Tensor<Dim>& F, double ratio, bool may_grow,
+bool Workpiece<Dim>::update_point(int point, const Gradient<Dim>& F, double ratio, bool may_grow,
                                   UpdateResult& result) {
-  if (bad_determinant(F.determinant(), point, result)) return false;
+  if (bad_determinant(determinant(F), point, result)) return false;
   const PointOld<Dim> old = point_old(point);
   const StepKinematics<Dim> kin = step_kinematics(old.F, F, m_options.strain_frame);
   if (bad_determinant(kin.det_mid, point, result)) return false;
@@ -124,7 +134,7 @@ bool Workpiece<Dim>::update_point(int point, const Tensor<Dim>& F, double ratio,
   m_used_substeps[point] = substeps;
   const PointNew<Dim> now = updated_point<Dim>(m_material, scheme(ratio, substeps), old, kin, trial);
   const std::size_t p = point;
-  Eigen::Map<Tensor<Dim>>(m_state.F.data() + p * Dim * Dim) = F.transpose();
+  Eigen::Map<Gradient<Dim>>(m_state.F.data() + p * num_gradient<Dim>) = F;
   Eigen::Map<Stress<Dim>>(m_state.stress.data() + p * num_stress<Dim>) = now.stress;
   Eigen::Map<Stress<Dim>>(m_state.strain_increment.data() + p * num_stress<Dim>) = kin.strain;
   m_state.plastic_strain_eq[p] = now.plastic_strain_eq;
@@ -181,14 +191,14 @@ template <int Dim> void Workpiece<Dim>::set_state(const WorkpieceState<Dim>& sta
   };
   check_array<Dim>("displacement", state.displacement.data(), state.displacement.size(),
                    m_discretization.num_dofs());
-  check("F", state.F, points * Dim * Dim);
+  check("F", state.F, points * num_gradient<Dim>);
   check("stress", state.stress, stresses);
   check("plastic_strain_eq", state.plastic_strain_eq, points);
   check("strain_increment", state.strain_increment, stresses);
   require(state.plastic.size() == points, "Workpiece::set_state", "size of plastic", state.plastic.size(),
           std::to_string(points).c_str());
   for (std::size_t p = 0; p < points; ++p) {
-    const double det = Eigen::Map<const Tensor<Dim>>(state.F.data() + p * Dim * Dim).determinant();
+    const double det = determinant(Eigen::Map<const Gradient<Dim>>(state.F.data() + p * num_gradient<Dim>));
     require(det > 0, "Workpiece::set_state", "det F", det, "> 0");
   }
   require(state.dt >= 0 && std::isfinite(state.dt), "Workpiece::set_state", "dt", state.dt, "finite >= 0");

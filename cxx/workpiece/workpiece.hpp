@@ -11,7 +11,7 @@ namespace burnish {
 /// Plain data, can be written and read. Point-major arrays.
 template <int Dim> struct WorkpieceState {
   Eigen::VectorXd displacement;          ///< num_dofs [length]
-  std::vector<double> F;                 ///< num_points x Dim x Dim, row-major: deformation gradient [-]
+  std::vector<double> F;                 ///< num_points x num_gradient: deformation gradient (Gradient) [-]
   std::vector<double> stress;            ///< num_points x num_stress: Kirchhoff stress [stress]
   std::vector<double> plastic_strain_eq; ///< num_points [-]
   std::vector<double> strain_increment;  ///< num_points x num_stress: dd of the step that ended here [-]
@@ -22,8 +22,9 @@ template <int Dim> struct WorkpieceState {
 enum class UpdateStatus { OK, INVERTED_ELEMENT, NOT_FINITE };
 struct UpdateResult {
   UpdateStatus status = UpdateStatus::OK;
-  int point = -1;   ///< first point concerned
-  double value = 0; ///< the det F (or det of F_mid = (F_old + F)/2) that is not > 0, or not finite, there
+  int point = -1; ///< first point concerned
+  double value =
+      0; ///< the determinant(F) (or of F_mid = (F_old + F)/2) that is not > 0, or not finite, there
 };
 
 template <int Dim> class Workpiece {
@@ -49,7 +50,8 @@ public:
   ///                     then)
   /// @throws std::invalid_argument if the size, dt, iteration or an option is wrong
   UpdateResult update(const Eigen::VectorXd& displacement, double dt, int iteration);
-  /// Internal force of state(): sum over points V0 P grad_X N, P = tau F^-T, num_dofs [force].
+  /// Internal force of state(): sum over points V0 P grad_X N, P = tau F^-T, and where axisymmetric V0 P_zz N/R
+  /// on the radial dof, the force of the whole ring; num_dofs [force].
   Eigen::VectorXd internal_force() const;
   /// Its tangent (symmetric part), into a matrix with this discretization's pattern: replaces the values.
   /// Right after accept, revert or set_state the increment is zero and CONSISTENT means RATE, its limit for a
@@ -58,8 +60,8 @@ public:
   /// @throws std::invalid_argument if the pattern is another one or elastic_blend is out of range
   void tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, double elastic_blend = 0) const;
   NodeBlockMatrix<Dim> pattern() const { return m_pattern; }
-  /// Moduli A_iJkL at a point, (Dim*Dim) x (Dim*Dim) row-major on [du/dx, du/dy, dv/dx, dv/dy], symmetrized,
-  /// and first Piola stress P (Dim x Dim row-major): what a script's own forms need [stress].
+  /// Moduli A = dP/dF at a point, symmetrized, row-major on [du/dx, du/dy, dv/dx, dv/dy, hoop u/R], and first
+  /// Piola stress P in the same order (num_gradient numbers): what a script's own forms need [stress].
   /// @throws std::invalid_argument if point or elastic_blend is out of range
   void point_moduli(int point, TangentKind kind, double elastic_blend, double* A) const;
   void point_piola(int point, double* P) const;
@@ -80,13 +82,14 @@ public:
   double yield_excess(int point) const;
 
 private:
-  Tensor<Dim> gradient_of_deformation(int element, int point, const Eigen::VectorXd& displacement) const;
+  Gradient<Dim> gradient_of_deformation(int element, int point, const Eigen::VectorXd& displacement) const;
   PointOld<Dim> point_old(int point) const;
   PointScheme scheme(double ratio, int substeps) const;
   double step_ratio() const;
-  bool update_point(int point, const Tensor<Dim>& F, double ratio, bool may_grow, UpdateResult& result);
+  bool update_point(int point, const Gradient<Dim>& F, double ratio, bool may_grow, UpdateResult& result);
   PiolaTangent<Dim> moduli(int point, TangentKind kind, double elastic_blend) const;
-  PiolaTangent<Dim> consistent_at(int point, const Tensor<Dim>& F, const Stress<Dim>& stress) const;
+  PiolaTangent<Dim> consistent_at(int point, const Gradient<Dim>& F, const Stress<Dim>& stress) const;
+  template <int Hoop>
   void add_point(NodeBlockMatrix<Dim>& matrix, int element, int point, const PiolaTangent<Dim>& A) const;
 
   Discretization<Dim> m_discretization;

@@ -14,6 +14,12 @@ Tensor<2> rotation_by(double angle) {
   return R;
 }
 
+Tensor<2> in_plane(const Stress<2>& stress) {
+  Tensor<2> t;
+  t << stress[0], stress[3], stress[3], stress[1];
+  return t;
+}
+
 /// Stretched and bent until some or all points flow (or none), then every node turned about the origin.
 struct Turned {
   Workpiece<2> body;

@@ -20,6 +20,29 @@ inline Tensor<2> rotation(double angle) {
   return tensor(std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle));
 }
 
+/// Gradient in the plane and the stretch out of it, which is 1 in plane strain.
+inline Gradient<2> gradient(const Tensor<2>& in_plane, double zz = 1) {
+  Gradient<2> F;
+  F << in_plane(0, 0), in_plane(0, 1), in_plane(1, 0), in_plane(1, 1), zz;
+  return F;
+}
+
+inline Tensor<2> in_plane(const Gradient<2>& F) { return tensor(F[0], F[1], F[2], F[3]); }
+inline Tensor<2> in_plane(const Stress<2>& t) { return tensor(t[0], t[3], t[3], t[1]); }
+
+/// A gradient, given as such or by its part in the plane.
+struct AnyGradient : Gradient<2> {
+  template <class Derived> AnyGradient(const Eigen::MatrixBase<Derived>& F) {
+    if constexpr (Derived::ColsAtCompileTime == 1)
+      Gradient<2>::operator=(F);
+    else
+      Gradient<2>::operator=(gradient(F));
+  }
+};
+inline StepKinematics<2> kinematics(const AnyGradient& F_old, const AnyGradient& F, StrainFrame frame) {
+  return step_kinematics(F_old, F, frame);
+}
+
 /// R t R' by tensor products.
 inline Stress<2> turned(const Stress<2>& t, const Tensor<2>& R) {
   const Tensor<2> T = R * tensor(t[0], t[3], t[3], t[1]) * R.transpose();
@@ -30,44 +53,39 @@ struct PointStep {
   J2Parameters material = example_material();
   PointScheme scheme;
   StrainFrame frame = StrainFrame::MIDPOINT;
-  PointOld<2> old{Tensor<2>::Identity(), Stress<2>::Zero(), 0, Stress<2>::Zero(), false};
+  PointOld<2> old{undeformed<2>(), Stress<2>::Zero(), 0, Stress<2>::Zero(), false};
 
-  StepKinematics<2> kinematics(const Tensor<2>& F) const { return step_kinematics(old.F, F, frame); }
-  PointNew<2> at(const Tensor<2>& F) const {
+  StepKinematics<2> kinematics(const AnyGradient& F) const { return step_kinematics(old.F, F, frame); }
+  PointNew<2> at(const AnyGradient& F) const {
     const StepKinematics<2> kin = kinematics(F);
     return updated_point<2>(material, scheme, old, kin, elastic_trial<2>(material, kin, old.stress));
   }
-  Tensor<2> piola(const Tensor<2>& F) const { return first_piola(at(F).stress, F.inverse()); }
-  PiolaTangent<2> tangent(const Tensor<2>& F) const {
+  Gradient<2> piola(const AnyGradient& F) const { return first_piola(at(F).stress, inverse(F)); }
+  PiolaTangent<2> tangent(const AnyGradient& F) const {
     return consistent_tangent<2>(material, scheme, old, kinematics(F), F, at(F).stress);
   }
-  /// dP_iJ/dF_kL by finite differences.
-  PiolaTangent<2> measured_tangent(const Tensor<2>& F, double step) const {
+  /// dP/dF by finite differences.
+  PiolaTangent<2> measured_tangent(const AnyGradient& F, double step) const {
     PiolaTangent<2> A;
-    for (int c = 0; c < 4; ++c) {
-      const auto P = [&](double t) {
-        Tensor<2> moved = F;
-        moved(c / 2, c % 2) += t;
-        return piola(moved);
-      };
-      const Tensor<2> dP = finite_difference(P, 0, step);
-      A.col(c) << dP(0, 0), dP(0, 1), dP(1, 0), dP(1, 1);
+    for (int c = 0; c < A.cols(); ++c) {
+      const auto P = [&](double t) { return piola(F + t * Gradient<2>::Unit(c)); };
+      A.col(c) = finite_difference(P, 0, step);
     }
     return A;
   }
   /// The end of the step to F becomes the start of the next one.
-  void advance(const Tensor<2>& F) {
+  void advance(const AnyGradient& F) {
     const PointNew<2> now = at(F);
     old = {F, now.stress, now.plastic_strain_eq, kinematics(F).strain, now.plastic};
   }
 };
 
 /// Walks F(t), t = 0..1, in n equal steps; substeps(step) of them run where the point is plastic.
-inline PointOld<2> walk(PointStep point, int n, const std::function<Tensor<2>(double)>& F, int substeps) {
+inline PointOld<2> walk(PointStep point, int n, const std::function<AnyGradient(double)>& F, int substeps) {
   const UpdateOptions options;
   point.old.F = F(0);
   for (int k = 1; k <= n; ++k) {
-    const Tensor<2> end = F(static_cast<double>(k) / n);
+    const AnyGradient end = F(static_cast<double>(k) / n);
     const ElasticTrial<2> trial = elastic_trial<2>(point.material, point.kinematics(end), point.old.stress);
     const bool runs = substeps_needed<2>(point.material, options, trial, point.old.plastic_strain_eq,
                                          point.old.plastic) > 0;

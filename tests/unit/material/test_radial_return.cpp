@@ -18,14 +18,14 @@ Stress<2> random_deviator(double size) {
 PointStep random_step(double strain, Tensor<2>& F) {
   PointStep step;
   step.old.plastic_strain_eq = 0.1 * std::abs(random_number());
-  step.old.F =
-      Tensor<2>::Identity() + 0.2 * Tensor<2>::NullaryExpr([](auto, auto) { return random_number(); });
+  step.old.F = gradient(Tensor<2>::Identity() +
+                        0.2 * Tensor<2>::NullaryExpr([](auto, auto) { return random_number(); }));
   step.old.stress =
       random_number() * on_surface(step.material, random_deviator(1), step.old.plastic_strain_eq);
   step.old.strain_increment = random_deviator(strain);
   step.old.plastic = random_number() > 0;
   const Tensor<2> dU = strain * Tensor<2>::NullaryExpr([](auto, auto) { return random_number(); });
-  F = (Tensor<2>::Identity() + dU) * step.old.F;
+  F = (Tensor<2>::Identity() + dU) * in_plane(step.old.F);
   return step;
 }
 
@@ -161,7 +161,7 @@ TEST(UpdatedPoint, ObjectiveUnderASuperposedRotation) {
         step.old.stress *= 1.5; // FORWARD_EULER: on or outside the surface too
         const PointNew<2> here = step.at(F);
         const Tensor<2> Q = rotation(angle);
-        step.old.F = Q * step.old.F;
+        step.old.F = gradient(Q * in_plane(step.old.F));
         step.old.stress = turned(step.old.stress, Q);
         step.old.strain_increment = turned(step.old.strain_increment, Q);
         const PointNew<2> there = step.at(Q * F);

@@ -6,7 +6,13 @@ using namespace burnish::test;
 
 namespace {
 const Stress<2> DIRECTION = {1, -0.2, -0.8, 0.9};
+/// d_xx, d_yy, d_zz, d_xy, w_21
+Eigen::Matrix<double, 5, 1> rates(double spin) {
+  Eigen::Matrix<double, 5, 1> y;
+  y << 0.7, -0.3, 0.1, 0.2, spin;
+  return y;
 }
+} // namespace
 
 TEST(RateLaw, LoadingTest) {
   const J2Parameters material = example_material();
@@ -22,8 +28,8 @@ TEST(RateLaw, StressStaysOnTheHardeningSurface) { // s:(D:d) 3/(2q) = H' ep', ep
     J2Parameters material = example_material();
     material.hardening_modulus = H;
     const Stress<2> s = on_surface(material, DIRECTION, 0.1);
-    const Eigen::Vector4d y(0.7, -0.3, 0.2, 0.9); // d_xx, d_yy, d_xy, w_21
-    const Stress<2> d = {y[0], y[1], 0, y[2]}, rate = rate_moduli<2>(material, s, true) * y;
+    const auto y = rates(0.9);
+    const Stress<2> d = y.head<4>(), rate = rate_moduli<2>(material, s, true) * y;
     const double q = equivalent<2>(s), rate_q = 1.5 * contract<2>(s, rate) / q;
     const double rate_ep = 3 * material.G * contract<2>(s, d) / (q * (3 * material.G + H));
     EXPECT_NEAR(rate_q, H * rate_ep, 1e-12 * material.G) << "H' = " << H;
@@ -32,12 +38,12 @@ TEST(RateLaw, StressStaysOnTheHardeningSurface) { // s:(D:d) 3/(2q) = H' ep', ep
 
 TEST(RateLaw, ElasticModuli) {
   const J2Parameters material = example_material();
-  const Eigen::Vector4d y(0.7, -0.3, 0.2, 0);
+  const auto y = rates(0);
   const Stress<2> rate = rate_moduli<2>(material, DIRECTION, false) * y;
-  const double pressure = material.K * 0.4, third = 0.4 / 3;
+  const double pressure = material.K * 0.5, third = 0.5 / 3;
   const Stress<2> expected = {pressure + 2 * material.G * (0.7 - third),
-                              pressure - 2 * material.G * (0.3 + third), pressure - 2 * material.G * third,
-                              2 * material.G * 0.2};
+                              pressure - 2 * material.G * (0.3 + third),
+                              pressure + 2 * material.G * (0.1 - third), 2 * material.G * 0.2};
   expect_close(rate, expected, material.G, 1e-14, "E:d");
   EXPECT_EQ(rate_moduli<2>(material, Stress<2>::Zero(), true),
             rate_moduli<2>(material, Stress<2>::Zero(), false));

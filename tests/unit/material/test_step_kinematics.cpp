@@ -28,7 +28,7 @@ TEST(StepKinematics, RigidRotationIsExactForAnyAngle) {
   const Tensor<2> F_old = tensor(1.2, 0.3, -0.1, 0.8);
   for (StrainFrame frame : FRAMES)
     for (double angle : {-3.0, -0.3, 1e-9, 0.3, 1.0, 3.0}) {
-      const StepKinematics<2> kin = step_kinematics(F_old, rotation(angle) * F_old, frame);
+      const StepKinematics<2> kin = kinematics(F_old, rotation(angle) * F_old, frame);
       EXPECT_LE(kin.strain.norm(), 1e-14 * (1 + std::abs(kin.spin))) << "angle " << angle;
       EXPECT_NEAR(kin.spin, 2 * std::tan(angle / 2), 1e-13 * (1 + std::abs(kin.spin))) << "angle " << angle;
       EXPECT_NEAR(kin.cos_alpha, std::cos(angle), 1e-14) << "angle " << angle;
@@ -41,7 +41,7 @@ TEST(StepKinematics, RigidRotationIsExactForAnyAngle) {
 TEST(StepKinematics, MidpointStretchIsThirdOrderInTheLogarithm) {
   for (double stretch : {1.01, 1.1}) { // 2 (l - 1)/(l + 1) = ln l - (ln l)^3/12 + ...
     const StepKinematics<2> kin =
-        step_kinematics(Tensor<2>::Identity(), tensor(stretch, 0, 0, 1), StrainFrame::MIDPOINT);
+        kinematics(Tensor<2>::Identity(), tensor(stretch, 0, 0, 1), StrainFrame::MIDPOINT);
     const double log = std::log(stretch);
     EXPECT_NEAR((log - kin.strain[0]) / (log * log * log), 1. / 12, 1e-3);
     EXPECT_EQ(kin.strain[1], 0);
@@ -50,43 +50,56 @@ TEST(StepKinematics, MidpointStretchIsThirdOrderInTheLogarithm) {
 }
 
 TEST(StepKinematics, SingularMidpointIsReported) {
-  EXPECT_LE(step_kinematics(Tensor<2>::Identity(), tensor(-0.5, 0, 0, -3), StrainFrame::END).det_mid, 0);
-  EXPECT_FALSE(step_kinematics(Tensor<2>::Identity(), tensor(NAN, 0, 0, 1), StrainFrame::END).det_mid > 0);
+  EXPECT_LE(kinematics(Tensor<2>::Identity(), tensor(-0.5, 0, 0, -3), StrainFrame::END).det_mid, 0);
+  EXPECT_FALSE(kinematics(Tensor<2>::Identity(), tensor(NAN, 0, 0, 1), StrainFrame::END).det_mid > 0);
 }
 
 TEST(StepKinematics, EndFrameTurnsTheStrainByHalfTheRotation) {
   const Tensor<2> F_old = tensor(1, 0.1, 0, 1), F = tensor(1.1, -0.2, 0.4, 0.9);
-  const StepKinematics<2> midpoint = step_kinematics(F_old, F, StrainFrame::MIDPOINT);
-  const StepKinematics<2> end = step_kinematics(F_old, F, StrainFrame::END);
+  const StepKinematics<2> midpoint = kinematics(F_old, F, StrainFrame::MIDPOINT);
+  const StepKinematics<2> end = kinematics(F_old, F, StrainFrame::END);
   const double alpha = 2 * std::atan(0.5 * midpoint.spin);
   expect_close(end.strain, turned(midpoint.strain, rotation(alpha / 2)), 1, 1e-15, "dd");
 }
 
+TEST(StepKinematics, StretchOutOfThePlaneIsOnItsOwn) {
+  const Tensor<2> in_plane_old = tensor(1.1, 0.2, -0.1, 0.9), in_plane = tensor(1.15, 0.1, 0.05, 0.95);
+  for (StrainFrame frame : FRAMES) {
+    const StepKinematics<2> plane = kinematics(in_plane_old, in_plane, frame);
+    const StepKinematics<2> kin =
+        kinematics(gradient(in_plane_old, 0.8), gradient(in_plane, 1.2), frame); // F_mid,zz = 1
+    EXPECT_EQ(plane.strain[2], 0);
+    EXPECT_NEAR(kin.strain[2], 0.4, 1e-15);
+    EXPECT_NEAR(kin.det_mid, plane.det_mid, 1e-15);
+    for (int k : {0, 1, 3}) EXPECT_EQ(kin.strain[k], plane.strain[k]);
+    EXPECT_EQ(kin.spin, plane.spin);
+  }
+}
+
 TEST(StepKinematics, LinearizationAgainstFiniteDifferences) {
-  const Tensor<2> F_old = tensor(1.1, 0.2, -0.1, 0.9);
-  const Tensor<2> ends[] = {F_old, tensor(1.15, 0.1, 0.05, 0.95), rotation(0.8) * tensor(1.3, 0.2, 0, 0.8)};
+  using Increments = Eigen::Matrix<double, 5, 1>;
+  const Gradient<2> F_old = gradient(tensor(1.1, 0.2, -0.1, 0.9), 1.1);
+  const Gradient<2> ends[] = {F_old, gradient(tensor(1.15, 0.1, 0.05, 0.95), 0.9),
+                              gradient(rotation(0.8) * tensor(1.3, 0.2, 0, 0.8), 1.4)};
   for (StrainFrame frame : FRAMES)
-    for (const Tensor<2>& F : ends) {
-      const auto increments = [&](const Tensor<2>& at) {
+    for (const Gradient<2>& F : ends) {
+      const auto increments = [&](const Gradient<2>& at) {
         const StepKinematics<2> kin = step_kinematics(F_old, at, frame);
-        return Eigen::Vector4d(kin.strain[0], kin.strain[1], kin.strain[3], 2 * std::atan(0.5 * kin.spin));
+        Increments y;
+        y << kin.strain, 2 * std::atan(0.5 * kin.spin);
+        return y;
       };
       IncrementByF<2> measured;
-      for (int c = 0; c < 4; ++c)
-        measured.col(c) = finite_difference(
-            [&](double t) {
-              Tensor<2> moved = F;
-              moved(c / 2, c % 2) += t;
-              return increments(moved);
-            },
-            0, 1e-3);
+      for (int c = 0; c < 5; ++c)
+        measured.col(c) =
+            finite_difference([&](double t) { return increments(F + t * Gradient<2>::Unit(c)); }, 0, 1e-3);
       expect_close(finite_increment_by_F(step_kinematics(F_old, F, frame)), measured, 1, 1e-10, "dy/dF");
     }
 }
 
 TEST(StepKinematics, RateIsTheLimitOfAVanishingStep) {
-  const Tensor<2> F = tensor(1.1, 0.2, -0.1, 0.9);
+  const Gradient<2> F = gradient(tensor(1.1, 0.2, -0.1, 0.9), 1.3);
   for (StrainFrame frame : FRAMES)
-    expect_close(rate_by_F(F.inverse()), finite_increment_by_F(step_kinematics(F, F, frame)), 1, 1e-14,
+    expect_close(rate_by_F(inverse(F)), finite_increment_by_F(step_kinematics(F, F, frame)), 1, 1e-14,
                  "dy/dF");
 }

@@ -7,10 +7,10 @@ using namespace burnish::test;
 namespace {
 
 const double UNLIMITED = std::numeric_limits<double>::infinity();
-const Stress<2> BEFORE = {0.006, -0.003, 0, 0.004}; // dd_p
+const Stress<2> BEFORE = {0.006, -0.003, 0.002, 0.004}; // dd_p
 
-StepKinematics<2> step_of(const Tensor<2>& F, StrainFrame frame = StrainFrame::MIDPOINT) {
-  return step_kinematics(Tensor<2>::Identity(), F, frame);
+StepKinematics<2> step_of(const AnyGradient& F, StrainFrame frame = StrainFrame::MIDPOINT) {
+  return kinematics(Tensor<2>::Identity(), F, frame);
 }
 
 StrainPath<2> path_of(const J2Parameters& material, const StepKinematics<2>& kin,
@@ -92,7 +92,7 @@ TEST(StrainPath, EndFrameTurnsTheLastIncrement) {
 
 TEST(StrainPath, DerivativeAgainstFiniteDifferences) {
   const J2Parameters material = example_material();
-  const Tensor<2> F = rotation(0.05) * tensor(1.004, 0.003, 0.001, 0.997);
+  const Gradient<2> F = gradient(rotation(0.05) * tensor(1.004, 0.003, 0.001, 0.997), 0.998);
   for (StrainFrame frame : {StrainFrame::MIDPOINT, StrainFrame::END})
     for (double limit : {UNLIMITED, 1.5, 0.5, 0.0}) {
       SCOPED_TRACE("limit " + std::to_string(limit));
@@ -101,11 +101,9 @@ TEST(StrainPath, DerivativeAgainstFiniteDifferences) {
       const StepKinematics<2> kin = step_of(F, frame);
       path_of(material, kin, history, &derivative);
       const IncrementByF<2> by_F = finite_increment_by_F(kin);
-      for (int c = 0; c < 4; ++c) {
+      for (int c = 0; c < 5; ++c) {
         const auto path = [&](double t) {
-          Tensor<2> moved = F;
-          moved(c / 2, c % 2) += t;
-          const StrainPath<2> p = path_of(material, step_of(moved, frame), history);
+          const StrainPath<2> p = path_of(material, step_of(F + t * Gradient<2>::Unit(c), frame), history);
           Eigen::Matrix<double, 8, 1> both;
           both << p.De, p.bend;
           return both;

@@ -17,6 +17,23 @@ template <class Function> double integral(const Discretization<2>& mesh, const F
   return sum;
 }
 
+/// The patch with its lower left corner at x = r, y = 0: a ring, or a cylinder for r = 0.
+Discretization<2> ring(int nodes_per_element, double r) {
+  const Discretization<2> plane = patch(nodes_per_element, 1);
+  std::vector<double> X = plane.X;
+  for (std::size_t k = 0; k < X.size(); k += 2) X[k] += r;
+  return triangles(nodes_per_element, X, plane.connectivity, true);
+}
+
+/// Value at a point of the interpolation of f.
+template <class Function> double value(const Discretization<2>& mesh, int p, const Function& f) {
+  double sum = 0;
+  const int* node = mesh.element(p / mesh.points_per_element);
+  for (int a = 0; a < mesh.nodes_per_element; ++a)
+    sum += mesh.shapes(p)[a] * f(mesh.node(node[a])[0], mesh.node(node[a])[1]);
+  return sum;
+}
+
 /// Gradient at a point of the interpolation of f.
 template <class Function> Vector<2> gradient(const Discretization<2>& mesh, int p, const Function& f) {
   Vector<2> sum = Vector<2>::Zero();
@@ -40,6 +57,7 @@ TEST(Triangles, Sizes) {
     EXPECT_EQ(mesh.num_nodes, nodes == 3 ? 9 : 25);
     EXPECT_EQ(mesh.weight.size(), std::size_t(mesh.num_points()));
     EXPECT_EQ(mesh.point.size(), std::size_t(2 * mesh.num_points()));
+    EXPECT_EQ(mesh.shape.size(), std::size_t(nodes * mesh.num_points()));
     EXPECT_EQ(mesh.shape_grad.size(), std::size_t(2 * nodes * mesh.num_points()));
   }
 }
@@ -72,19 +90,70 @@ TEST(Triangles, QuadratureIsExactToItsDegree) { // over the square of side 2 at 
   }
 }
 
-TEST(Triangles, GradientsReproduceTheirPolynomials) {
+TEST(Triangles, ShapesAndGradientsReproduceTheirPolynomials) {
   const auto linear = [](double x, double y) { return 2 * x - 3 * y + 1; };
   const auto quadratic = [](double x, double y) { return x * x - 2 * x * y + 3 * y * y + x; };
-  for (int nodes : {3, 6}) {
-    const Discretization<2> mesh = patch(nodes, 2);
+  for (const Discretization<2>& mesh : {patch(3, 2), patch(6, 2), ring(3, 0.5), ring(6, 0.5)}) {
+    const int nodes = mesh.nodes_per_element;
     for (int p = 0; p < mesh.num_points(); ++p) {
       const double x = mesh.point[2 * p], y = mesh.point[2 * p + 1];
+      EXPECT_NEAR(value(mesh, p, linear), linear(x, y), 1e-14);
+      if (nodes == 6) {
+        EXPECT_NEAR(value(mesh, p, quadratic), quadratic(x, y), 1e-13);
+      }
       expect_close(gradient(mesh, p, linear), Vector<2>(2, -3), 1, 1e-14, "gradient");
       if (nodes == 6)
         expect_close(gradient(mesh, p, quadratic), Vector<2>(2 * x - 2 * y + 1, 6 * y - 2 * x), 1, 1e-13,
                      "gradient");
     }
   }
+}
+
+TEST(Triangles, PointsOfARing) {
+  const Discretization<2> linear = triangles(3, TRIANGLE, {0, 1, 2}, true);
+  expect_close(Vector<2>(linear.point[0], linear.point[1]), Vector<2>(2. / 3, 1. / 3), 1, 1e-15, "centroid");
+  const Discretization<2> quadratic =
+      triangles(6, {0, 0, 2, 0, 0, 1, 1, 0.5, 0, 0.5, 1, 0}, {0, 1, 2, 3, 4, 5}, true);
+  EXPECT_TRUE(quadratic.axisymmetric);
+  for (int q = 0; q < 3; ++q) { // inside, nearest to vertex q
+    const Vector<2> center = Vector<2>(2, 1) / 3, expected = center + (quadratic.node(q) - center) / 2;
+    expect_close(Vector<2>(quadratic.point[2 * q], quadratic.point[2 * q + 1]), expected, 1, 1e-15, "point");
+    EXPECT_NEAR(quadratic.weight[q], 2 * M_PI * expected[0] / 3, 1e-14);
+  }
+}
+
+TEST(Triangles, QuadratureOfARing) { // of 2 pi x f over the square of side 1 at (r, 0)
+  for (int nodes : {3, 6})
+    for (double r : {0., 0.7}) {
+      const Discretization<2> mesh = ring(nodes, r);
+      const double mean = r + 0.5, mean2 = r * r + r + 1. / 3; // of x, x^2
+      EXPECT_NEAR(integral(mesh, [](double, double) { return 1; }), 2 * M_PI * mean, 1e-13);
+      if (nodes == 6) {
+        EXPECT_NEAR(integral(mesh, [](double x, double y) { return 3 * x - y; }),
+                    2 * M_PI * (3 * mean2 - mean / 2), 1e-13);
+      }
+    }
+}
+
+TEST(Triangles, HoopGradientOfAStretchIsExactOnTheAxisToo) { // u_r = a r: u_r/R = a
+  for (int nodes : {3, 6})
+    for (const Discretization<2>& mesh : {ring(nodes, 0), ring(nodes, 3)})
+      for (int p = 0; p < mesh.num_points(); ++p) {
+        EXPECT_GT(mesh.point[2 * p], 0);
+        const double u = value(mesh, p, [](double x, double) { return 0.3 * x; });
+        EXPECT_NEAR(u * mesh.inverse_radius(p), 0.3, 1e-15);
+      }
+}
+
+TEST(Triangles, NodesBeyondTheAxis) {
+  const Points X = {-0.1, 0, 2, 0, 0, 1}, rounded = {-1e-16, 0, 2, 0, 0, 1};
+  EXPECT_NO_THROW(triangles(3, X, {0, 1, 2}));
+  EXPECT_NO_THROW(triangles(3, rounded, {0, 1, 2}, true));
+  expect_invalid(
+      [&] {
+        triangles(3, X, {0, 1, 2}, true);
+      },
+      "triangles: x of node 0 = -0.1, expected a radius >= 0 (axisymmetric: the axis is x = 0)");
 }
 
 TEST(Triangles, Errors) {

@@ -55,6 +55,10 @@ inline bool same(const WorkpieceState<2>& a, const WorkpieceState<2>& b) {
          a.plastic == b.plastic && a.dt == b.dt;
 }
 
+inline Gradient<2> gradient_at(const WorkpieceState<2>& state, int point) {
+  return Eigen::Map<const Gradient<2>>(state.F.data() + 5 * point);
+}
+
 inline Stress<2> stress_at(const WorkpieceState<2>& state, int point) {
   return Eigen::Map<const Stress<2>>(state.stress.data() + 4 * point);
 }

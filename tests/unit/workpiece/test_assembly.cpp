@@ -86,7 +86,7 @@ TEST(Assembly, PatchTest) {
         }
         if (X[0] > 1 - 1e-9 && X[1] > 1e-9 && X[1] < 1 - 1e-9) side += force.segment<2>(2 * a);
       }
-      double P[4];
+      double P[5];
       body.point_piola(0, P);
       // corner nodes also carry the other sides: P1 gives the middle node 1/2, P2 the three inner ones 1 -
       // 1/6
@@ -140,9 +140,9 @@ TEST(Assembly, ElasticKindIsTheTangentOfASmallStepFromRest) {
 TEST(Assembly, ElasticKindIgnoresFlow) {
   const Workpiece<2> body = after_two_steps(6, {}, 0.02);
   for (int p : {0, 11, 23}) {
-    double A[16];
+    double A[25];
     body.point_moduli(p, TangentKind::ELASTIC, 0, A);
-    const Tensor<2> F = Eigen::Map<const Tensor<2>>(&body.state().F[4 * p]).transpose();
+    const Gradient<2> F = gradient_at(body.state(), p);
     const PiolaTangent<2> expected = rate_tangent<2>(body.material(), stress_at(body.state(), p), F, false);
     EXPECT_LE((Eigen::Map<PiolaTangent<2>>(A) - expected).norm(), 1e-14 * expected.norm());
   }
@@ -154,9 +154,9 @@ TEST(Assembly, RateKindLoadsWhereThePointFlowed) {
   ASSERT_GT(plastic_points(body), 0);
   ASSERT_LT(plastic_points(body), points);
   for (int p = 0; p < points; ++p) {
-    double A[16];
+    double A[25];
     body.point_moduli(p, TangentKind::RATE, 0, A);
-    const Tensor<2> F = Eigen::Map<const Tensor<2>>(&body.state().F[4 * p]).transpose();
+    const Gradient<2> F = gradient_at(body.state(), p);
     const PiolaTangent<2> expected =
         rate_tangent<2>(body.material(), stress_at(body.state(), p), F, body.state().plastic[p]);
     EXPECT_LE((Eigen::Map<PiolaTangent<2>>(A) - expected).norm(), 1e-14 * expected.norm()) << "point " << p;
@@ -197,10 +197,10 @@ TEST(Assembly, PointModuliAndPiolaGiveTheSameForms) {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(mesh.num_dofs());
   for (int p = 0; p < mesh.num_points(); ++p) {
     PiolaTangent<2> A;
-    Eigen::Vector4d P;
+    Gradient<2> P;
     body.point_moduli(p, TangentKind::CONSISTENT, 0, A.data());
     body.point_piola(p, P.data());
-    Eigen::MatrixXd B = Eigen::MatrixXd::Zero(4, mesh.num_dofs()); // [du/dx, du/dy, dv/dx, dv/dy]
+    Eigen::MatrixXd B = Eigen::MatrixXd::Zero(5, mesh.num_dofs()); // [du/dx, du/dy, dv/dx, dv/dy, 0]
     for (int a = 0; a < mesh.nodes_per_element; ++a)
       for (int i = 0; i < 2; ++i)
         for (int J = 0; J < 2; ++J)
@@ -248,7 +248,7 @@ TEST(Assembly, VonMisesStress) {
 TEST(Assembly, Errors) {
   const Workpiece<2> body = workpiece(3);
   NodeBlockMatrix<2> matrix = workpiece(6).pattern(), own = body.pattern();
-  double A[16];
+  double A[25];
   expect_invalid([&] { body.tangent(matrix, TangentKind::RATE); },
                  "Workpiece::tangent: the matrix has another pattern");
   expect_invalid([&] { body.tangent(own, TangentKind::RATE, 1.5); },

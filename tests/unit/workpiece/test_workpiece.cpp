@@ -25,10 +25,10 @@ UpdateOptions with_update(StressUpdate update) {
 TEST(Workpiece, StartsUndeformed) {
   const Workpiece<2> body = workpiece(6);
   EXPECT_EQ(body.state().displacement, Eigen::VectorXd::Zero(50));
-  EXPECT_EQ(body.state().F.size(), 24u * 4);
+  EXPECT_EQ(body.state().F.size(), 24u * 5);
   for (int p = 0; p < 24; ++p)
-    EXPECT_EQ(std::vector<double>(&body.state().F[4 * p], &body.state().F[4 * p] + 4),
-              std::vector<double>({1, 0, 0, 1}));
+    EXPECT_EQ(std::vector<double>(&body.state().F[5 * p], &body.state().F[5 * p] + 5),
+              std::vector<double>({1, 0, 0, 1, 1}));
   EXPECT_EQ(body.internal_force(), Eigen::VectorXd::Zero(50));
   EXPECT_EQ(body.state().dt, 0);
   EXPECT_TRUE(same(body.state(), body.state_old()));
@@ -240,7 +240,7 @@ TEST(Workpiece, ErrorsOfSetState) {
     EXPECT_TRUE(same(body.state(), good));
   };
   expect_state([](auto& s) { s.displacement.resize(3); }, "size of displacement = 3, expected 18");
-  expect_state([](auto& s) { s.F.pop_back(); }, "size of F = 31, expected 32");
+  expect_state([](auto& s) { s.F.pop_back(); }, "size of F = 39, expected 40");
   expect_state([](auto& s) { s.stress.pop_back(); }, "size of stress = 31, expected 32");
   expect_state([](auto& s) { s.strain_increment.pop_back(); }, "size of strain_increment = 31, expected 32");
   expect_state([](auto& s) { s.plastic_strain_eq.pop_back(); }, "size of plastic_strain_eq = 7, expected 8");
@@ -248,6 +248,8 @@ TEST(Workpiece, ErrorsOfSetState) {
   expect_state([](auto& s) { s.stress[5] = NOT_A_NUMBER; }, "stress = nan, expected finite numbers");
   expect_state([](auto& s) { s.displacement[5] = NOT_A_NUMBER; },
                "displacement = nan, expected finite numbers");
-  expect_state([](auto& s) { s.F[4] = -1; }, "det F = -1, expected > 0");
+  expect_state([](auto& s) { s.F[5] = -1; }, "det F = -1, expected > 0");
+  expect_state([](auto& s) { s.F[4] = -2; }, "det F = -2, expected > 0");
+  expect_state([](auto& s) { s.F[0] = s.F[4] = -2; }, "det F = -4, expected > 0"); // turned over twice
   expect_state([](auto& s) { s.dt = -1; }, "dt = -1, expected finite >= 0");
 }
