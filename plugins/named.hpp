@@ -1,6 +1,6 @@
 #pragma once
 // Operators with named parameters in few lines: positional arguments by type, named ones through an accessor.
-#include "plugin.hpp"
+#include "number_list.hpp"
 
 namespace rigidcontact {
 
@@ -28,6 +28,10 @@ public:
   }
   KN_<double> array(const char* name) const { return GetAny<KN_<double>>((*find(name))(m_stack)); }
   KN_<long> integers(const char* name) const { return GetAny<KN_<long>>((*find(name))(m_stack)); }
+  /// Numbers of an inline array, real[int] or int[int]; declared as NumberList*.
+  std::vector<double> numbers(const char* name) const {
+    return GetAny<NumberList*>((*find(name))(m_stack))->values;
+  }
   /// Elements of an inline array [a, b, ...].
   std::vector<double> list(const char* name) const {
     const E_Array* a = dynamic_cast<const E_Array*>(find(name));

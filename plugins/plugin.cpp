@@ -1,6 +1,7 @@
 // load "rigidcontact": registers all types and functions.
 #include "plugin.hpp"
 #include "base/error.hpp"
+#include "number_list.hpp"
 
 namespace rigidcontact {
 
@@ -44,7 +45,9 @@ string* new_string(Stack stack, const std::string& text) {
 }
 
 static void init() {
+  register_number_list();
   register_tool();
+  register_tool_shapes();
   register_material();
   register_material_data();
   register_contact();

@@ -1,5 +1,6 @@
 // Script type `tool`: profile, coordinates, motion or force of each coordinate.
 //   tool roller(circle=R);                            also  inside=true, line=[x0,y0,x1,y1], name="roller"
+//                                                     chain=[...] and cad="file": see tool_shapes.cpp
 //   roller.coordinates("polar", pivot=[x0,y0]);       or "cartesian"
 //   crank.parameter("e", 1e-2);                       a number that formulas call by name
 //   crank.coordinates("beta", x="e*cos(beta)", y="e*sin(beta)", angle="0");   names, separated by commas
@@ -7,34 +8,23 @@
 //   roller.value("r") present coordinate, roller.drive("r") generalized force received from the drive,
 //   roller.q and roller.Q all of them as arrays, roller.name
 #include "base/error.hpp"
-#include "geometry/circle.hpp"
-#include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
 #include "kinematics/formula_coordinates.hpp"
 #include "kinematics/polar.hpp"
 #include "named.hpp"
+#include "tool_shapes.hpp"
 #include "types.hpp"
 
 namespace rigidcontact {
 namespace {
 
 struct Construct {
-  static const int n = 4;
+  static const int n = SHAPE_NAMES + 1;
   static basicAC_F0::name_and_type names[n];
   static ToolHandle* call(const Named& named, ToolHandle* handle) {
     static int count = 0;
     handle->init();
-    if (named.has("circle") == named.has("line"))
-      burnish::fail("tool", "give exactly one profile: circle=R or line=[x0,y0,x1,y1]");
-    std::shared_ptr<const burnish::Profile<2>> profile;
-    if (named.has("circle")) {
-      profile = std::make_shared<burnish::Circle>(named.real("circle", 0), named.boolean("inside", false));
-    } else {
-      const std::vector<double> p = named.list("line");
-      burnish::require(p.size() == 4, "tool", "number of values in line", p.size(), "4: [x0,y0,x1,y1]");
-      profile =
-          std::make_shared<burnish::Segment>(burnish::Vector<2>(p[0], p[1]), burnish::Vector<2>(p[2], p[3]));
-    }
+    const auto profile = shape_of(named);
     const std::string name = named.text("name", "tool " + std::to_string(++count));
     auto object = std::make_shared<ToolObject>();
     object->tool = std::make_shared<burnish::DrivenTool<2>>(name, profile);
@@ -42,10 +32,7 @@ struct Construct {
     return handle;
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {{"circle", &typeid(double)},
-                                                {"line", &typeid(E_Array)},
-                                                {"inside", &typeid(bool)},
-                                                {"name", &typeid(string*)}};
+basicAC_F0::name_and_type Construct::names[] = {RIGIDCONTACT_SHAPE_NAMES, {"name", &typeid(string*)}};
 
 struct CoordinatesTag {};
 using CoordinatesMethod = Method<ToolHandle, CoordinatesTag>;

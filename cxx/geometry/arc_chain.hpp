@@ -22,8 +22,8 @@ public:
   /// @param inside  body on the other side
   /// @throws std::invalid_argument, with the place, for: fewer than 2 (closed: 3) points, not one radius per
   /// point, NaN, repeated points, negative radii, a corner (more than 1e-9 rad) without fillet (tells the
-  /// angle and the largest radius that fits), a chain that turns back on itself, fillets that overlap, a chain
-  /// that crosses or touches itself
+  /// angle and the largest radius that fits), a chain that turns back on itself, fillets that overlap, a
+  /// chain that crosses or touches itself
   ArcChain(const std::vector<Vector<2>>& points, const std::vector<double>& radii, bool closed = false,
            bool inside = false);
   const std::vector<ArcPiece>& pieces() const { return m_pieces; }
@@ -63,7 +63,7 @@ private:
   double m_side; ///< +1: body on the left
 };
 
-/// Lines and arcs of a chain, checked as ArcChain says, in the order of travel; lines of zero length left out.
+/// Lines and arcs of a chain, checked as ArcChain says, in the order of travel; without lines of zero length.
 std::vector<ArcPiece> filleted(const std::vector<Vector<2>>& points, const std::vector<double>& radii,
                                bool closed);
 

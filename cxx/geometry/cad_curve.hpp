@@ -21,9 +21,9 @@ struct CadSelection {
 ///   closed  periodic, s any real number, the body OUTSIDE; s = 0 where the first curve begins
 ///   inside  swaps the side of the body in both
 /// All values come from the exact curve (CadSpans), no facets; after the constructor gmsh is not needed.
-/// OpenCASCADE converts STEP files to mm by itself, whatever their unit: scale=1e-3 makes meters of them. .geo
-/// and .brep files keep their numbers. OpenCASCADE takes points closer than 1e-7 of its unit for one: draw small
-/// parts in mm.
+/// OpenCASCADE converts STEP files to mm by itself, whatever their unit: scale=1e-3 makes meters of them;
+/// .geo and .brep files keep their numbers. OpenCASCADE takes points closer than 1e-7 of its unit for one:
+/// draw small parts in mm.
 class CadCurve : public Profile<2> {
 public:
   /// @throws std::invalid_argument: see CadFile, CadSpans, chained; a scale that is not positive, an unknown
@@ -39,8 +39,8 @@ public:
   ProfilePoint<2> evaluate(const Param<2>& s) const override;
 
   /// Nearest of all points of the chain, to rounding. gap = distance along the normal at the foot point,
-  /// negative in the tool. Open chains, beyond an end: as Segment, gap = +distance to that end, on_end = true;
-  /// an excess of 1e-12 L over an end still counts as the end itself. Where several points are equally near
+  /// negative in the tool. Open chains, beyond an end: as Segment, gap = +distance to that end, on_end; an
+  /// excess of 1e-12 L over an end still counts as the end itself. Where several points are equally near
   /// (1e-12 L): the one nearest to `near`.
   /// @param x     point in the tool's frame, 2 [length]
   /// @param near  parameter to stay close to; closed: picks the branch, |s - near| <= L/2 [length]

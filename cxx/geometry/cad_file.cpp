@@ -13,7 +13,7 @@ namespace burnish {
 
 namespace {
 
-constexpr const char* WHERE = "CAD file";
+constexpr const char* WHERE = "CadFile";
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\n"), last = text.find_last_not_of(" \t\n");
@@ -57,7 +57,7 @@ void check_known(const std::string& path, const std::string& text,
       fail(WHERE, "\"" + path + "\" has no number \"" + number.first + "\"");
 }
 
-// What gmsh must read before a .geo file: it keeps the names of the last one, and takes numbers in no other way.
+// What gmsh must read before a .geo file: it keeps the names of the last one; numbers are taken this way.
 // (Not one script with a Merge in it: gmsh 4.8.4 reads freed memory after a nested Merge.)
 std::string preamble(const std::map<std::string, double>& numbers) {
   std::ostringstream script;

@@ -19,10 +19,10 @@ struct CadEdge {
 /// @throws std::invalid_argument for anything else, and for a name given twice
 std::map<std::string, double> parse_numbers(const std::string& where, const std::string& text);
 
-/// One .geo, .step, .stp or .brep file, open as a model of its own in gmsh while this object lives. gmsh keeps
-/// one state for the whole process: its current model and options, the locale and the streams are put back
-/// after every call, its signal handlers are none, and it stays initialized to the end of the process. What
-/// one .geo file defines (names, ONELAB parameters) is not seen by the next one.
+/// One .geo, .step, .stp or .brep file, open as a model of its own in gmsh while this object lives. gmsh
+/// keeps one state for the whole process: its current model and options, the locale and the streams are put
+/// back after every call; it installs no signal handlers, and stays initialized to the end of the process.
+/// What one .geo file defines (names, ONELAB parameters) is not seen by the next one.
 class CadFile {
 public:
   /// @param numbers  values for names of a .geo file, taken where the file says DefineConstant

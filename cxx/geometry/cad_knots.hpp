@@ -7,17 +7,17 @@ namespace burnish {
 
 using CadSamples = std::function<Eigen::Matrix2Xd(const std::vector<double>& u)>;
 
-/// Degree at which arcs and rational splines are equal to their Chebyshev polynomials to rounding, on parts that
-/// turn by less than about 3 rad.
+/// Degree at which arcs and rational splines are equal to their Chebyshev polynomials to rounding, on parts
+/// that turn by less than about 3 rad.
 constexpr int CAD_DEGREE = 18;
 
 /// Interpolates the samples on [begin, end]; returns the largest error at points between, also close to the
 /// ends, where a knot just inside would hide.
 double cad_misfit(const CadSamples& samples, int degree, double begin, double end, Coefficients& c);
 
-/// Knots of the first derivative x_u: begin, inner knots, end. Intervals are halved until x_u is smooth on each;
-/// neighbors that are smooth together are one; then each knot is put where the two neighboring polynomials
-/// are equal, to 1e-8 of the range or better. Smooth curves are left in few intervals, which are no knots.
+/// Knots of the first derivative x_u: begin, inner knots, end. Intervals are halved until x_u is smooth on
+/// each; neighbors that are smooth together are one; then each knot is put where the two neighboring
+/// polynomials are equal, to 1e-8 of the range or so. Curves without knots are left in few intervals.
 /// @param tolerance  error of x_u that is rounding [length/u]
 /// @param jump       set to the parameter where x_u itself jumps, if it does: a break inside the curve
 /// @return empty if x_u jumps or is nowhere smooth

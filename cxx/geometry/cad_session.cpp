@@ -74,7 +74,7 @@ void GmshSession::remove(const std::string& model) const {
 TemporaryFile::TemporaryFile(const std::string& text, const std::string& extension)
     : m_path((std::filesystem::temp_directory_path() / ("burnishXXXXXX" + extension)).string()) {
   const int handle = mkstemps(m_path.data(), static_cast<int>(extension.size()));
-  if (handle < 0) fail("CAD file", "no temporary file can be made in " + m_path);
+  if (handle < 0) fail("CadFile", "no temporary file can be made in " + m_path);
   close(handle);
   std::ofstream(m_path) << text;
 }

@@ -20,7 +20,7 @@ public:
 
   /// Adds a model under a name of its own and makes it current. Returns the name.
   std::string new_model() const;
-  /// Reads a file into the current model. Returns the first error (of gmsh or OpenCASCADE), "" if all went well.
+  /// Reads a file into the current model. Returns the first error that gmsh tells, "" if all went well.
   std::string merge(const std::string& path) const;
   /// What was printed on std::cout and std::cerr since the last merge.
   std::string printed() const { return m_printed.str(); }

@@ -1,4 +1,5 @@
 // Half of a punch, open, mm: side, fillet, flat (drawn the other way round), and a crown that is a Bezier curve.
+// Its direction is that of curve 1, down: the punch is on its left, so it needs inside=true.
 SetFactory("OpenCASCADE");
 DefineConstant[ R = {2, Name "Fillet radius"}, H = 8 ];
 Point(1) = {-10, H, 0};

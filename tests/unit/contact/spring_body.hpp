@@ -2,6 +2,7 @@
 // An artificial body with an exactly known symmetric tangent, touched by tools: what the condensation sees.
 #include "contact/condensation.hpp"
 #include "geometry/arc_chain.hpp"
+#include "geometry/cad_curve.hpp"
 #include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
@@ -80,7 +81,7 @@ private:
   NodeBlockMatrix<2> m_matrix;
 };
 
-enum class Shape { CIRCLE, INSIDE, SEGMENT, ARC_CHAIN };
+enum class Shape { CIRCLE, INSIDE, SEGMENT, ARC_CHAIN, SPLINE };
 enum class Frame { CARTESIAN, POLAR, CRANK, POLAR_BY_FORMULA };
 
 inline std::shared_ptr<const Coordinates<2>> make_coordinates(const std::string& tool, Frame frame) {
@@ -104,7 +105,12 @@ inline std::shared_ptr<const Tool<2>> make_tool(const std::string& name, Shape s
     profile =
         std::make_shared<ArcChain>(std::vector<Vector<2>>{{-1, 0.2}, {-0.2, -0.4}, {0.8, 0.5}, {1.5, 0.4}},
                                    std::vector<double>{0, 0.7, 0.6, 0});
-  else
+  else if (shape == Shape::SPLINE) { // 6.9 round, knots at multiples of 0.87
+    CadSelection lobe;
+    lobe.file = "tests/support/cad/lobe.step";
+    lobe.scale = 0.118;
+    profile = std::make_shared<CadCurve>(lobe);
+  } else
     profile = std::make_shared<Circle>(1.3, shape == Shape::INSIDE);
   return std::make_shared<Tool<2>>(name, profile, make_coordinates(name, frame));
 }

@@ -51,7 +51,7 @@ Sample sample(Shape shape, Frame frame, double mu, bool may_slide = true, bool m
 class CondensedTangent : public testing::TestWithParam<std::tuple<Shape, Frame, double>> {};
 
 std::string name_of_case(const testing::TestParamInfo<CondensedTangent::ParamType>& info) {
-  const char* shapes[] = {"Circle", "InsideCircle", "Segment", "ArcChain"};
+  const char* shapes[] = {"Circle", "InsideCircle", "Segment", "ArcChain", "Spline"};
   const char* frames[] = {"Cartesian", "Polar", "Crank", "PolarByFormula"};
   return std::string(shapes[static_cast<int>(std::get<0>(info.param))]) +
          frames[static_cast<int>(std::get<1>(info.param))] +
@@ -128,12 +128,13 @@ TEST_P(CondensedTangent, ShorterFormsDifferByTheirParts) {
   EXPECT_GE(slip_rows.norm(), 1e-3 * complete.norm());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    T1, CondensedTangent,
-    testing::Combine(testing::Values(Shape::CIRCLE, Shape::INSIDE, Shape::SEGMENT, Shape::ARC_CHAIN),
-                     testing::Values(Frame::CARTESIAN, Frame::POLAR, Frame::CRANK, Frame::POLAR_BY_FORMULA),
-                     testing::Values(0., 0.3)),
-    name_of_case);
+INSTANTIATE_TEST_SUITE_P(T1, CondensedTangent,
+                         testing::Combine(testing::Values(Shape::CIRCLE, Shape::INSIDE, Shape::SEGMENT,
+                                                          Shape::ARC_CHAIN, Shape::SPLINE),
+                                          testing::Values(Frame::CARTESIAN, Frame::POLAR, Frame::CRANK,
+                                                          Frame::POLAR_BY_FORMULA),
+                                          testing::Values(0., 0.3)),
+                         name_of_case);
 
 namespace {
 

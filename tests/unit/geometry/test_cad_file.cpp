@@ -118,7 +118,7 @@ TEST(CadFile, SecondDerivativesOfGmshAreNotExact) {
 
 TEST(CadFileErrors, Files) {
   expect_invalid([] { opened("nowhere.step"); },
-                 "CAD file: \"nowhere.step\" does not exist, seen from folder");
+                 "CadFile: \"nowhere.step\" does not exist, seen from folder");
   expect_invalid([] { opened("tests"); }, "\"tests\" is a folder");
   expect_invalid([] { opened("README.md"); }, "ends in \".md\", expected .geo, .step, .stp or .brep");
   const TemporaryFile empty(" \n", ".geo"), text("hello\n", ".step"), brep("hello\n", ".brep"),
