@@ -68,7 +68,11 @@ inline void check_duality(const AnyTool& tool, const std::vector<int>& loaded, d
   EXPECT_LE(worst, 1e-9 * std::max(1., travel));
   EXPECT_GE(travel, 0.05);
   EXPECT_LE(unbalanced, 1e-8) << "T4: summed nodal forces against the program";
-  for (const int c : loaded) EXPECT_GE(std::abs(moved->force.back()[c]), 5e-3) << "no force, no test";
+  for (const int c : loaded) {
+    double largest = 0;
+    for (const auto& force : moved->force) largest = std::max(largest, std::abs(force[c]));
+    EXPECT_GE(largest, 5e-3) << "no force, no test";
+  }
   std::cout << "q recovered to " << worst << ", resultants to " << unbalanced << "\n";
   expect_same_displacement(
       *moved, [&](int k) { return driven->u[k]; }, 1e-9);

@@ -1,6 +1,8 @@
 // T2 (duality), T3 (invariance) and T4 (resultants) for every profile and every kind of coordinates: circle, arc chain,
 // CAD curve; Cartesian, polar, formula.
 #include "geometry/arc_chain.hpp"
+#include "geometry/cad_curve.hpp"
+#include "geometry/plane.hpp"
 #include "kinematics/formula_coordinates.hpp"
 #include "support/any_tool.hpp"
 
@@ -17,6 +19,37 @@ std::shared_ptr<const Profile<2>> circle() { return std::make_shared<Circle>(R);
 std::shared_ptr<const Profile<2>> circle_of_arcs() {
   return std::make_shared<ArcChain>(std::vector<Vector<2>>{{R, R}, {-R, R}, {-R, -R}, {R, -R}},
                                     std::vector<double>(4, R), true);
+}
+/// The same circle from a STEP file of radius 15.
+std::shared_ptr<const Profile<2>> circle_of_step() {
+  CadSelection file;
+  file.file = "tests/support/cad/circle.step";
+  file.scale = R / 15;
+  return std::make_shared<CadCurve>(file);
+}
+/// A cam whose outline is one closed B-spline, about 3 in radius.
+std::shared_ptr<const Profile<2>> lobe() {
+  CadSelection file;
+  file.file = "tests/support/cad/lobe.step";
+  file.scale = 0.3;
+  return std::make_shared<CadCurve>(file);
+}
+/// The cam on the roller's path, at the height where it touches at the start.
+AnyTool rolling_lobe() {
+  const auto profile = lobe();
+  const auto range = profile->range();
+  double lowest = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Param<2> s = range.begin + i / 4000. * (range.end - range.begin);
+    lowest = std::min(lowest, (plane_rotation(roller_path(0)[2]) * profile->evaluate(s).x).y());
+  }
+  return {profile, std::make_shared<Cartesian>(),
+          [lowest](int k) {
+            Vector<3> q = roller_path(k);
+            q[1] += 1.5 - lowest - 4.5;
+            return Eigen::VectorXd(q);
+          },
+          "y"};
 }
 /// A crowned punch: flat of width 0.8, fillets of radius 1.2.
 std::shared_ptr<const Profile<2>> crowned() {
@@ -59,9 +92,15 @@ TEST(T2AnyTool, FormulaCoordinates) {
   for (const auto& loaded : std::vector<std::vector<int>>{{0}, {2}, {0, 1}, {0, 2}})
     check_duality(polar_by_formula(circle()), loaded);
 }
+TEST(T2AnyTool, CadCurves) {
+  check_duality(polar(circle_of_step()), {0, 2});
+  check_duality(rolling_lobe(), {0, 1});
+  check_duality(rolling_lobe(), {1, 2});
+}
 TEST(T2AnyTool, CrankWithACrownedPunch) { check_duality(crank(), {0}); }
 
 TEST(T3AnyTool, CircleAsArcs) { check_same(cartesian(circle()), cartesian(circle_of_arcs())); }
+TEST(T3AnyTool, CircleFromCad) { check_same(cartesian(circle()), cartesian(circle_of_step())); }
 TEST(T3AnyTool, PolarByFormula) {
   check_same(polar(circle()), polar_by_formula(circle()));
   check_same(cartesian(circle()), polar_by_formula(circle()));
