@@ -1,4 +1,6 @@
-// What a script reads of a material, as arrays over the quadrature points in the order of FEQF2 or P0.
+// What a script reads of a material, as arrays over the quadrature points: element by element; P1 its centroid (P0), P2
+// the middles of the edges opposite vertex 0, 1, 2 (FEQF2) or, axisymmetric, the inner points nearest to vertex 0, 1, 2,
+// with barycentric coordinate 2/3 there and 1/6 at the others. zz is the hoop direction when axisymmetric.
 //   M.stress(i)         Kirchhoff stress xx, yy, zz, xy for i = 0..3 [stress]
 //   M.F(i), M.piola(i)  deformation gradient [-] and first Piola stress [stress]: xx, xy, yx, yy, zz
 //   M.moduli(i, j)      their symmetrized tangent dP_i/dF_j [stress]

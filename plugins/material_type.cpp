@@ -1,6 +1,9 @@
-// Script type `material`: J2 plasticity with linear isotropic hardening, plane strain, on a [P1,P1] or [P2,P2] space.
+// Script type `material`: J2 plasticity with linear isotropic hardening, plane strain or axisymmetric, on a [P1,P1] or
+// [P2,P2] space.
 //   material M = rcMaterial(Vh, G=..., nu=..., sigY=..., H=...);    or E=...;
 //     update="substepped" | "single" | "euler", pathlimit=1.5
+//     axisymmetric=true   x >= 0 is the radius, y runs along the axis, [u, v] = [u_r, u_z], no torsion; forces are those
+//                         of the whole ring [force]. The script holds u_r = 0 on the axis: on(axis, u=0)
 //   int st = M.update(u[], dt, it);   stress at u from the accepted state; 0, or 1 for an inverted element
 //   M.force(R);  M.accept();  M.revert();
 //   matrix K = M.tangent();           kind="consistent" | "rate" | "elastic", blend=0..1 (share of elastic moduli)
@@ -28,7 +31,7 @@ burnish::StressUpdate update_of(const std::string& name) {
 }
 
 struct Construct {
-  static const int n = 7;
+  static const int n = 8;
   static basicAC_F0::name_and_type names[n];
   static Made<MaterialObject> call(const Named& a, pfes* space) {
     for (const char* name : {"nu", "sigY", "H"})
@@ -45,15 +48,16 @@ struct Construct {
     options.update = update_of(a.text("update", "substepped"));
     options.path_limit = a.real("pathlimit", options.path_limit);
     auto object = std::make_shared<MaterialObject>();
-    object->body = std::make_unique<Workpiece<2>>(discretization_of(space, "material"), parameters, options);
+    object->body = std::make_unique<Workpiece<2>>(
+        discretization_of(space, "material", a.boolean("axisymmetric", false)), parameters, options);
     object->tangent = object->body->pattern();
     return made(std::move(object));
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {{"G", &typeid(double)},        {"E", &typeid(double)},
-                                                {"nu", &typeid(double)},       {"sigY", &typeid(double)},
-                                                {"H", &typeid(double)},        {"update", &typeid(string*)},
-                                                {"pathlimit", &typeid(double)}};
+basicAC_F0::name_and_type Construct::names[] = {
+    {"G", &typeid(double)},         {"E", &typeid(double)},         {"nu", &typeid(double)},
+    {"sigY", &typeid(double)},      {"H", &typeid(double)},         {"update", &typeid(string*)},
+    {"pathlimit", &typeid(double)}, {"axisymmetric", &typeid(bool)}};
 
 struct UpdateTag {};
 struct ForceTag {};

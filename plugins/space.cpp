@@ -33,7 +33,7 @@ const FESpace& space_of(pfes* const& space, const char* where) {
 
 } // namespace
 
-burnish::Discretization<2> discretization_of(pfes* const& space, const char* where) {
+burnish::Discretization<2> discretization_of(pfes* const& space, const char* where, bool axisymmetric) {
   const FESpace& V = space_of(space, where);
   const Mesh& Th = V.Th;
   std::vector<double> X(V.NbOfDF);
@@ -59,7 +59,9 @@ burnish::Discretization<2> discretization_of(pfes* const& space, const char* whe
       x[1] = P.y;
     }
   }
-  return burnish::triangles(per_element, std::move(X), std::move(connectivity));
+  return called(where, [&] {
+    return burnish::triangles(per_element, std::move(X), std::move(connectivity), axisymmetric);
+  });
 }
 
 std::vector<burnish::SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels,

@@ -52,7 +52,8 @@ using ContactHandle = Handle<ContactObject>;
 /// Reference nodes and elements of a [P1,P1] or [P2,P2] space on a 2D mesh; the dofs of a node must be
 /// adjacent.
 /// @throws std::invalid_argument for any other space
-burnish::Discretization<2> discretization_of(pfes* const& space, const char* where);
+burnish::Discretization<2> discretization_of(pfes* const& space, const char* where,
+                                             bool axisymmetric = false);
 /// Boundary edges with the given labels, as nodes of the space.
 /// @throws std::invalid_argument if no edge bears a label
 std::vector<burnish::SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels,

@@ -1,12 +1,12 @@
 #pragma once
-// Gradients at a point as vectors: the part in the mesh's space and, in two dimensions, the stretch out of it.
+// Gradients at a point as vectors: the part in the mesh's space and, in the plane, the stretch out of it.
 #include "base/types.hpp"
 #include <cmath>
 
 namespace burnish {
 
-/// Components of a gradient kept at a point. Dim 2: xx, xy, yx, yy, zz; F_zz is 1 in plane strain and 1 + u_r/R
-/// in axisymmetry (x = r, y along the axis, zz = hoop, R the reference radius). Dim 3: row-major.
+/// Components of a gradient kept at a point. Dim 2: xx, xy, yx, yy, zz; F_zz is 1 in plane strain and
+/// 1 + u_r/R in axisymmetry (x = r, y along the axis, zz = hoop, R the reference radius). Dim 3: row-major.
 template <int Dim> inline constexpr int num_gradient = Dim == 2 ? 5 : 9;
 template <int Dim> using Gradient = Eigen::Matrix<double, num_gradient<Dim>, 1>;
 inline constexpr int ZZ = 4; ///< place of the zz component, Dim 2

@@ -21,9 +21,11 @@ inline Gradient<2> first_piola(const Stress<2>& stress, const Gradient<2>& F_inv
 template <int Dim>
 using PiolaTangent = Eigen::Matrix<double, num_gradient<Dim>, num_gradient<Dim>, Eigen::RowMajor>;
 
+/// d tau/dF, columns in the order of Gradient.
+template <int Dim> using StressByF = Eigen::Matrix<double, num_stress<Dim>, num_gradient<Dim>>;
+
 /// A_iJkL = (d tau_im/dF_kL) (F^-1)_Jm - P_iL (F^-1)_Jk, exact, not symmetrized.
-/// @param stress_by_F d tau/dF, columns in the order of Gradient [stress]
-inline PiolaTangent<2> piola_tangent(const Eigen::Matrix<double, 4, 5>& stress_by_F, const Stress<2>& stress,
+inline PiolaTangent<2> piola_tangent(const StressByF<2>& stress_by_F, const Stress<2>& stress,
                                      const Gradient<2>& F_inverse) {
   const Gradient<2> P = first_piola(stress, F_inverse);
   PiolaTangent<2> A;

@@ -7,7 +7,8 @@
 namespace burnish {
 
 /// The increments y of a step, from which the stress update starts: strain components as Stress<Dim>, then
-/// rotations. Dim 2: (dd_xx, dd_yy, dd_zz, dd_xy, alpha). IncrementByF: dy/dF, columns in the order of Gradient.
+/// rotations. Dim 2: (dd_xx, dd_yy, dd_zz, dd_xy, alpha). IncrementByF: dy/dF, columns in the order of
+/// Gradient.
 template <int Dim> using IncrementByF = Eigen::Matrix<double, num_increments<Dim>, num_gradient<Dim>>;
 
 template <int Dim> struct StepKinematics {
@@ -76,7 +77,8 @@ inline IncrementByF<2> finite_increment_by_F(const StepKinematics<2>& kin) {
   return by_F;
 }
 
-/// Rates at the configuration F: L = dF F^-1, y = (d_xx, d_yy, d_zz, d_xy, w_21); the limit of a vanishing step.
+/// Rates at the configuration F: L = dF F^-1, y = (d_xx, d_yy, d_zz, d_xy, w_21); the limit of a vanishing
+/// step.
 inline IncrementByF<2> rate_by_F(const Gradient<2>& F_inverse) {
   return increment_by_F(undeformed<2>(), F_inverse, 0);
 }

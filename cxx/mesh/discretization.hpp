@@ -35,11 +35,11 @@ template <int Dim> struct Discretization {
   }
 };
 
-/// Straight triangles, vertices counter-clockwise: P1 (3 nodes, 1 point, the centroid) or P2 (6 nodes, vertices
-/// then the mid-edge nodes opposite vertex 0, 1, 2; 3 points). Points of P2: point q is the middle of the edge
-/// opposite vertex q, as FreeFEM's FEQF2; axisymmetric, the inner one nearest to vertex q (barycentric
-/// coordinate 2/3 there, 1/6 at the others), as N/R is 0/0 on the axis. Exact for polynomials of degree 1 (P1),
-/// 2 (P2), so also for the ring volume 2 pi R of an element. On the axis u_r must be held at 0 by whoever solves.
+/// Straight triangles, vertices counter-clockwise: P1 (3 nodes, 1 point, the centroid) or P2 (6 nodes,
+/// vertices then the mid-edge nodes opposite vertex 0, 1, 2; 3 points). Point q of P2 is the middle of the
+/// edge opposite vertex q, as FreeFEM's FEQF2; axisymmetric, where N/R is 0/0 on the axis, the inner point
+/// nearest to vertex q (barycentric coordinate 2/3 there, 1/6 at the others). The quadrature is exact for
+/// polynomials of degree 1 (P1), 2 (P2), the factor 2 pi R included.
 /// @param X            node coordinates, num_nodes x 2 [length]
 /// @param connectivity num_elements x (3 or 6)
 /// @throws std::invalid_argument for a bad size, an index out of range, a non-finite coordinate, an inverted

@@ -76,6 +76,20 @@ Workpiece<Dim>::Workpiece(Discretization<Dim> discretization, J2Parameters mater
     for (int a = 0; a < nodes; ++a)
       for (int b = 0; b < nodes; ++b)
         m_slot.push_back(m_pattern.find(mesh.element(e)[a], mesh.element(e)[b]));
+  if (!mesh.axisymmetric) return;
+  for (const double x : mesh.X) m_rounding = std::max(m_rounding, 1e-9 * std::abs(x));
+  for (int a = 0; a < mesh.num_nodes; ++a)
+    if (mesh.node(a)[0] <= m_rounding) m_axis.push_back(a);
+}
+
+template <int Dim> void Workpiece<Dim>::check_axis(const Eigen::VectorXd& displacement) const {
+  for (const int a : m_axis) {
+    if (!(std::abs(displacement[Dim * a]) > m_rounding)) continue;
+    std::ostringstream what;
+    what << "radial displacement of node " << a << " on the axis = " << displacement[Dim * a]
+         << ", expected 0: hold it there, on(axis, u=0)";
+    fail("Workpiece::update", what.str());
+  }
 }
 
 template <int Dim>
@@ -150,6 +164,7 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
   require(dt > 0 && std::isfinite(dt), where, "dt", dt, "finite > 0");
   require(iteration >= 0, where, "iteration", iteration, ">= 0");
   burnish::require_valid(m_options, where);
+  check_axis(displacement);
   if (iteration == 0) std::fill(m_substeps.begin(), m_substeps.end(), 0);
   m_state.displacement = displacement;
   m_state.dt = dt;

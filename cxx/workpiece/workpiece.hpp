@@ -48,10 +48,11 @@ public:
   /// @param iteration    0,1,2.. within the step; a point's number of substeps may only grow before
   ///                     freeze_iteration and is frozen from there on (a point that yields later gets one
   ///                     then)
-  /// @throws std::invalid_argument if the size, dt, iteration or an option is wrong
+  /// @throws std::invalid_argument if the size, dt, iteration or an option is wrong, or where axisymmetric a
+  ///         node on the axis has u_r other than 0 but for rounding (names it): the solver must hold it
   UpdateResult update(const Eigen::VectorXd& displacement, double dt, int iteration);
-  /// Internal force of state(): sum over points V0 P grad_X N, P = tau F^-T, and where axisymmetric V0 P_zz N/R
-  /// on the radial dof, the force of the whole ring; num_dofs [force].
+  /// Internal force of state(): sum over points V0 P grad_X N, P = tau F^-T, and where axisymmetric V0 P_zz
+  /// N/R on the radial dof, the force of the whole ring; num_dofs [force].
   Eigen::VectorXd internal_force() const;
   /// Its tangent (symmetric part), into a matrix with this discretization's pattern: replaces the values.
   /// Right after accept, revert or set_state the increment is zero and CONSISTENT means RATE, its limit for a
@@ -86,6 +87,7 @@ private:
   PointOld<Dim> point_old(int point) const;
   PointScheme scheme(double ratio, int substeps) const;
   double step_ratio() const;
+  void check_axis(const Eigen::VectorXd& displacement) const;
   bool update_point(int point, const Gradient<Dim>& F, double ratio, bool may_grow, UpdateResult& result);
   PiolaTangent<Dim> moduli(int point, TangentKind kind, double elastic_blend) const;
   PiolaTangent<Dim> consistent_at(int point, const Gradient<Dim>& F, const Stress<Dim>& stress) const;
@@ -101,6 +103,8 @@ private:
   bool m_updated = false;           // state() comes from update, not from accept, revert, set_state
   NodeBlockMatrix<Dim> m_pattern;   // values zero
   std::vector<int> m_slot;          // element x node x node: block in the pattern
+  std::vector<int> m_axis;          // nodes on the axis, where axisymmetric
+  double m_rounding = 0;            // of coordinates [length]
 };
 
 } // namespace burnish

@@ -196,7 +196,7 @@ TEST(RateTangent, IsTheWorkOfTheRates) {
 TEST(PiolaTangent, PushOfAConstantStress) { // tau frozen: dP = tau d(F^-T)
   const Stress<2> stress = {3, -1, 7, 2};
   const Gradient<2> F = gradient(tensor(1.2, 0.3, -0.2, 0.9), 1.4);
-  const PiolaTangent<2> A = piola_tangent(Eigen::Matrix<double, 4, 5>::Zero(), stress, inverse(F));
+  const PiolaTangent<2> A = piola_tangent(StressByF<2>::Zero(), stress, inverse(F));
   for (int c = 0; c < 5; ++c) {
     const auto P = [&](double t) { return first_piola(stress, inverse(F + t * Gradient<2>::Unit(c))); };
     expect_close(A.col(c), finite_difference(P, 0, 1e-3), 1, 1e-9, "dP/dF");
