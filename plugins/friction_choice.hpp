@@ -13,8 +13,8 @@ namespace rigidcontact {
 ///   sticking=true                 never slides
 ///   frictionlaw="0.3*p/(1+p/k)"   traction as a formula of the pressure p, both [stress]
 /// @param parameters numbers by name for the formula
-/// @throws std::invalid_argument "contact.add: ..." for two kinds, a shear limit alone, a number out of range,
-/// a wrong formula (quotes it)
+/// @throws std::invalid_argument "contact.add: ..." for two kinds, a shear limit alone, a number out of
+/// range, a wrong formula (quotes it)
 std::shared_ptr<const burnish::FrictionLaw>
 friction_choice(const Named& a, const std::shared_ptr<const burnish::FrictionLaw>& otherwise,
                 const std::map<std::string, double>& parameters);

@@ -1,14 +1,14 @@
 // Events of a script's own at the points of a material. They are found and logged; nothing changes by them.
-//   M.parameter("D", 0.1);                a number by name for the formulas of later calls of event
+//   M.parameter("D", 0.1);                  a number by name for the formulas of later calls of event
 //   M.event("damage", "ep - D*exp(-1.5*sm/seq)");
-//     happens at a point where the formula passes through zero from < 0 to >= 0. Names: ep plastic strain, seq von
-//     Mises, sm mean stress, sxx syy szz sxy, s1 s3 largest and smallest principal stress, x y present place
+//     happens at a point where the formula passes through zero from < 0 to >= 0. Names: ep plastic strain,
+//     seq von Mises, sm mean stress, sxx syy szz sxy, s1 s3 largest and smallest principal stress, x y place
 //   real[int] n = M.eventpoints("damage");  how often it has happened, per quadrature point
 //   int n = M.eventnumber("damage");        in all
-//   int n = C.logpoints(M);               before M.accept: all of them in this step to the log of the contact, C.eventkind
-//                                         is their name
-//   real f = M.pointevents(tol, least);   fraction of the earliest one beyond least, 2 if there is none; until accept or
-//                                         revert those within tol after the end of the step count as at its end
+//   int n = C.logpoints(M);                 before M.accept: all of this step to the contact's log;
+//                                           C.eventkind is their name
+//   real f = M.pointevents(tol, least);     fraction of the earliest one beyond least, 2 if there is none; until
+//                                           accept or revert those within tol after the end count as at the end
 #include "base/error.hpp"
 #include "types.hpp"
 

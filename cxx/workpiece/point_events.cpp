@@ -54,8 +54,8 @@ struct PointPath {
   }
 };
 
-// Where the value passes through zero between a (value va < 0) and b (vb >= 0): regula falsi with the Illinois
-// weight, every third time the middle; ends on the side that is not below zero.
+// Where the value passes through zero between a (value va < 0) and b (vb >= 0): regula falsi, the weights
+// halved as in the Illinois rule, every third time the middle; ends on the side that is not below zero.
 double rising_root(const PointPath& value, double a, double va, double b, double vb) {
   for (int it = 0; it < 200 && b - a > 1e-14 && vb != 0; ++it) {
     const double f = it % 3 == 2 ? 0.5 * (a + b) : a + (b - a) * va / (va - vb);

@@ -232,8 +232,8 @@ TEST(PointEvents, SeveralByTheirTime) {
   EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0), number["half"]);
 }
 
-// A yield condition as formula, on a body that stays elastic, against the yield events of one that yields: they
-// differ by the rotation of the stress inside the step only, that is by the size of the step.
+// A yield condition as formula, on a body that stays elastic, against the yield events of one that yields:
+// they differ by the rotation of the stress inside the step only, that is by the size of the step.
 TEST(PointEvents, YieldConditionAsFormula) {
   std::vector<double> errors;
   for (const double size : {0.02, 0.01, 0.005}) {
