@@ -16,7 +16,9 @@ template <int Dim> void Session<Dim>::check_not_inside(const Eigen::VectorXd& u)
     std::ostringstream text;
     text << "tool \"" << m_tools[nearest.tool]->name() << "\" starts inside the workpiece: node "
          << m_candidates[i] << " at " << body.position(u, m_candidates[i]).transpose() << " penetrates by "
-         << -nearest.foot.gap << "; place the tool outside and call approach";
+         << -nearest.foot.gap
+         << "; place the tool outside and call approach, or, if its profile has the body on the wrong "
+         << "side, turn it: inside=true, or the points in the other order";
     fail("contact.begin", text.str());
   }
 }
