@@ -133,7 +133,7 @@ double cad_misfit(const CadSamples& samples, int degree, double begin, double en
 
 std::vector<double> find_knots(const CadSamples& derivative, double begin, double end, double tolerance,
                                double& jump) {
-  jump = begin;
+  jump = std::nan("");
   const KnotFinder finder(derivative, begin, end, tolerance);
   if (finder.too_many()) return {};
   return finder.knots(jump);

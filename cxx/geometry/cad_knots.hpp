@@ -19,8 +19,8 @@ double cad_misfit(const CadSamples& samples, int degree, double begin, double en
 /// each; neighbors that are smooth together are one; then each knot is put where the two neighboring
 /// polynomials are equal, to 1e-8 of the range or so. Curves without knots are left in few intervals.
 /// @param tolerance  error of x_u that is rounding [length/u]
-/// @param jump       set to the parameter where x_u itself jumps, if it does: a break inside the curve
-/// @return empty if x_u jumps or is nowhere smooth
+/// @param jump       set to the parameter where x_u itself jumps, if it does (a break inside the curve); or NaN
+/// @return empty if x_u jumps (unless halving hits the place), or is nowhere smooth
 std::vector<double> find_knots(const CadSamples& derivative, double begin, double end, double tolerance,
                                double& jump);
 

@@ -1,5 +1,6 @@
 #include "geometry/cad_spans.hpp"
 #include "base/error.hpp"
+#include "geometry/plane.hpp"
 #include <algorithm>
 
 namespace burnish {
@@ -19,6 +20,15 @@ std::string place(const CadSource& source, double u) {
   return text.str();
 }
 
+void check_corner(const CadSource& source, double u, const Vector<2>& before, const Vector<2>& after) {
+  const double angle = std::abs(std::atan2(left_of(before).dot(after), before.dot(after)));
+  if (angle <= 1e-3) return;
+  std::ostringstream text;
+  text << source.name << " has a corner of " << angle * 180 / M_PI << " degrees at " << place(source, u)
+       << "; round it with a fillet in the CAD system";
+  fail("CadCurve", text.str());
+}
+
 } // namespace
 
 CadSpans::CadSpans(const CadSource& source) {
@@ -32,6 +42,8 @@ CadSpans::CadSpans(const CadSource& source) {
   m_knots.push_back(source.begin);
   const auto knots = source.derivative ? knots_of_derivative(source, u, extent) : knots_of_value(source);
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) cover(source, knots[i], knots[i + 1], 0);
+  for (std::size_t i = 1; i + 1 < m_knots.size(); ++i)
+    check_corner(source, m_knots[i], evaluate(m_knots[i], true).first, evaluate(m_knots[i]).first);
 }
 
 std::vector<double> CadSpans::knots_of_derivative(const CadSource& source, const std::vector<double>& u,
@@ -39,10 +51,13 @@ std::vector<double> CadSpans::knots_of_derivative(const CadSource& source, const
   m_noise = EXACT * largest(source.derivative(u)) * std::max(1., m_size / extent);
   double jump = 0;
   const auto knots = find_knots(source.derivative, source.begin, source.end, m_noise, jump);
-  if (knots.empty())
-    fail("CadCurve", source.name + " is broken near " + place(source, jump) +
-                         ": its first derivative jumps there; split it in the CAD system");
-  return knots;
+  if (!knots.empty()) return knots;
+  if (std::isnan(jump)) fail("CadCurve", source.name + " is not smooth between its knots");
+  const double aside = 1e-6 * (source.end - source.begin);
+  const Eigen::Matrix2Xd t = source.derivative({jump - aside, jump + aside});
+  check_corner(source, jump, t.col(0), t.col(1));
+  fail("CadCurve", source.name + " changes its speed suddenly at " + place(source, jump) +
+                       "; split it there in the CAD system");
 }
 
 // gmsh's own kernel: an arc is smooth, everything else consists of equal cubics.

@@ -2,6 +2,7 @@
 #include "geometry/cad_file.hpp"
 #include "unit/finite_difference.hpp"
 #include "unit/geometry/cad_samples.hpp"
+#include "unit/geometry/profile_checks.hpp"
 #include <clocale>
 #include <fstream>
 #include <gmsh.h>
@@ -40,6 +41,22 @@ std::string on_a_line(double c, const std::string& more) {
   return text.str();
 }
 
+/// B-spline of OpenCASCADE through the .brep format; knots and multiplicities of a clamped curve.
+CadCurve bspline(const std::vector<Vector<2>>& poles, int degree, const std::vector<double>& weights,
+                 const std::vector<double>& knots, const std::vector<int>& multiplicities) {
+  const TemporaryFile file("", ".brep");
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::model::add("bspline");
+  std::vector<int> points;
+  for (const auto& x : poles) points.push_back(gmsh::model::occ::addPoint(x.x(), x.y(), 0));
+  gmsh::model::occ::addBSpline(points, -1, degree, weights, knots, multiplicities);
+  gmsh::model::occ::synchronize();
+  gmsh::write(file.path());
+  gmsh::model::remove();
+  return opened(file.path());
+}
+
 void refuses(const std::string& geo, const std::vector<int>& curves, const std::string& message) {
   expect_invalid([&] { drawn(geo, curves); }, message);
 }
@@ -64,6 +81,48 @@ TEST(CadFile, SeveralFilesAtOnce) {
     expect_close(lobe.evaluate(Param<2>(s)).x, again.evaluate(Param<2>(s)).x, 10, 1e-9, "same curve");
     EXPECT_NEAR(circle.evaluate(Param<2>(s)).x.norm(), 15e-3, 1e-15);
   }
+}
+
+// Half a circle as a rational spline: its parameter is no angle, its second derivative jumps in the middle.
+TEST(CadFile, RationalSpline) {
+  const double w = std::sqrt(0.5), R = 7;
+  const CadCurve half =
+      bspline({{R, 0}, {R, R}, {0, R}, {-R, R}, {-R, 0}}, 2, {1, w, 1, w, 1}, {0, 0.5, 1}, {3, 2, 3});
+  EXPECT_NEAR(half.length() / (M_PI * R), 1, 1e-13);
+  EXPECT_NEAR(half.tightest_radius() / R, 1, 1e-10);
+  for (double part = 0.02; part < 1; part += 0.05) {
+    const auto at = half.evaluate(Param<2>(part * half.length()));
+    EXPECT_NEAR(at.x.norm() / R, 1, 1e-14);
+    expect_close(at.n, Vector<2>(-at.x / R), 1, 1e-12, "left of counter-clockwise");
+    expect_close(at.n_s, Vector<2>(-at.x_s / R), 1 / R, 1e-10, "n_s"); // needs x_ss
+  }
+}
+
+// Knots at uneven places, single and double: found well enough for derivatives on either side of them.
+TEST(CadFile, KnotsOfASpline) {
+  std::vector<Vector<2>> poles;
+  for (int i = 0; i < 12; ++i) poles.emplace_back(i, 2 * std::sin(1.1 * i) + 0.3 * std::cos(3. * i));
+  const std::vector<double> knots{0, 0.1, 0.35, 0.36, 0.7, 0.9, 1};
+  const CadCurve curve = bspline(poles, 4, {}, knots, {5, 1, 2, 1, 2, 1, 5});
+  const double L = curve.length();
+  for (const double knot : {0.1, 0.35, 0.36, 0.7, 0.9})
+    for (const double aside : {-5e-5, 5e-5}) check_profile_derivatives(curve, (knot + aside) * L, 0.02 * L);
+}
+
+TEST(CadFileErrors, BreaksInsideACurve) {
+  const std::vector<Vector<2>> corner{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 1}, {5, 2}, {6, 4}},
+      faster{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {5, 0}, {7, 1}, {9, 2}};
+  for (const double knot : {0.37, 0.5}) // 0.5 is hit by halving
+    expect_invalid(
+        [&] {
+          bspline(corner, 3, {}, {0, knot, 1}, {4, 3, 4});
+        },
+        "has a corner of 45 degrees at (3, 0); round it with a fillet");
+  expect_invalid(
+      [&] {
+        bspline(faster, 3, {}, {0, 0.37, 1}, {4, 3, 4});
+      },
+      "changes its speed suddenly at (3, 0); split it there");
 }
 
 // A STEP file knows its unit, and OpenCASCADE turns it into mm.
