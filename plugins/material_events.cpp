@@ -7,8 +7,9 @@
 //   int n = M.eventnumber("damage");        in all
 //   int n = C.logpoints(M);                 before M.accept: all of this step to the contact's log;
 //                                           C.eventkind is their name
-//   real f = M.pointevents(tol, least);     fraction of the earliest one beyond least, 2 if there is none; until
-//                                           accept or revert those within tol after the end count as at the end
+//   real f = M.pointevents(tol, least);     fraction of the earliest one beyond least, 2 if there is none;
+//                                           until accept or revert those within tol after the end count
+//                                           as at the end
 #include "base/error.hpp"
 #include "types.hpp"
 

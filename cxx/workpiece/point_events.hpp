@@ -24,7 +24,7 @@ const std::vector<std::string>& point_event_variables();
 template <int Dim> class PointEvents {
 public:
   bool empty() const { return m_events.empty(); }
-  /// Registers an event, between steps; points where the formula is >= 0 in body.state_old() are above already.
+  /// Registers an event, between steps; points whose formula is >= 0 in body.state_old() are above already.
   /// @param parameters numbers by name
   /// @throws std::invalid_argument if the name is empty, taken or holds a comma, quote or line break (it goes
   /// into tables); for a wrong formula, or one that is not finite somewhere now (see Formula)
