@@ -1,6 +1,6 @@
 # Burnish: builds the core (cxx/), the FreeFEM plugin (plugins/) and the tests, and runs the cases.
 #   make                  same as make build                make help    every target in a line
-#   make case-rolling OPTIONS="-element P1 -mu 0.1"         make run OPTIONS=...
+#   make case-rolling OPTIONS="-element P1 -mu 0.3"         make run OPTIONS=...
 #   make NO_INSTALL=1 run    names missing Debian packages instead of installing them
 #   make PACKAGES=true run   does not look for packages (another system than Debian)
 # All products go to $(BUILD); two runs of make in one tree wait for each other.
@@ -11,6 +11,7 @@ PACKAGES ?= .ci/packages
 OPTIMIZE ?= -O2
 JOBS     ?= $(shell nproc)
 OPTIONS  ?=
+CASE     ?= rolling
 # an empty environment will do: bash finds the programs, and hands the path on
 SHELL := /bin/bash
 export PATH := $(or $(PATH),/usr/local/bin:/usr/bin:/bin)
@@ -50,6 +51,8 @@ suite     = $(foreach s,$(1),$(or $(strip $(call program,$(s)) $(call scripts,$(
 stray     = $(filter-out tests/run_scripts.sh tests/support/% tests/benchmark/% $(ALL_SOURCES) \
               $(foreach s,$(SUITES),$(call scripts,$(s))),$(shell find tests -name '*.cpp' -o -name '*.edp' -o -name '*.sh'))
 
+CASES     = $(sort $(patsubst cases/%/,%,$(dir $(wildcard cases/*/*.edp))))
+
 # --- environment of every script: our folders first, then FreeFEM's ------------------------------------------
 LOAD    := $(abspath $(BUILD)/plugins);$(FREEFEM_LOAD)
 INCLUDE := $(CURDIR)/edp;$(FREEFEM_IDP)
@@ -74,7 +77,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures test $(SUITES:%=test-%) bench packages format clean help FORCE
+.PHONY: build run run-fine figures sweep test $(SUITES:%=test-%) bench packages format clean help FORCE
 .PHONY: compile programs
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -88,11 +91,15 @@ run-fine: OPTIONS := -element P1 -inner 40 -outer 1200 -sides 80 $(OPTIONS)
 run-fine: case-rolling ## the same on the article's mesh, P1 with 40/1200/80 divisions
 
 case-%: build ## run cases/NAME/NAME.edp, options in OPTIONS="..."
-	$(if $(wildcard cases/$*/$*.edp),,$(error no case $*; there are: $(notdir $(wildcard cases/*))))
+	$(if $(wildcard cases/$*/$*.edp),,$(error no case $*; there are: $(CASES)))
 	@$(WRAPPER) cases/$*/$*.edp $(OPTIONS)
 
-figures: packages ## draw the pictures of out/rolling again
-	$(PYTHON) cases/rolling/plot.py out/rolling
+figures: packages ## draw the pictures of out/CASE again, CASE=rolling unless given
+	$(PYTHON) cases/$(CASE)/plot.py out/$(CASE)
+
+sweep: build ## run CASE for all values of VARY="R=10e-3:20e-3:5 mu=0.1,0.2": cases/sweep/sweep.sh
+	@CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' \
+	  BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
 
 test: packages ## all quick tests: unit, plugin, verification, regression (under ten minutes)
 	$(if $(stray),$(error in no suite: $(stray)))

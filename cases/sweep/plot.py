@@ -1,0 +1,130 @@
+"""One picture of a sweep: out/sweep/CASE/sweep.png from sweep.csv. A panel for each quantity of RESULT (names with commas;
+default: the results of the case, else what its tools end with) against the first varied option, a line for each combination of
+the others. Exit status 1 if a quantity of RESULT is not there.
+"""
+import csv
+import json
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+try:
+    import numpy as np
+    from plotting.curves import COLORS
+    from plotting.figure import apply_style, new_figure, save, say_empty
+except ImportError as error:
+    sys.exit(f"sweep: {error}; the Debian packages python3-matplotlib and python3-numpy are needed")
+
+MOST = 9  # panels
+MARKERS = "os^vD<>P*X"
+
+
+def number(text):
+    try:
+        return float(text)
+    except (TypeError, ValueError):
+        return np.nan
+
+
+def units_of(sweep):
+    """Units of the results, from any summary."""
+    units = {}
+    for variant in sweep["variants"]:
+        try:
+            with open(os.path.join(variant["folder"], "summary.json"), encoding="utf-8") as file:
+                results = json.load(file).get("results") or {}
+        except (OSError, ValueError):
+            continue
+        units.update({name: entry.get("unit", "") for name, entry in results.items()})
+    return units
+
+
+def changes(values):
+    """By more than what the tolerance of the residual leaves."""
+    known = [v for v in values if np.isfinite(v)]
+    return bool(known) and max(known) - min(known) > 1e-3 * max(map(abs, known))
+
+
+def chosen(columns, units, parameters, rows):
+    """Quantities to draw."""
+    asked = [name.strip() for name in os.environ.get("RESULT", "").split(",") if name.strip()]
+    known = [c for c in columns if c not in parameters and c not in ("status", "t")]
+    missing = [name for name in asked if name not in known]
+    if missing:
+        raise LookupError(f"RESULT: no quantity {', '.join(missing)}; there are: {', '.join(known)}")
+    varies = [c for c in known if len(rows) == 1 or changes([number(r[c]) for r in rows])]
+    return asked or ([c for c in varies if c in units] or [c for c in varies if c.startswith("Q_")] or varies)[:MOST]
+
+
+def axis(name, unit):
+    return f"{name} [{unit}]" if unit and unit != "-" else name
+
+
+def draw_panel(axes, rows, quantity, names, values):
+    """Lines against the first parameter; values: its values as texts in order."""
+    numeric = all(np.isfinite(number(v)) for v in values)
+    groups = list(dict.fromkeys(tuple(r[n] for n in names[1:]) for r in rows))
+    for i, group in enumerate(groups):
+        mine = [r for r in rows if tuple(r[n] for n in names[1:]) == group]
+        x = [number(r[names[0]]) if numeric else values.index(r[names[0]]) for r in mine]
+        y = np.array([number(r[quantity]) for r in mine])
+        order = np.argsort(x)
+        label = ", ".join(f"{n} = {v}" for n, v in zip(names[1:], group))
+        axes.plot(np.array(x)[order], y[order], color=COLORS[i % len(COLORS)], marker=MARKERS[i % len(MARKERS)],
+                  markersize=4, label=label or None)
+    if not any(np.isfinite(number(r[quantity])) for r in rows):
+        say_empty(axes, "no value")
+    if not numeric:
+        axes.set_xticks(range(len(values)), values)
+    return groups
+
+
+def figure_of(sweep, rows, quantities, units):
+    names = [p["name"] for p in sweep["parameters"]]
+    first = sweep["parameters"][0]
+    values = list(dict.fromkeys(r[names[0]] for r in rows))
+    columns = min(len(quantities), 3 if len(quantities) > 4 else 2)
+    lines = -(-len(quantities) // columns)
+    figure, panels = new_figure(4.6 * columns + 0.6, 3.3 * lines + 0.8, nrows=lines, ncols=columns, squeeze=False)
+    groups = []
+    for axes, quantity in zip(panels.flat, quantities):
+        groups = draw_panel(axes, rows, quantity, names, values)
+        axes.set_xlabel(axis(first["name"], first["unit"]))
+        axes.set_ylabel(axis(quantity, units.get(quantity, "")))
+    for axes in list(panels.flat)[len(quantities):]:
+        axes.set_visible(False)
+    if names[1:]:
+        handles, labels = panels.flat[0].get_legend_handles_labels()
+        figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0), ncol=min(len(groups), 2 * columns))
+    meaning = f" ({first['meaning']})" if first["meaning"] else ""
+    figure.suptitle(f"{sweep['case']}: {len(rows)} variants, against {first['name']}{meaning}")
+    return figure
+
+
+def main():
+    top = f"out/sweep/{os.environ['CASE']}"
+    with open(f"{top}/sweep.json", encoding="utf-8") as file:
+        sweep = json.load(file)
+    with open(f"{top}/sweep.csv", encoding="utf-8", newline="") as file:
+        reader = csv.DictReader(file)
+        rows, columns = list(reader), reader.fieldnames
+    good = [row for row in rows if row["status"] == "finished"]
+    if not good:
+        print("sweep: nothing to draw, no variant finished", file=sys.stderr)
+        return 1
+    units = units_of(sweep)
+    try:
+        quantities = chosen(columns, units, [p["name"] for p in sweep["parameters"]], good)
+    except LookupError as error:
+        print(f"sweep: {error.args[0]}", file=sys.stderr)
+        return 1
+    if not quantities:
+        print("sweep: nothing to draw, no number changes from variant to variant", file=sys.stderr)
+        return 0
+    apply_style()
+    print(save(figure_of(sweep, good, quantities, units), top, "sweep"))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
