@@ -58,10 +58,10 @@ struct Construct {
     options.terms = terms_of(a.text("terms", "complete"));
     auto object = std::make_shared<ContactObject>();
     object->friction = called("rcContact", [&] { return burnish::make_coulomb(a.real("friction", 0)); });
+    const auto surface = surface_of(space, labels, "contact");
     for (const long label : labels) object->edges[label] = surface_of(space, {label}, "contact");
     discretization.axisymmetric = a.boolean("axisymmetric", false);
-    object->session = std::make_unique<Session<2>>(std::move(discretization),
-                                                   surface_of(space, labels, "contact"), fixed, options);
+    object->session = std::make_unique<Session<2>>(std::move(discretization), surface, fixed, options);
     return made(std::move(object));
   }
 };
