@@ -152,6 +152,35 @@ int test_window(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
   return changes;
 }
 
+// A body that only its tools hold slides one way before the neutral point of a tool, the other way behind it.
+// If no node sticks there, nothing but the curvature of the contact holds it along the tool, and the solution
+// is far off: the node that slipped least sticks, unless it could not before. Returns whether one was chosen.
+template <int Dim>
+bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& state,
+                            const std::vector<char>& refused) {
+  int best = -1;
+  double smallest = 0;
+  std::vector<char> forward(model.tools.size(), 0), backward(model.tools.size(), 0);
+  bool neutral = false;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    const auto& node = state.nodes[i];
+    if (!in_contact(node.state) || model.is_held(static_cast<int>(i))) continue;
+    if (holds(node.state) || model.friction[node.tool]->frictionless()) return false;
+    (node.slip_sign > 0 ? forward : backward)[node.tool] = 1;
+    neutral = neutral || (forward[node.tool] && backward[node.tool]);
+    const double slip = std::abs((node.s - node.s_ref)[0]);
+    if (refused[i] || (best >= 0 && slip >= smallest)) continue;
+    best = static_cast<int>(i);
+    smallest = slip;
+  }
+  if (!neutral || best < 0) return false;
+  auto& node = state.nodes[best];
+  node.state = NodeState::STICKING;
+  node.s = node.s_ref;
+  node.slip_sign = 0;
+  return true;
+}
+
 } // namespace
 
 template <int Dim>
@@ -201,8 +230,12 @@ WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<
   WindowSolution<Dim> solution;
   ContactState<Dim> trial = state;
   std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
+  constexpr int max_trials = 4;
+  int trials = 0;
   for (solution.passes = 1;; ++solution.passes) {
     if (problem.adapt) ensure_support(model, program, trial, refused);
+    if (problem.adapt && problem.shift.size() > 0 && trials < max_trials)
+      trials += stick_at_neutral_point(model, trial, refused);
     if (!solve_active(model, body, program, state, trial, problem, solution)) break;
     if (!problem.adapt || solution.passes >= problem.max_passes) break;
     const ContactState<Dim> before = trial;

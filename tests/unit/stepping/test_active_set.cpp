@@ -116,6 +116,50 @@ TEST(ActiveSet, StatesStayInEventStepping) {
   EXPECT_EQ(solution.passes, 1);
 }
 
+namespace {
+
+/// A body that only the plate holds (a shift, here of nothing): nodes 1, 2 slide along s, 3, 4 against it.
+Springs with_neutral_point(const Eigen::VectorXd& shift) {
+  Springs springs(0.3, -0.1);
+  const double slips[] = {0.4, 0.1, -0.2, -0.3};
+  for (int i = 1; i < 5; ++i) {
+    springs.touch(i, NodeState::SLIDING, i < 3 ? 1 : -1);
+    springs.start.nodes[i].s[0] += slips[i - 1];
+    springs.start.nodes[i].s_ref[0] = springs.start.nodes[i].s[0] - slips[i - 1];
+  }
+  springs.problem.shift = shift;
+  return springs;
+}
+
+} // namespace
+
+TEST(ActiveSet, FloatingBodySticksAtTheNeutralPoint) {
+  for (const bool floating : {true, false}) {
+    Springs springs = with_neutral_point(Eigen::VectorXd::Zero(floating ? 12 : 0));
+    springs.problem.max_passes = 1;
+    const auto solution = springs.solve();
+    for (int i = 1; i < 5; ++i)
+      EXPECT_STREQ(name_of(solution.state.nodes[i].state), floating && i == 2 ? "sticking" : "sliding");
+  }
+  Springs springs =
+      with_neutral_point(Eigen::VectorXd::Zero(12)); // all slide the same way: nothing to choose
+  for (int i = 3; i < 5; ++i) springs.start.nodes[i].slip_sign = 1;
+  springs.problem.max_passes = 1;
+  EXPECT_STREQ(name_of(springs.solve().state.nodes[2].state), "sliding");
+}
+
+// The springs pull every node farther than friction holds: the trials end and all slide.
+TEST(ActiveSet, FloatingBodyMaySlideEverywhere) {
+  Springs springs = with_neutral_point(Eigen::VectorXd::Zero(12));
+  for (int i = 1; i < 5; ++i) springs.problem.free_increment[2 * i] = i < 3 ? -0.9 : 0.9;
+  const auto solution = springs.solve();
+  for (int i = 1; i < 5; ++i) {
+    EXPECT_STREQ(name_of(solution.state.nodes[i].state), "sliding");
+    EXPECT_EQ(solution.state.nodes[i].slip_sign, i < 3 ? 1 : -1);
+  }
+  EXPECT_LE(solution.passes, 6);
+}
+
 TEST(ActiveSet, SingularBlockIsReported) {
   Springs springs(0.3);
   springs.program.is_motion[1] = 0; // a load on the plate that touches nothing
