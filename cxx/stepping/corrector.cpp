@@ -77,6 +77,9 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
     std::ostringstream text;
     text << "no convergence in " << m_iteration << " iterations: residual " << res << ", allowed "
          << m_options.tolerance * scale << ", " << m_balance.inconsistent << " inconsistent contact states";
+    if (res <= m_options.tolerance * scale)
+      text << ": the forces balance, but friction is too small to hold a coordinate under force, or states "
+              "cycle";
     m_reason = text.str();
     return StepStatus::FAILED;
   }
