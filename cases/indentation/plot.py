@@ -1,0 +1,102 @@
+#!/usr/bin/python3
+"""Pictures of the indentation: plot.py OUTDIR reads what indentation.edp wrote there and puts PNG files beside it."""
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import numpy as np
+from plotting import fields, maps, tools
+from plotting.case import main
+from plotting.figure import BLUE, GRAY, RED, new_figure
+from plotting.inputs import option
+
+ALONG, REACH = "stress_xx", 4.0  # mm  round the crater
+
+
+def at_largest_force(run):
+    """Field of the series at t = 1."""
+    near = [path for t, path in run.series if abs(t - 1) < 1e-6]
+    return run.read_field(near[0]) if near else None
+
+
+def near_crater(run):
+    left = 0.0 if option(run.summary, "half") else -REACH
+    return left, REACH, -REACH, 0.15 * REACH
+
+
+def load_depth(run):
+    """Force against depth, with what an elastic block would do at first."""
+    h, depth, force = run.history, 1e6 * run.history["depth"], 1e-3 * run.history["force"]
+    figure, axes = new_figure(7.5, 4.8)
+    axes.plot(depth, force, color=BLUE, marker=".", markersize=4, label="computed")
+    steep = force[h["t"] > 1]
+    for name in ("depth under load", "depth unloaded", "crater"):
+        axes.axvline(run.result(name), color=GRAY, linewidth=0.8, linestyle="--")
+    axes.annotate("unloading", (np.interp(0.5 * force.max(), steep[::-1], depth[h["t"] > 1][::-1]), 0.5 * force.max()),
+                  xytext=(8, 0), textcoords="offset points", color=BLUE)
+    axes.set_xlabel(r"depth of the cylinder [$\mu$m]")
+    axes.set_ylabel("force [kN/m]")
+    axes.set_title(f"{run.result('depth under load'):.2f} under load, {run.result('depth unloaded'):.2f} unloaded, "
+                   rf"crater {run.result('crater'):.2f} $\mu$m")
+    return figure
+
+
+def top(field):
+    """x [mm] and height [um] of the top surface in order of x."""
+    nodes = np.flatnonzero(np.abs(field.points[:, 1]) < 1e-12)
+    nodes = nodes[np.argsort(field.points[nodes, 0])]
+    place = field.points[nodes] + field.data["displacement"][nodes, :2]
+    return 1e3 * place[:, 0], 1e6 * place[:, 1]
+
+
+def crater(run):
+    loaded = at_largest_force(run)
+    figure, axes = new_figure(7.5, 4.4)
+    if loaded:
+        axes.plot(*top(loaded), color=RED, label="under the largest force")
+    axes.plot(*top(run.field), color=BLUE, label="lifted")
+    axes.axhline(0, color="black", linewidth=0.8)
+    axes.set_xlim(near_crater(run)[:2])
+    axes.set_xlabel("x [mm]")
+    axes.set_ylabel(r"height of the surface [$\mu$m]")
+    axes.legend()
+    return figure
+
+
+def stress_under_load(run):
+    loaded = at_largest_force(run)
+    if loaded is None:
+        return None
+    mesh, values = maps.deformed(loaded, run.units.mm), run.units.MPa * loaded.data["sigma_eq"]
+    figure, axes = new_figure(8.0, 5.2)
+    bands, _ = fields.draw_map(axes, mesh, values, fields.levels_to(values.max()), tools.at_time(run.tools, 1.0),
+                               near_crater(run), fields.STRESS[2])
+    figure.colorbar(bands, ax=axes, label="von Mises stress [MPa]", shrink=0.75)
+    axes.set_title(f"Under the largest force: von Mises stress up to {values.max():.0f} MPa at a node")
+    return figure
+
+
+def residual_stress(run):
+    """Stress along the surface after unloading: map, and its course below the middle of the crater."""
+    values = run.units.MPa * run.field.data[ALONG]
+    most = 50 * np.ceil(np.abs(values).max() / 50)
+    figure, (axes, line) = new_figure(10.5, 4.6, ncols=2, width_ratios=(2, 1))
+    maps.set_view(axes, near_crater(run))
+    axes.grid(False)
+    bands = maps.draw_bands(axes, run.mesh, values, np.linspace(-most, most, 21), "RdBu_r")
+    maps.draw_outline(axes, run.mesh)
+    figure.colorbar(bands, ax=axes, label=r"residual $\sigma_{xx}$ [MPa]", shrink=0.8, ticks=np.arange(-most, most + 1, 50))
+    nodes = np.flatnonzero(np.abs(run.field.points[:, 0]) < 1e-9)
+    nodes = nodes[np.argsort(-run.field.points[nodes, 1])]
+    line.plot(values[nodes], -1e3 * run.field.points[nodes, 1], color=BLUE)
+    line.axvline(0, color="black", linewidth=0.8)
+    line.set_ylim(REACH, 0)
+    line.set_xlabel(r"$\sigma_{xx}$ at x = 0 [MPa]")
+    line.set_ylabel("depth below the surface [mm]")
+    return figure
+
+
+COLUMNS = {"half_width": ("half-width of the contact", "mm", 1e3), "force": ("force", "kN/m", 1e-3)}
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:], mu="mu", columns=COLUMNS, without=("pressure", "history"),
+                  pictures=(load_depth, crater, stress_under_load, residual_stress)))
