@@ -1,0 +1,37 @@
+#!/usr/bin/python3
+"""Pictures of strip rolling: plot.py OUTDIR reads what strip-rolling.edp wrote there and puts PNG files beside it."""
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+from plotting.case import main
+from plotting.figure import BLUE, GRAY, GREEN, ORANGE, RED, new_figure
+
+
+def bite(run):
+    """Path of nose, tail and pusher, horizontal forces on the strip, roll force and torque against the path of the roll."""
+    history = run.history
+    path = history["path"]
+    figure, axes = new_figure(8.0, 9.0, nrows=3, sharex=True)
+    axes[0].plot(path, path, color=GRAY, linestyle=":", label="surface of the roll")
+    axes[0].plot(path, history["nose"] - history["nose"][0], color=BLUE, label="nose")
+    axes[0].plot(path, history["tail"] - history["tail"][0], color=GREEN, label="tail")
+    axes[0].plot(path, history["pusher.x"] - history["pusher.x"][0], color=ORANGE, linestyle="--", label="pusher")
+    axes[0].set_ylabel("path along x [mm]")
+    axes[1].plot(path, history["Q_pusher.x"], color=ORANGE, label="pusher")
+    axes[1].plot(path, history["pull"], color=BLUE, linestyle="--", label="roll")
+    axes[1].set_ylabel("horizontal force on the strip [N/mm]")
+    axes[2].plot(path, -history["Q_roll.y"], color=RED, label="roll force [N/mm]")
+    axes[2].plot(path, history["Q_roll.angle"], color=BLUE, label="roll torque [N mm/mm]")
+    axes[2].set_xlabel("path of the roll's surface [mm]")
+    for place in axes:
+        place.legend()
+    gripped = "gripped" if run.result("gripped (1) or refused (0)") else "refused"
+    axes[0].set_title(f"{gripped}: mu = {run.result('friction coefficient'):.3g}, "
+                      f"tan(alpha) = {run.result('tan(alpha)'):.3g}")
+    return figure
+
+
+sys.exit(main(sys.argv[1:], length="mm", pictures=(bite,),
+              columns={"nose": ("nose", "mm", 1.0), "tail": ("tail", "mm", 1.0),
+                       "path": ("path of the roll's surface", "mm", 1.0), "pull": ("pull of the roll", "N/mm", 1.0)}))
