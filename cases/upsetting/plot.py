@@ -1,0 +1,33 @@
+#!/usr/bin/python3
+"""Pictures of the upsetting: plot.py OUTDIR reads what upsetting.edp wrote there and puts PNG files beside it."""
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+from plotting.case import main
+from plotting.figure import BLUE, GRAY, ORANGE, new_figure
+from plotting.inputs import read_whole_table
+
+
+def force(run):
+    """Force and barrelling against the reduction, with friction and without."""
+    plain = read_whole_table(os.path.join(run.folder, "frictionless.csv"))
+    history, unit = run.history, run.summary["results"]["force with friction"]["unit"]
+    figure, (left, right) = new_figure(10.0, 4.4, ncols=2)
+    left.plot(100 * history["reduction"], history["force"] / 1e3, color=BLUE, label="with friction")
+    left.plot(100 * plain["reduction"], plain["force"] / 1e3, color=ORANGE, label="without")
+    left.plot(100 * plain["reduction"], plain["formula"] / 1e3, color=GRAY, linestyle="--", label="without, formula")
+    left.set_ylabel(f"force on the platen [k{unit}]")
+    left.legend(loc="lower right")
+    right.plot(100 * history["reduction"], history["barrelling"], color=BLUE)
+    right.set_ylabel("barrelling [mm]")
+    right.set_title("Largest half width less that of the contact")
+    left.set_title(f"Ratio at the end: {run.result('force ratio'):.3f}")
+    for axes in (left, right):
+        axes.set_xlabel("reduction of height [%]")
+        axes.set_ylim(bottom=0)
+    return figure
+
+
+sys.exit(main(sys.argv[1:], length="mm", pictures=(force,),
+              columns={"force": ("force on the platen", "N or N/mm", 1.0), "barrelling": ("barrelling", "mm", 1.0)}))
