@@ -4,9 +4,11 @@
 //   C.q, C.Q                      arrays over them: coordinates; generalized forces received from the drives
 //   C.countof("contact", i)       nodes of tool i in a state, see C.count
 //   C.toolforcex(i), C.toolforcey(i)   resultant of the contact forces on tool i [force]
+//   C.outlinex(i, n), C.outliney(i, n)   outline of tool i, n points and its joints [length]
 //   C.nodetool                    array over the candidates: tool in contact, or the last one; -1 none
 #include "base/error.hpp"
 #include "contact/tool_report.hpp"
+#include "kinematics/outline.hpp"
 #include "named.hpp"
 #include "types.hpp"
 
@@ -80,6 +82,24 @@ template <int axis> double tool_force(const Method<H, ForceTag<axis>>& m, const 
     return burnish::tool_resultant(s.model(), s.accepted(), s.accepted_force(), tool)[axis];
   });
 }
+template <int axis> struct OutlineTag {};
+template <int axis>
+KN_<double> outline_of(Stack stack, const Method<H, OutlineTag<axis>>& m, const long& i, const long& n) {
+  return guarded([&] {
+    const Session<2>& s = *m->get().session;
+    burnish::DrivenTool<2>& tool = *s.tools()[tool_index(s, i, "contact.outline")];
+    std::vector<double> values;
+    for (const auto& x :
+         called("contact.outline", [&] { return burnish::outline(tool.tool(), tool.q(), n); }))
+      values.push_back(x[axis]);
+    return new_array(stack, values);
+  });
+}
+template <int axis> void register_outline(const char* name) {
+  using M = Method<H, OutlineTag<axis>>;
+  add_method<H, OutlineTag<axis>>(
+      name, [] { return new OneOperator3s_<KN_<double>, M, long, long>(outline_of<axis>); });
+}
 template <int axis> void register_force(const char* name) {
   add_method<H, ForceTag<axis>>(
       name, [] { return new OneOperator2_<double, Method<H, ForceTag<axis>>, long>(tool_force<axis>); });
@@ -99,6 +119,8 @@ void register_contact_tools() {
       "countof", [] { return new OneOperator3_<long, Method<H, CountOfTag>, string*, long>(count_of); });
   register_force<0>("toolforcex");
   register_force<1>("toolforcey");
+  register_outline<0>("outlinex");
+  register_outline<1>("outliney");
 }
 
 } // namespace rigidcontact
