@@ -57,11 +57,11 @@ def field_figure(run, field, unit, factor, box=None, width=8.5):
 
 
 def instants(run, number):
-    """Evenly chosen field files of the series and the end: (t, field) pairs."""
-    files = run.series[:-1] if run.series and abs(run.series[-1][0] - run.t) < 1e-9 else run.series
-    chosen = [files[i] for i in np.linspace(0, len(files) - 1, number - 1).round().astype(int)] if files else []
-    pairs = [(t, run.read_field(path)) for t, path in dict(chosen).items()]
-    return pairs + [(run.t, run.field)]
+    """Field files of the series nearest to equal intervals of t, and the end: (t, field) pairs."""
+    before = [(t, path) for t, path in run.series if t < run.t * (1 - 1e-9)]
+    wanted = run.t * np.arange(1, number) / number
+    chosen = dict(min(before, key=lambda pair: abs(pair[0] - t)) for t in wanted) if before else {}
+    return [(t, run.read_field(path)) for t, path in sorted(chosen.items())] + [(run.t, run.field)]
 
 
 def sequence_figure(run, field, unit, factor, number=4, width=10.0):

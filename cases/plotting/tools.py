@@ -42,6 +42,24 @@ def encloses(points, mesh):
     return Path(points).contains_points(corners).mean() > 0.5
 
 
+def side_of_body(points, mesh):
+    """+1: the workpiece lies to the left of the outline's travel, judged where it is nearest, -1: to the right."""
+    middles, along = 0.5 * (points[1:] + points[:-1]), np.diff(points, axis=0)
+    corners = np.column_stack([mesh.x, mesh.y])
+    corners = corners[::max(1, len(corners) // 2000)]
+    square = ((corners[:, None, :] - middles[None, :, :]) ** 2).sum(axis=2)
+    corner, k = np.unravel_index(np.argmin(square), square.shape)
+    off = corners[np.argsort(square[:, k])[:50]].mean(axis=0) - middles[k]  # a few: one node may lie just inside the tool
+    return 1.0 if along[k, 0] * off[1] - along[k, 1] * off[0] > 0 else -1.0
+
+
+def band(points, side, width):
+    """Polygon along the outline, width to the side away from the body."""
+    along = np.gradient(points, axis=0)
+    along /= np.maximum(np.hypot(*along.T), 1e-300)[:, None]
+    return np.vstack([points, (points + side * width * np.column_stack([along[:, 1], -along[:, 0]]))[::-1]])
+
+
 def widened(box, outlines, part=0.3):
     """Limits that show the tools too, but not more than a part of the larger side beyond each side of the box."""
     x0, x1, y0, y1 = box
@@ -55,10 +73,13 @@ def widened(box, outlines, part=0.3):
 
 
 def draw_tools(axes, outlines, mesh, names=True):
-    """Outlines, filled where they are closed and do not enclose the workpiece; returns handles for the key."""
+    """Outlines, filled where they are closed and do not enclose the workpiece, otherwise with a band on the tool's side;
+    set the view before. Returns handles for the key."""
+    width = 0.03 * max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
     for outline in outlines:
-        if closed(outline.points) and not encloses(outline.points, mesh):
-            axes.fill(*outline.points.T, facecolor=FACE, edgecolor="none", zorder=0.5)
+        solid = closed(outline.points) and not encloses(outline.points, mesh)
+        area = outline.points if solid else band(outline.points, side_of_body(outline.points, mesh), width)
+        axes.fill(*area.T, facecolor=FACE, edgecolor="none", zorder=0.5)
         axes.plot(*outline.points.T, color=GRAY, linewidth=1.2, zorder=3.5)
     if not outlines or not names:
         return []
