@@ -36,8 +36,8 @@ class CaseRun:
     def __init__(self, folder, length="m", mu=None, columns=None):
         if not os.path.isdir(folder):
             raise InputError(f"{folder}: no such folder")
-        path = {name: os.path.join(folder, name) for name in ("history.csv", "events.csv", "surface.csv", "summary.json",
-                                                              "final.vtu", "tools.csv", "fields.pvd")}
+        path = {name: os.path.join(folder, name) for name in
+                ("history.csv", "events.csv", "surface.csv", "summary.json", "final.vtu", "tools.csv", "fields.pvd")}
         self.folder, self.units = folder, SYSTEMS[length]
         self.summary = read_summary(path["summary.json"])
         self.history = read_whole_table(path["history.csv"])
@@ -105,7 +105,7 @@ DEFAULT = (stress, plastic_strain, sequence, history, pressure, expected)
 
 
 def draw_all(run, pictures, folder):
-    """Each picture into folder/function-name.png, whose path is printed; None is no picture. 1 if one could not be drawn."""
+    """Each picture into folder/function-name.png, whose path is printed; None: no picture. 1 if one could not be drawn."""
     apply_style()
     failed = 0
     for picture in pictures:

@@ -38,7 +38,7 @@ def label_panel(axes, run, columns, title, change):
 
 
 def default_panels(run):
-    """(title, columns, change) of the panels that have something to show; a column of the case has a panel of its own."""
+    """(title, columns, change) of the panels with something to show; a column of the case has a panel of its own."""
     panels = []
     for kind, title in PANELS:
         names = [n for n, c in run.columns.items() if c.kind == kind and moves(run.history[n])]
@@ -49,7 +49,7 @@ def default_panels(run):
 
 
 def history_figure(run, panels=None, against="t"):
-    """Chosen columns against t or another column. panels: a list of lists of columns, default: all that change, by kind."""
+    """Chosen columns against t or another one. panels: a list of lists of columns, default: all that change, by kind."""
     chosen = default_panels(run) if panels is None else [("", list(p), False) for p in panels]
     rows = max(1, -(-len(chosen) // 2))
     columns = 2 if len(chosen) > 1 else 1
@@ -94,7 +94,7 @@ def under_tool(run, name):
 
 
 def pressure_panel(axes, run, name, mu=None, expected=None):
-    """Pressure and tangential traction under one tool; expected: function of the arc [mm] that gives MPa, and its label."""
+    """Pressure and tangential traction under one tool; expected: (function of the arc [mm] that gives MPa, label)."""
     found = under_tool(run, name)
     axes.set_ylabel("traction [MPa]")
     axes.set_xlabel("length from the middle of the contact [mm]")
@@ -131,7 +131,8 @@ def pressure_figure(run, mu=None, expected=None):
     names = names[:6]
     columns = 2 if len(names) > 1 else 1
     rows = -(-len(names) // columns)
-    figure, panels = new_figure(7.5 if columns == 1 else 10.5, 0.9 + 3.6 * rows, nrows=rows, ncols=columns, squeeze=False)
+    width = 7.5 if columns == 1 else 10.5
+    figure, panels = new_figure(width, 0.9 + 3.6 * rows, nrows=rows, ncols=columns, squeeze=False)
     for axes, name in zip(panels.flat, names):
         pressure_panel(axes, run, name, mu, expected)
         axes.set_title(f"Contact with {name} at t = {run.t:.4g}" if name != "no tool" else "No contact")
@@ -141,7 +142,7 @@ def pressure_figure(run, mu=None, expected=None):
 
 
 def compare_figure(curves, xlabel, ylabel, title=""):
-    """Computed points beside what is expected. curves: (x, computed, x_expected, expected, label, label_expected) each."""
+    """Computed points beside what is expected. Each curve: (x, computed, x_expected, expected, label, its label)."""
     figure, axes = new_figure(7.5, 4.8)
     for (x, y, x_expected, expected, label, label_expected), color in zip(curves, COLORS * len(curves)):
         axes.plot(x_expected, expected, color=color, linewidth=1.2, linestyle="--", label=label_expected)
@@ -171,8 +172,8 @@ def expected_figure(run):
         axes.barh(i, part, color=BLUE if abs(part) <= 1 else RED, height=0.5, zorder=2)
         value = "nan" if r["value"] is None else f"{r['value']:.5g}"
         error = f"{100 * deviation:+.3g} %" if r["expected"] else f"{deviation:+.3g}"
-        axes.text(2.05, i, f"{value} {r['unit'].replace('-', '')}  ({error})\n{r['expected']:.5g} expected, {r['source']}",
-                  va="center", fontsize=9)
+        unit = r["unit"] if r["unit"] != "-" else ""
+        axes.text(2.05, i, f"{value} {unit}  ({error})\n{r['expected']:.5g} expected, {r['source']}", va="center", fontsize=9)
     axes.axvspan(-1, 1, color="#e8f0e8", zorder=0)
     axes.axvline(0, color="black", linewidth=0.8)
     axes.set_xlim(-2, 2)

@@ -51,7 +51,8 @@ def field_figure(run, field, unit, factor, box=None, width=8.5):
         say_empty(axes, f"no {label}")
     else:
         figure.colorbar(bands, ax=axes, label=f"{label} [{unit}]", shrink=0.9, format="%.4g")
-    axes.set_title(f"{label[0].upper() + label[1:]} at t = {run.t:.4g}: largest {values.max():.3g} {unit if unit != '-' else ''}")
+    largest = f"{values.max():.3g} {unit if unit != '-' else ''}"
+    axes.set_title(f"{label[0].upper() + label[1:]} at t = {run.t:.4g}: largest {largest}")
     axes.legend(handles=handles, loc="upper right", fontsize=9)
     return figure
 

@@ -49,7 +49,7 @@ def side_of_body(points, mesh):
     corners = corners[::max(1, len(corners) // 2000)]
     square = ((corners[:, None, :] - middles[None, :, :]) ** 2).sum(axis=2)
     corner, k = np.unravel_index(np.argmin(square), square.shape)
-    off = corners[np.argsort(square[:, k])[:50]].mean(axis=0) - middles[k]  # a few: one node may lie just inside the tool
+    off = corners[np.argsort(square[:, k])[:50]].mean(axis=0) - middles[k]  # one may lie just inside the tool
     return 1.0 if along[k, 0] * off[1] - along[k, 1] * off[0] > 0 else -1.0
 
 

@@ -1,6 +1,7 @@
-"""Collects the summaries of a sweep: out/sweep/CASE/sweep.csv, one row for each variant of sweep.json, and the list of those
-that failed. Columns: the varied options, status, every number of the summary's "final" and "results" (NAME_error where a
-result has an expected value; "final.NAME" where a result has the same name), steps, cpu_seconds. Exit status 1 if one failed.
+"""Collects the summaries of a sweep: out/sweep/CASE/sweep.csv, one row for each variant of sweep.json, and the list of
+those that failed. Columns: the varied options, status, every number of the summary's "final" and "results" (NAME_error
+where a result has an expected value; "final.NAME" where a result has the same name), steps, cpu_seconds. Exit status 1
+if one failed.
 """
 import csv
 import json
@@ -64,7 +65,8 @@ def main():
             failed.append((os.path.basename(folder), code, why(folder, summary)))
     columns += [columns.pop(columns.index(c)) for c in ("steps", "cpu_seconds") if c in columns]
     with open(f"{top}/sweep.csv", "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, [p["name"] for p in sweep["parameters"]] + columns, restval="", lineterminator="\n")
+        names = [p["name"] for p in sweep["parameters"]]
+        writer = csv.DictWriter(file, names + columns, restval="", lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
     print(f"{top}/sweep.csv")

@@ -69,7 +69,7 @@ def parse_vary(text):
         listed = spaced(values, where) if ":" in values else [plain(v) for v in values.split(",")]
         for value in listed:
             if not WORD.fullmatch(value):
-                raise SweepError(f"{where}: \"{value}\" is not a value, expected numbers or plain words with commas between")
+                raise SweepError(f"{where}: \"{value}\" is not a value, expected numbers or words with commas")
         if len(set(listed)) != len(listed):
             raise SweepError(f"{where} has a value twice: {', '.join(listed)}")
         vary[name] = listed
@@ -108,8 +108,9 @@ def ask_case(burnish, script, options):
     done = subprocess.run([burnish, script, *options, "-options", "list"], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, errors="replace", stdin=subprocess.DEVNULL)
     if done.returncode:
-        told = [line for line in done.stdout.splitlines() if line.startswith("burnish:")] or done.stdout.splitlines()[-5:]
-        raise SweepError("\n".join(told) or f"{burnish} ends with exit code {done.returncode}")
+        lines = done.stdout.splitlines()
+        told = [line for line in lines if line.startswith("burnish:")]
+        raise SweepError("\n".join(told or lines[-5:]) or f"{burnish} ends with exit code {done.returncode}")
 
 
 def fingerprint(case):
@@ -135,7 +136,8 @@ def finished(folder, request):
         done = json.loads(read_text(f"{folder}/summary.json"))["status"] == "finished"
     except (ValueError, KeyError, TypeError):
         return False
-    return done and read_text(f"{folder}/exit.txt").strip() == "0" and read_text(f"{folder}/request.txt").strip() == request
+    code, asked = (read_text(f"{folder}/{name}.txt").strip() for name in ("exit", "request"))
+    return done and code == "0" and asked == request
 
 
 def variants(vary, options, top):
@@ -171,7 +173,8 @@ def main():
             if finished(v["folder"], request):
                 continue
             waiting += 1
-            file.write(shlex.join(["cases/sweep/variant.sh", v["folder"], request, burnish, script, *v["options"]]) + "\n")
+            command = ["cases/sweep/variant.sh", v["folder"], request, burnish, script, *v["options"]]
+            file.write(shlex.join(command) + "\n")
     done = len(listed) - waiting
     print(f"{case}: {len(listed)} variants" + (f", {done} finished before" if done else ""))
 

@@ -1,6 +1,6 @@
-"""One picture of a sweep: out/sweep/CASE/sweep.png from sweep.csv. A panel for each quantity of RESULT (names with commas;
-default: the results of the case, else what its tools end with) against the first varied option, a line for each combination of
-the others. Exit status 1 if a quantity of RESULT is not there.
+"""One picture of a sweep: out/sweep/CASE/sweep.png from sweep.csv. A panel for each quantity of RESULT (names with
+commas; default: the results of the case that change, else forces of the drives) against the first varied option, a line
+for each combination of the others. Exit status 1 if a quantity of RESULT is not there.
 """
 import csv
 import json

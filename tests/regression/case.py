@@ -40,8 +40,8 @@ def number(summary, name):
 def run(case, label, options, pictures, checks):
     """Runs the case into $SCRATCH/LABEL; its summary, None if there is none."""
     folder = os.path.join(os.environ.get("SCRATCH", f"out/regression/{case}"), label)
-    command = [os.environ.get("BURNISH", "build/burnish"), f"cases/{case}/{case}.edp", "-out", folder, "-series", "1", "-pictures",
-               str(int(pictures)), *shlex.split(options)]
+    command = [os.environ.get("BURNISH", "build/burnish"), f"cases/{case}/{case}.edp", "-out", folder, "-series", "1",
+               "-pictures", str(int(pictures)), *shlex.split(options)]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     tail = "\n".join(done.stdout.splitlines()[-25:])
     checks.that(f"{label} exit code", done.returncode == 0,
