@@ -110,10 +110,17 @@ bool test_contact(const FrictionLaw& law, const SurfacePoint<Dim>& p, const Noda
   return false;
 }
 
+// A node that sticks always and cannot stay at its place (twice released in this step) may touch anew elsewhere.
+template <int Dim>
+bool returns(const ContactModel<Dim>& model, int candidate, int tool, const ContactNode<Dim>& entry,
+             int releases) {
+  return entry.tool == tool && !(releases > 1 && model.law(candidate, tool).sticks_always());
+}
+
 // A free node that would penetrate comes into contact where it would have touched.
 template <int Dim>
 bool test_free(const ContactModel<Dim>& model, int candidate, const std::vector<Pose<Dim>>& poses,
-               const Vector<Dim>& x, const ContactNode<Dim>& entry, ContactNode<Dim>& trial,
+               const Vector<Dim>& x, const ContactNode<Dim>& entry, int releases, ContactNode<Dim>& trial,
                double gap_tolerance) {
   const auto nearest = nearest_tool(model, poses, x, entry, candidate);
   if (!(nearest.foot.gap < -gap_tolerance)) return false;
@@ -121,7 +128,7 @@ bool test_free(const ContactModel<Dim>& model, int candidate, const std::vector<
   if (normal_lift(model, candidate, foot.n).isZero()) return false; // the support holds it
   const bool frictionless = model.law(candidate, nearest.tool).frictionless();
   trial.tool = nearest.tool;
-  trial.s_ref = entry.tool == nearest.tool ? entry.s_ref : nearest.foot.s;
+  trial.s_ref = returns(model, candidate, nearest.tool, entry, releases) ? entry.s_ref : nearest.foot.s;
   trial.s = frictionless ? nearest.foot.s : trial.s_ref;
   trial.state = frictionless ? NodeState::SLIDING : NodeState::STICKING;
   trial.slip_sign = 0;
@@ -143,10 +150,12 @@ int test_window(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
       const auto p = model.tools[node.tool]->surface(poses[node.tool], solution.state.nodes[i].s);
       const auto force = nodal_force(model, i, p, Vector<Dim>(solution.F.template segment<Dim>(Dim * w)));
       changes += test_contact(model.law(i, node.tool), p, force, solution.state.nodes[i], node, problem);
+      if (!in_contact(node.state)) ++(*problem.releases)[i];
     } else {
       const Vector<Dim> x =
           body.position(*problem.u, model.candidates[i]) + du.template segment<Dim>(Dim * w);
-      changes += test_free(model, i, poses, x, (*problem.entry)[i], node, problem.gap_tolerance);
+      changes += test_free(model, i, poses, x, (*problem.entry)[i], (*problem.releases)[i], node,
+                           problem.gap_tolerance);
     }
   }
   return changes;

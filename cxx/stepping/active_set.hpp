@@ -16,6 +16,8 @@ template <int Dim> struct WindowProblem {
   const Eigen::VectorXd* R = nullptr;           ///< residual force there, num_dofs
   const std::vector<ContactNode<Dim>>* entry =
       nullptr; ///< per candidate: where a node that touches now would stick
+  std::vector<int>* releases =
+      nullptr; ///< per candidate: how often it was released in this step, counted here
   double force_tolerance = 0, gap_tolerance = 0;
   bool adapt = true; ///< false: states stay as they are (event stepping)
   int max_passes = 12;

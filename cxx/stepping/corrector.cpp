@@ -38,6 +38,7 @@ void Corrector<Dim>::begin(const Program& program, const ContactState<Dim>& pred
   m_last_residual = m_best_residual = -1;
   m_mixer = AndersonMixer(m_options.anderson_memory);
   m_fresh.assign(m_state.nodes.size(), 0);
+  m_releases.assign(m_state.nodes.size(), 0);
   m_reason.clear();
 }
 
@@ -140,7 +141,7 @@ template <int Dim> double Corrector<Dim>::elastic_blend() const {
 
 template <int Dim>
 WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                                                  const Eigen::VectorXd& free_increment) const {
+                                                  const Eigen::VectorXd& free_increment) {
   WindowProblem<Dim> problem;
   problem.window = &m_window;
   problem.flexibility = &m_flexibility;
@@ -149,6 +150,7 @@ WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, cons
   problem.u = &u;
   problem.R = &R;
   problem.entry = &m_entry;
+  problem.releases = &m_releases;
   problem.force_tolerance = 0.1 * m_options.tolerance * std::max(m_load_scale, m_balance.load);
   problem.gap_tolerance = 0.5 * m_options.gap_tolerance * m_body.spacing;
   problem.adapt = m_adapt;

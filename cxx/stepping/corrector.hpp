@@ -70,7 +70,7 @@ private:
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
   void project(Eigen::VectorXd& u, bool keep_fresh);
   WindowProblem<Dim> window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                                    const Eigen::VectorXd& free_increment) const;
+                                    const Eigen::VectorXd& free_increment);
   Eigen::VectorXd on_window(const Eigen::VectorXd& full) const;
   Eigen::VectorXd scatter_window(const Eigen::VectorXd& window) const;
 
@@ -98,6 +98,7 @@ private:
   int m_iteration = 0, m_halvings = 0, m_step_factorizations = 0, m_indefinite = 0;
   Eigen::VectorXd m_u_before, m_q_before; // iterate before the last correct(), for halving
   std::vector<char> m_fresh;
+  std::vector<int> m_releases; // per candidate, in this step
 };
 
 } // namespace burnish

@@ -13,6 +13,7 @@ struct Springs : EventScene {
   std::vector<int> window = {0, 1, 2, 3, 4, 5};
   Eigen::MatrixXd flexibility = Eigen::MatrixXd::Identity(12, 12);
   std::vector<ContactNode<2>> entry;
+  std::vector<int> releases = std::vector<int>(6, 0);
   WindowProblem<2> problem;
 
   explicit Springs(double mu, double plate = 0) {
@@ -29,6 +30,7 @@ struct Springs : EventScene {
     problem.u = &u0;
     problem.R = &R0;
     problem.entry = &entry;
+    problem.releases = &releases;
     problem.force_tolerance = problem.gap_tolerance = 1e-9;
   }
   WindowSolution<2> solve() const { return solve_window(model, body, program, start, problem); }
@@ -103,6 +105,27 @@ TEST(ActiveSet, BackwardSlipSticks) {
   EXPECT_STREQ(name_of(solution.state.nodes[1].state), "sticking");
   EXPECT_EQ(solution.state.nodes[1].s[0], solution.state.nodes[1].s_ref[0]);
   EXPECT_NEAR(solution.F[2], -0.01, 1e-13);
+}
+
+// Where it stuck its spring pulls it off the tool again and again: it gives that place up after two releases.
+TEST(ActiveSet, FullStickingReturnsTwiceToItsPlace) {
+  Springs springs(0.3, -0.1);
+  springs.entry[2].s_ref[0] = 18.02;
+  for (const bool sticks_always : {true, false})
+    for (const int times : {1, 2}) {
+      if (sticks_always)
+        springs.model.friction[0] = std::make_shared<StickingFriction>();
+      else
+        springs.model.friction[0] = make_coulomb(0.3);
+      springs.releases[2] = times;
+      const auto solution = springs.solve();
+      EXPECT_NEAR(solution.state.nodes[2].s[0], sticks_always && times == 2 ? 18 : 18.02, 1e-14);
+    }
+  springs.model.friction[0] = std::make_shared<StickingFriction>();
+  springs.program.value[1] = 0.1; // the plate lifts
+  springs.touch(2, NodeState::STICKING, 0);
+  springs.solve();
+  EXPECT_EQ(springs.releases[2], 3) << "counted, over all calls of a step";
 }
 
 TEST(ActiveSet, StatesStayInEventStepping) {
