@@ -97,7 +97,7 @@ case-%: build ## run cases/NAME/NAME.edp, options in OPTIONS="..."
 figures: packages ## draw the pictures of out/CASE again, CASE=rolling unless given
 	$(PYTHON) cases/$(CASE)/plot.py out/$(CASE)
 
-sweep: build ## run CASE for all values of VARY="R=10e-3:20e-3:5 mu=0.1,0.2": cases/sweep/sweep.sh
+sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3": cases/sweep/sweep.sh
 	@CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' \
 	  BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs a case for every combination of some of its options, in parallel:
-#   make sweep CASE=rolling VARY="R=10e-3:20e-3:5 mu=0.1,0.2,0.3" [OPTIONS="-outer 80"] [RESULT="depth,Q_phi"] [JOBS=4]
+#   make sweep CASE=rolling VARY="R=14e-3:20e-3:4 mu=0.2,0.3" [OPTIONS="-outer 80"] [RESULT="depth,Q_phi"] [JOBS=4]
 #     VARY     name=first:last:number (equally spaced) or name=value,value,... (numbers or words) for each option
 #     OPTIONS  options of all variants;  RESULT: names in "results" or "final" of summary.json to draw
 #     JOBS     runs at a time, default one for each core
