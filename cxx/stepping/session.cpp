@@ -194,7 +194,7 @@ void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
     settle_released(model(), m_corrector->body(), u,
                     m_corrector->options().gap_tolerance * m_corrector->body().spacing, state);
     apply_events(model(), m_corrector->body(), events, u, state); // released now: leaves in the next step
-    keep_support(state);
+    keep_support(state, events);
     m_log.insert(m_log.end(), events.begin(), events.end());
   }
   note_conflicts(state, u);

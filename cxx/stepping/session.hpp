@@ -104,7 +104,7 @@ private:
   Program read_program();
   void match_old_program();
   Prediction<Dim> resting(const Eigen::VectorXd& u) const;
-  void keep_support(ContactState<Dim>& state) const;
+  void keep_support(ContactState<Dim>& state, const std::vector<ContactEvent<Dim>>& events) const;
   std::vector<int> supports() const;
   void check_support(const Program& program) const;
   void drop_unresisted(Program& program);

@@ -5,17 +5,28 @@
 
 namespace burnish {
 
-// A coordinate under force that only friction resists needs a sticking node: the node that changed last or
-// slipped least stays.
-template <int Dim> void Session<Dim>::keep_support(ContactState<Dim>& state) const {
+// A coordinate under force that only friction resists needs a sticking node. Where the last one has just begun
+// to slide, the neutral point moves on toward the nodes that slide the other way: the one of them that slipped
+// least sticks; it and those of its own direction are the last resort. Pure rates keep the node that has just begun
+// to slide: their forces are not in balance, and nodes would take turns without end (article's scheme: 4208 events).
+template <int Dim>
+void Session<Dim>::keep_support(ContactState<Dim>& state,
+                                const std::vector<ContactEvent<Dim>>& events) const {
   const std::vector<ContactNode<Dim>> before = state.nodes;
-  for (int i; (i = ensure_support(m_model, m_program, state)) >= 0;) {
+  std::vector<char> refused(before.size(), 0);
+  for (const auto& event : events) {
+    const bool slides = event.candidate >= 0 && event.kind == EventKind::STICK_TO_SLIP;
+    if (!slides || m_stepping == Stepping::RATES) continue;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i].tool == event.tool && before[i].slip_sign == event.slip_sign) refused[i] = 1;
+  }
+  for (int i; (i = ensure_support(m_model, m_program, state, refused)) >= 0;) {
     state.nodes[i].s = state.nodes[i].s_ref = before[i].s; // from here on, not from the start of the step
     state.nodes[i].slip_rate = 0;
   }
 }
 
-// Candidates whose stick is the only one that holds their tool, see keep_support.
+// Candidates whose stick is the only one that holds their tool. Pure rates do not let them go, see above.
 template <int Dim> std::vector<int> Session<Dim>::supports() const {
   std::vector<int> result;
   for (std::size_t t = 0; t < m_tools.size(); ++t) {
@@ -45,7 +56,7 @@ std::vector<ContactEvent<Dim>> Session<Dim>::events(const Eigen::VectorXd& u, co
   auto found =
       earliest_events(model(), m_corrector->body(),
                       StepEnds<Dim>{&m_accepted, &m_corrector->state(), &m_u, &u, &m_R, &R, m_t, m_dt},
-                      tolerances, supports());
+                      tolerances, m_stepping == Stepping::RATES ? supports() : std::vector<int>());
   found.erase(std::remove_if(found.begin(), found.end(),
                              [&](const auto& event) { return event.fraction > until + tolerance; }),
               found.end());
@@ -54,7 +65,7 @@ std::vector<ContactEvent<Dim>> Session<Dim>::events(const Eigen::VectorXd& u, co
 
 template <int Dim> void Session<Dim>::switch_states(const std::vector<ContactEvent<Dim>>& events) {
   apply_events(model(), m_corrector->body(), events, m_u, m_accepted);
-  keep_support(m_accepted);
+  keep_support(m_accepted, events);
   m_log.insert(m_log.end(), events.begin(), events.end());
 }
 
@@ -85,8 +96,8 @@ template <int Dim> void Session<Dim>::log(const std::vector<ElementEvent<Dim>>& 
 }
 
 // members of this file; session.cpp instantiates the others
-template void Session<2>::keep_support(ContactState<2>&) const;
 template std::vector<int> Session<2>::supports() const;
+template void Session<2>::keep_support(ContactState<2>&, const std::vector<ContactEvent<2>>&) const;
 template std::vector<ContactEvent<2>> Session<2>::events(const Eigen::VectorXd&, const Eigen::VectorXd&,
                                                          double, double) const;
 template void Session<2>::switch_states(const std::vector<ContactEvent<2>>&);
