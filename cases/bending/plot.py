@@ -17,9 +17,9 @@ def springback(run):
         axes.axvline(run.result(name), color=GRAY, linestyle=":", linewidth=1)
     axes.set_xlabel("bend angle [deg]")
     axes.set_ylabel("punch force, both halves [N/mm]")
-    axes.set_title(f"V-bending: {run.result('springback'):.2f} deg of springback between the dotted lines")
+    axes.set_title(f"V-bending; between the dotted lines {run.result('springback'):.2f} deg of springback")
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", mu="mu", pictures=(springback,),
-              columns={"leg_angle": ("angle of one leg", "deg", 1.0), "punch_force": ("force on half the punch", "N/mm", 1.0)}))
+sys.exit(main(sys.argv[1:], length="mm", mu="mu", pictures=(springback,), without=("pressure",),
+              columns={"leg_angle": ("angle of one leg", "deg", 1.0), "punch_force": None}))

@@ -14,15 +14,17 @@ def height(run):
     history = run.history
     rolling = history["t"] > 0.1 - 1e-9
     angle = np.degrees(history["angle"][0] - history["angle"])[rolling]
-    figure, axes = new_figure(8.0, 8.0, nrows=3, sharex=True)
-    axes[0].plot(angle, history["rigid_height"][rolling], color=GRAY, linestyle="--", label="rigid cam on a rigid plane")
+    figure, axes = new_figure(8.0, 7.6, nrows=3, sharex=True)
+    axes[0].set_title("Cam rolling over the block, and a rigid cam rolling over a rigid plane")
+    dashed = dict(color=GRAY, linestyle="--")
+    axes[0].plot(angle, history["rigid_height"][rolling], label="rigid cam on a rigid plane", **dashed)
     axes[0].plot(angle, history["y"][rolling], color=BLUE, label="computed")
     axes[0].set_ylabel("height of the center [mm]")
     axes[1].plot(angle, 1e3 * history["depth"][rolling], color=ORANGE)
     axes[1].set_ylabel("depth under the cam [µm]")
-    axes[2].plot(angle, history["rigid_torque"][rolling], color=GRAY, linestyle="--", label="rigid: force times dh/d(angle)")
+    axes[2].plot(angle, history["rigid_torque"][rolling], label="rigid: force times dh/d(angle)", **dashed)
     axes[2].plot(angle, history["torque"][rolling], color=BLUE, label="computed")
-    axes[2].set_ylabel("torque [N mm/mm]")
+    axes[2].set_ylabel("torque [N·mm/mm]")
     axes[2].set_xlabel("angle rolled [deg]")
     axes[0].legend()
     axes[2].legend()
@@ -30,6 +32,5 @@ def height(run):
 
 
 sys.exit(main(sys.argv[1:], length="mm", mu="mu", pictures=(height,),
-              columns={"depth": ("depth", "µm", 1e3), "rigid_height": ("rigid height", "mm", 1.0),
-                       "rigid_travel": ("rigid travel", "mm", 1.0), "torque": ("torque", "N mm/mm", 1.0),
-                       "rigid_torque": ("rigid torque", "N mm/mm", 1.0)}))
+              columns={"depth": ("depth under the cam", "µm", 1e3), "rigid_height": None, "rigid_travel": None,
+                       "torque": None, "rigid_torque": None}))

@@ -6,7 +6,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 import numpy as np
 from plotting.case import main
-from plotting.figure import BLUE, GRAY, ORANGE, new_figure
+from plotting.figure import BLUE, GRAY, ORANGE, key_of_both, new_figure, same_zero
 from plotting.inputs import read_whole_table
 
 
@@ -20,16 +20,17 @@ def torque(run):
     axes.plot(found[driven], table["torque"][driven] / 1e3, color=ORANGE, marker="o", markersize=4, linestyle="none",
               label="torque prescribed, angle found")
     axes.axvline(run.result("at the angle"), color=GRAY, linestyle=":", linewidth=1)
-    axes.set_xlabel("crank angle before the dead center [deg]")
-    axes.set_ylabel("torque [kN m/m]")
+    axes.set_xlabel("crank angle from the dead center [deg]")
+    axes.set_ylabel("torque [kN·m/m]")
     force = axes.twinx()
     force.grid(False)
-    force.plot(beta, table["force"] / 1e6, color=GRAY, linestyle="--", label="force on the punch")
+    force.plot(beta, table["force"] / 1e6, color=GRAY, linestyle="--", label="force on the punch, right scale")
     force.set_ylabel("force [MN/m]")
-    lines = axes.get_legend_handles_labels(), force.get_legend_handles_labels()
-    axes.legend(lines[0][0] + lines[1][0], lines[0][1] + lines[1][1], loc="lower center")
-    axes.set_title("One coordinate, by motion and by torque; dotted: the largest torque")
+    same_zero(axes, force)
+    key_of_both(axes, force, loc="lower center")
+    axes.set_title("Crank press driven by the angle, and by the torque; dotted: the largest torque")
     return figure
 
 
-sys.exit(main(sys.argv[1:], mu="mu", columns={"height": ("height of the punch", "mm", 1e3), "force": ("force on the punch", "MN/m", 1e-6)}, pictures=(torque,)))
+sys.exit(main(sys.argv[1:], mu="mu", pictures=(torque,),
+              columns={"height": ("height of the punch", "mm", 1e3), "force": ("force on the punch", "MN/m", 1e-6)}))

@@ -1,8 +1,9 @@
-"""What the pictures of the cases on a half-plane share: stress near the contact, the contact from surface.csv, errors."""
+"""What the pictures of the cases on a half-plane share: stress near the contact, the contact from surface.csv."""
 import numpy as np
 
 from plotting import fields
 from plotting.figure import GRAY, new_figure
+from plotting.tools import FACE
 
 
 def number(run, name):
@@ -11,15 +12,16 @@ def number(run, name):
 
 
 def contact_nodes(run):
-    """x, nodal pressure and nodal traction of the nodes of surface.csv, sorted by x; and which of them stick, which slide."""
+    """x, nodal pressure and traction of the nodes of surface.csv, sorted by x; which of them stick, which slide."""
     order = np.argsort(run.surface["x"])
     x, p, q = (run.surface[c][order] for c in ("x", "pressure", "traction_tangential"))
     state = run.surface["state"][order]
     return x, p, q, state == "sticking", state == "sliding"
 
 
-def stress_near(run, left, right, depth, outline=None):
-    """Von Mises stress in the box from left to right, down to the depth [mm]; outline: (x, y) of the tool."""
+def stress_near(run, left, right, depth, outline, name):
+    """Von Mises stress in the box from left to right, down to the depth [mm]; outline: (x, y) of the tool's lower side,
+    name: its own."""
     run.tools = []
     mesh, values = run.mesh, run.field.data["sigma_eq"]
     box = (left, right, -depth, 0.12 * (right - left))
@@ -27,8 +29,10 @@ def stress_near(run, left, right, depth, outline=None):
     run.field.data["sigma_eq"] = np.where(within, values, np.minimum(values, values[within].max()))
     figure = fields.field_figure(run, fields.STRESS, "MPa", run.units.MPa, box)
     run.field.data["sigma_eq"] = values
-    if outline is not None:
-        figure.axes[0].plot(*outline, color=GRAY, linewidth=2, zorder=4)
+    axes, (x, y) = figure.axes[0], outline
+    axes.fill_between(x, y, box[3] + 1, facecolor=FACE, edgecolor=GRAY, linewidth=1.2, zorder=3.5)
+    axes.set_ylim(box[2:])
+    axes.text(0.5 * (x[0] + x[-1]), 0.6 * box[3], name, ha="center", va="center", zorder=6)
     return figure
 
 

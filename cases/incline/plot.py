@@ -19,8 +19,9 @@ def ratio(run):
         way = table["t"][chosen] * number(run, "way")
         curves.append((way, table["expected"][chosen], dict(color=color, linestyle="--", linewidth=1)))
         curves.append((way, table["F_over_G"][chosen],
-                       dict(color=color, marker="o", markersize=4, linestyle="none", label=f"friction {mu:g}")))
-    figure = curves_figure(curves, "way of the incline [mm]", "F/G", "Horizontal over vertical force; dashed: Coulomb's law")
+                       dict(color=color, marker="o", markersize=4, linestyle="none", label=rf"$\mu$ = {mu:g}")))
+    figure = curves_figure(curves, "way of the incline [mm]", "F/G [-]",
+                           "Horizontal over vertical force; dots computed, dashed Coulomb's law")
     figure.axes[0].set_ylim(0, 1.3 * table["expected"].max())
     figure.axes[0].legend(loc="upper right", ncol=4)
     return figure

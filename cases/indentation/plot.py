@@ -25,7 +25,7 @@ def near_crater(run):
 
 
 def load_depth(run):
-    """Force against depth, with what an elastic block would do at first."""
+    """Force against depth: loading, unloading, lifting."""
     h, depth, force = run.history, 1e6 * run.history["depth"], 1e-3 * run.history["force"]
     figure, axes = new_figure(7.5, 4.8)
     axes.plot(depth, force, color=BLUE, marker=".", markersize=4, label="computed")
@@ -36,8 +36,8 @@ def load_depth(run):
                   xytext=(8, 0), textcoords="offset points", color=BLUE)
     axes.set_xlabel(r"depth of the cylinder [$\mu$m]")
     axes.set_ylabel("force [kN/m]")
-    axes.set_title(f"{run.result('depth under load'):.2f} under load, {run.result('depth unloaded'):.2f} unloaded, "
-                   rf"crater {run.result('crater'):.2f} $\mu$m")
+    axes.set_title(rf"Force against depth; dashed: {run.result('depth under load'):.2f} $\mu$m under load, "
+                   rf"{run.result('depth unloaded'):.2f} unloaded, crater {run.result('crater'):.2f}")
     return figure
 
 
@@ -59,6 +59,7 @@ def crater(run):
     axes.set_xlim(near_crater(run)[:2])
     axes.set_xlabel("x [mm]")
     axes.set_ylabel(r"height of the surface [$\mu$m]")
+    axes.set_title("Surface of the block, heights not to the scale of x")
     axes.legend()
     return figure
 
@@ -80,12 +81,14 @@ def residual_stress(run):
     """Stress along the surface after unloading: map, and its course below the middle of the crater."""
     values = run.units.MPa * run.field.data[ALONG]
     most = 50 * np.ceil(np.abs(values).max() / 50)
-    figure, (axes, line) = new_figure(10.5, 4.6, ncols=2, width_ratios=(2, 1))
+    figure, (axes, line) = new_figure(10.5, 4.9, ncols=2, width_ratios=(2, 1))
     maps.set_view(axes, near_crater(run))
     axes.grid(False)
     bands = maps.draw_bands(axes, run.mesh, values, np.linspace(-most, most, 21), "RdBu_r")
     maps.draw_outline(axes, run.mesh)
-    figure.colorbar(bands, ax=axes, label=r"residual $\sigma_{xx}$ [MPa]", shrink=0.8, ticks=np.arange(-most, most + 1, 50))
+    axes.set_title(r"Residual $\sigma_{xx}$ after lifting")
+    figure.colorbar(bands, ax=axes, label=r"residual $\sigma_{xx}$ [MPa]", location="bottom", shrink=0.8,
+                    ticks=np.arange(-most, most + 1, 50))
     nodes = np.flatnonzero(np.abs(run.field.points[:, 0]) < 1e-9)
     nodes = nodes[np.argsort(-run.field.points[nodes, 1])]
     line.plot(values[nodes], -1e3 * run.field.points[nodes, 1], color=BLUE)
@@ -93,6 +96,7 @@ def residual_stress(run):
     line.set_ylim(REACH, 0)
     line.set_xlabel(r"$\sigma_{xx}$ at x = 0 [MPa]")
     line.set_ylabel("depth below the surface [mm]")
+    line.set_title("below the middle")
     return figure
 
 

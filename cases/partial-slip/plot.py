@@ -12,7 +12,7 @@ from plotting.figure import BLUE, GRAY, RED, SKY
 
 def near_contact(run):
     a = number(run, "a")
-    return stress_near(run, -3 * a, 3 * a, 3 * a, circle(run, -3 * a, 3 * a))
+    return stress_near(run, -3 * a, 3 * a, 3 * a, circle(run, -3 * a, 3 * a), "rigid cylinder")
 
 
 def traction(run):
@@ -44,7 +44,8 @@ def slips(run):
     return curves_figure([(fine, np.sqrt(1 - fine), dict(color="black", label="c/a, Cattaneo and Mindlin")),
                           (share * (t - 1), place / a, dict(color=RED, marker="o", markersize=5, linestyle="none",
                                                             label="located slips of nodes"))],
-                         r"Q/($\mu$P)", "distance from the axis over a", "The stick zone shrinks")
+                         r"tangential force Q/($\mu$P) [-]", "distance from the axis over a [-]",
+                         "The stick zone shrinks as Q grows")
 
 
 sys.exit(main(sys.argv[1:], length="mm", without=("stress", "sequence", "history", "pressure"),

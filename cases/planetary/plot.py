@@ -10,6 +10,7 @@ from plotting import maps
 from plotting.case import main
 from plotting.figure import BLUE, GRAY, GREEN, RED, key_below, new_figure, say_empty
 from plotting.inputs import option
+from plotting.tools import FACE
 
 LEVELS = (0.87e8, 1.72e8, 1.93e8)  # Pa, the article's figure 7
 STRAINS = (1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1)
@@ -28,11 +29,10 @@ def centers(run):
 def draw_rollers(axes, run):
     angle = np.linspace(0, 2 * np.pi, 721)
     for number, center in enumerate(centers(run), 1):
-        axes.plot(*(center[:, None] + 1e3 * option(run.summary, "R") * np.array([np.cos(angle), np.sin(angle)])),
-                  color=GRAY, linewidth=0.9, linestyle=(0, (6, 2)), zorder=3)
+        axes.fill(*(center[:, None] + 1e3 * option(run.summary, "R") * np.array([np.cos(angle), np.sin(angle)])),
+                  facecolor=FACE, edgecolor=GRAY, linewidth=1.2, zorder=0.5)
         toward = center * (1 - 0.8 * 1e3 * option(run.summary, "R") / np.hypot(*center))
-        axes.annotate(f"roller {number}", toward, ha="center", va="center", color=GRAY, fontsize=9,
-                      annotation_clip=True)
+        axes.annotate(f"roller {number}", toward, ha="center", va="center", fontsize=9, annotation_clip=True)
 
 
 def isolines(run):
@@ -42,7 +42,8 @@ def isolines(run):
     handles = maps.draw_isolines(axes, run.mesh, run.field.data["sigma_eq"], LEVELS, VIEW)
     maps.draw_outline(axes, run.mesh)
     draw_rollers(axes, run)
-    axes.set_title(rf"Von Mises stress at t = {run.t:.4g}, $F_0$ = {option(run.summary, 'F0'):.4g} N/m")
+    axes.set_title(rf"Isolines of the von Mises stress at t = {run.t:.4g}, "
+                   rf"$F_0$ = {option(run.summary, 'F0') / 1e3:.4g} kN/m")
     key_below(axes, handles, 3)
     return figure
 
@@ -50,14 +51,15 @@ def isolines(run):
 def box_at(run, side):
     """Limits around the middle of a rolled arc, through the whole thickness; side: 1 for roller 1, -1 for roller 2."""
     angle = np.radians(option(run.summary, "start") + 0.5 * option(run.summary, "turn"))
-    x, y = 500 * (option(run.summary, "Ro") + option(run.summary, "Ri")) * np.array([side * np.cos(angle), np.sin(angle)])
+    middle = 500 * (option(run.summary, "Ro") + option(run.summary, "Ri"))
+    x, y = middle * np.array([side * np.cos(angle), np.sin(angle)])
     return x - NEAR, x + NEAR, y - 0.8 * NEAR, y + 0.8 * NEAR
 
 
 def strain_zones(run):
     """Plastic strain, bands on a logarithmic scale: the half ring, and through the thickness under each roller."""
     values = np.maximum(np.nan_to_num(run.field.data["plastic_strain_eq"]), 1e-9)
-    figure, panels = new_figure(10.0, 10.0, nrows=2, ncols=2, height_ratios=(1.1, 1))
+    figure, panels = new_figure(10.0, 8.8, nrows=2, ncols=2, height_ratios=(1.1, 1))
     grid = panels[0, 0].get_gridspec()
     for axes in panels[0]:
         axes.remove()
@@ -68,7 +70,8 @@ def strain_zones(run):
         maps.set_view(axes, box)
         axes.grid(False)
         if values.max() > STRAINS[0]:
-            bands = axes.tricontourf(run.mesh, values, levels=STRAINS, cmap="magma_r", zorder=1, norm=LogNorm(1e-5, 1e-1))
+            bands = axes.tricontourf(run.mesh, values, levels=STRAINS, cmap="magma_r", zorder=1,
+                                     norm=LogNorm(1e-5, 1e-1))
         else:
             say_empty(axes, "no plastic strain")
         maps.draw_outline(axes, run.mesh)
@@ -96,6 +99,7 @@ def strain_history(run):
     axes.set_yscale("log")
     axes.set_ylim(1e-6, 1e-1)
     axes.set_ylabel("largest plastic strain [-]")
+    axes.set_title("Plastic strain under the rollers and opposite them; forces and advance")
     axes.legend(fontsize=9)
     lower.plot(t, -1e-3 * run.history["Q_roller 1.r"], color=BLUE, label="roller 1, reaction at fixed distance")
     lower.plot(t, 1e-3 * run.history["Q_roller 2.advance"], color=RED, label="roller 2, prescribed")

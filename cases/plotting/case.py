@@ -7,7 +7,7 @@
 main(arguments, length="m", mu=None, columns=None, pictures=(), without=())
     length    unit of the script's lengths: "m" (forces N/m, stresses Pa) or "mm" (N/mm, MPa)
     mu        name of the option that holds the friction coefficient, for the bounds in the pressure picture
-    columns   {column: (label, unit, factor)} of the history, see plotting/units.py
+    columns   {column: (label, unit, factor)} of the history, None to leave it out; see plotting/units.py
     pictures  functions of the run that return a figure, drawn after the default ones into function-name.png
     without   names of default pictures not wanted
 Default pictures: stress, plastic_strain, sequence, history, pressure, expected (see DEFAULT below).
@@ -105,7 +105,8 @@ DEFAULT = (stress, plastic_strain, sequence, history, pressure, expected)
 
 
 def draw_all(run, pictures, folder):
-    """Each picture into folder/function-name.png, whose path is printed; None: no picture. 1 if one could not be drawn."""
+    """Each picture into folder/function-name.png, whose path is printed; None: no picture. 1 if one could not be
+    drawn."""
     apply_style()
     failed = 0
     for picture in pictures:

@@ -4,7 +4,7 @@ from matplotlib.ticker import MaxNLocator
 
 from plotting import contact
 from plotting import units as u
-from plotting.figure import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, SKY, new_figure, say_empty
+from plotting.figure import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, SKY, key_under_labels, new_figure, say_empty
 
 COLORS = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "black", GRAY)
 PANELS = ((u.LENGTH, "displacement of the tools"), (u.ANGLE, "turn of the tools"), (u.FORCE, "drive force"),
@@ -26,13 +26,14 @@ def draw_column(axes, run, column, against, color, change=False):
 
 
 def label_panel(axes, run, columns, title, change):
-    """Axis label of what is drawn together; a key if there are several curves."""
+    """What is drawn and its unit above the panel; a key beside it if there are several curves."""
     first = run.columns[columns[0]]
     if len(columns) == 1:
-        axes.set_ylabel(("change of " if change else "") + first.axis())
-    else:
-        axes.set_ylabel(f"{title} [{first.unit}]")
-        axes.legend(fontsize=9, loc="best")
+        title = ("change of " if change else "") + (f"{title} " if first.label.startswith("$") else "") + first.label
+    axes.set_title(f"{title} [{first.unit}]", loc="left", fontsize=10)
+    if len(columns) > 1:
+        axes.legend(fontsize=8, loc="lower right", bbox_to_anchor=(1.01, 0.97), ncol=len(columns), frameon=False,
+                    handlelength=1.2, columnspacing=0.8, handletextpad=0.4)
     if first.kind == u.NODES:
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
 
@@ -49,19 +50,22 @@ def default_panels(run):
 
 
 def history_figure(run, panels=None, against="t"):
-    """Chosen columns against t or another one. panels: a list of lists of columns, default: all that change, by kind."""
+    """Chosen columns against t or another one. panels: a list of lists of columns, default: all that change, by
+    kind."""
     chosen = default_panels(run) if panels is None else [("", list(p), False) for p in panels]
     rows = max(1, -(-len(chosen) // 2))
     columns = 2 if len(chosen) > 1 else 1
-    figure, axes = new_figure(5.2 * columns, 0.8 + 2.5 * rows, nrows=rows, ncols=columns, squeeze=False)
+    figure, axes = new_figure(5.2 * columns, 0.8 + 2.1 * rows, nrows=rows, ncols=columns, squeeze=False, sharex=True)
     for place, (title, names, change) in zip(axes.flat, chosen):
         for name, color in zip(names, COLORS * len(names)):
             draw_column(place, run, name, against, color, change)
         units = {run.columns[n].unit for n in names}
         label_panel(place, run, names, title or " / ".join(sorted(units)) if len(units) > 1 else title, change)
-        place.set_xlabel(run.columns[against].axis())
     for place in list(axes.flat)[len(chosen):]:
         place.set_visible(False)
+    for place in list(axes.flat)[max(0, len(chosen) - columns):len(chosen)]:
+        place.set_xlabel(run.columns[against].axis())
+        place.tick_params(labelbottom=True)
     if not chosen:
         say_empty(axes.flat[0], "nothing changes")
     return figure
@@ -75,8 +79,8 @@ def arcs(surface, mm):
 
 
 def under_tool(run, name):
-    """Arc from the middle of the contact [mm], growing with x (or y where the surface stands upright), and the nodes near
-    the contact of one tool; None without contact."""
+    """Arc from the middle of the contact [mm], growing with x (or y where the surface stands upright), the nodes near
+    the contact of one tool, and what the arc is called; None without contact. On a level surface x is the arc."""
     surface, mm = run.surface, run.units.mm
     touching = contact.touching(surface) & (surface["tool"] == name)
     if not touching.any():
@@ -90,18 +94,23 @@ def under_tool(run, name):
         arc = -arc
     reach = 1.3 * np.abs(arc[touching]).max() + 2 * np.median(np.abs(np.diff(arc)))
     other = contact.touching(surface) & (surface["tool"] != name)
-    return arc, (np.abs(arc) <= reach) & ~other
+    shown = (np.abs(arc) <= reach) & ~other
+    x = mm * surface["x"]
+    if np.ptp(x[shown]) > 0.97 * np.ptp(arc[shown]):
+        return x, shown, "x [mm]"
+    return arc, shown, "arc from the middle of the contact [mm]"
 
 
-def pressure_panel(axes, run, name, mu=None, expected=None):
-    """Pressure and tangential traction under one tool; expected: (function of the arc [mm] that gives MPa, label)."""
+def pressure_panel(axes, run, name, mu=None, expected=None, columns=3):
+    """Pressure and tangential traction under one tool; expected: (function of x or the arc [mm] in MPa, its
+    label); columns: of the key."""
     found = under_tool(run, name)
     axes.set_ylabel("traction [MPa]")
-    axes.set_xlabel("length from the middle of the contact [mm]")
     if found is None:
         say_empty(axes, f"{name} touches no node")
         return
-    arc, shown = found
+    arc, shown, label = found
+    axes.set_xlabel(label)
     order = np.flatnonzero(shown)[np.argsort(arc[shown])]
     for fit, nodal, color, label in (("pressure_fit", "pressure", BLUE, "pressure p"),
                                      ("traction_fit", "traction_tangential", RED, "tangential traction")):
@@ -111,7 +120,7 @@ def pressure_panel(axes, run, name, mu=None, expected=None):
         axes.plot(arc[order], values, color=color, label=label)
         if len(order) < 120:
             axes.plot(arc[order], run.units.MPa * run.surface[nodal][order], color=color, marker="o", markersize=3,
-                      linestyle="none", alpha=0.35)
+                      linestyle="none", alpha=0.5, label="nodal force over its share" if nodal == "pressure" else None)
         if mu and label == "pressure p":
             for sign in (1, -1):
                 axes.plot(arc[order], sign * mu * values, color=GRAY, linewidth=0.9, linestyle="--", zorder=1.5,
@@ -122,7 +131,8 @@ def pressure_panel(axes, run, name, mu=None, expected=None):
     if contact.shade_sticking(axes, arc[order], {"state": run.surface["state"][order]}):
         axes.fill([], [], color=SKY, alpha=0.25, label="sticking nodes")
     axes.axhline(0, color="black", linewidth=0.8)
-    axes.legend(fontsize=9)
+    handles = axes.get_legend_handles_labels()[0]
+    key_under_labels(axes, handles, min(len(handles), columns))
 
 
 def pressure_figure(run, mu=None, expected=None):
@@ -134,8 +144,9 @@ def pressure_figure(run, mu=None, expected=None):
     width = 7.5 if columns == 1 else 10.5
     figure, panels = new_figure(width, 0.9 + 3.6 * rows, nrows=rows, ncols=columns, squeeze=False)
     for axes, name in zip(panels.flat, names):
-        pressure_panel(axes, run, name, mu, expected)
-        axes.set_title(f"Contact with {name} at t = {run.t:.4g}" if name != "no tool" else "No contact")
+        pressure_panel(axes, run, name, mu, expected, 3 if columns == 1 else 2)
+        title = f"Pressure and friction under {name} at t = {run.t:.4g}"
+        axes.set_title(title if name != "no tool" else "No contact")
     for axes in list(panels.flat)[len(names):]:
         axes.set_visible(False)
     return figure
@@ -173,7 +184,8 @@ def expected_figure(run):
         value = "nan" if r["value"] is None else f"{r['value']:.5g}"
         error = f"{100 * deviation:+.3g} %" if r["expected"] else f"{deviation:+.3g}"
         unit = r["unit"] if r["unit"] != "-" else ""
-        axes.text(2.05, i, f"{value} {unit}  ({error})\n{r['expected']:.5g} expected, {r['source']}", va="center", fontsize=9)
+        axes.text(2.05, i, f"{value} {unit}  ({error})\n{r['expected']:.5g} expected, {r['source']}", va="center",
+                  fontsize=9)
     axes.axvspan(-1, 1, color="#e8f0e8", zorder=0)
     axes.axvline(0, color="black", linewidth=0.8)
     axes.set_xlim(-2, 2)

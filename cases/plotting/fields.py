@@ -3,14 +3,14 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from plotting import contact, maps, tools
-from plotting.figure import new_figure, say_empty
+from plotting.figure import key_under_labels, new_figure, say_empty
 
 # field of the .vtu: label, color map; the unit comes from the case
 STRESS = ("sigma_eq", "von Mises stress", "viridis_r")
 STRAIN = ("plastic_strain_eq", "accumulated plastic strain", "magma_r")
 
 
-def levels_to(largest, number=12):
+def levels_to(largest, number=14):
     """Round levels from zero to the largest value."""
     return MaxNLocator(number, steps=[1, 2, 2.5, 5, 10]).tick_values(0, largest)
 
@@ -25,6 +25,12 @@ def draw_map(axes, mesh, values, levels, outlines, box, cmap):
     axes.triplot(mesh, color="black", linewidth=0.2, alpha=min(0.35, 400 / len(mesh.triangles)), zorder=1.5)
     maps.draw_outline(axes, mesh)
     return bands, tools.draw_tools(axes, outlines, mesh)
+
+
+def add_scale(figure, bands, axes, label, shrink=0.9):
+    """Color bar with a tick at every level or at every second one."""
+    ticks = bands.levels[:: 1 if len(bands.levels) <= 9 else 2]
+    figure.colorbar(bands, ax=axes, label=label, shrink=shrink, format="%.4g", ticks=ticks)
 
 
 def mesh_box(mesh):
@@ -50,10 +56,10 @@ def field_figure(run, field, unit, factor, box=None, width=8.5):
     if bands is None:
         say_empty(axes, f"no {label}")
     else:
-        figure.colorbar(bands, ax=axes, label=f"{label} [{unit}]", shrink=0.9, format="%.4g")
-    largest = f"{values.max():.3g} {unit if unit != '-' else ''}"
-    axes.set_title(f"{label[0].upper() + label[1:]} at t = {run.t:.4g}: largest {largest}")
-    axes.legend(handles=handles, loc="upper right", fontsize=9)
+        add_scale(figure, bands, axes, f"{label} [{unit}]")
+    largest = f"{values.max():.3g} {unit if unit != '-' else ''}".strip()
+    axes.set_title(f"{label[0].upper() + label[1:]} at t = {run.t:.4g}, largest at a node {largest}")
+    key_under_labels(axes, handles, len(handles))
     return figure
 
 
@@ -68,7 +74,8 @@ def instants(run, number):
 def sequence_figure(run, field, unit, factor, number=4, width=10.0):
     """The same field at several instants with one scale."""
     name, label, cmap = field
-    shown = [(t, maps.deformed(f, run.units.mm), factor * np.nan_to_num(f.data[name])) for t, f in instants(run, number)]
+    shown = [(t, maps.deformed(f, run.units.mm), factor * np.nan_to_num(f.data[name]))
+             for t, f in instants(run, number)]
     outlines = [tools.at_time(run.tools, t) for t, _, _ in shown]
     boxes = np.array([tools.widened(mesh_box(mesh), o, 0.2) for (_, mesh, _), o in zip(shown, outlines)])
     box = (boxes[:, 0].min(), boxes[:, 1].max(), boxes[:, 2].min(), boxes[:, 3].max())
@@ -87,5 +94,5 @@ def sequence_figure(run, field, unit, factor, number=4, width=10.0):
     for axes in list(panels.flat)[len(shown):]:
         axes.set_visible(False)
     if bands is not None:
-        figure.colorbar(bands, ax=list(panels.flat), label=f"{label} [{unit}]", format="%.4g", shrink=0.9)
+        add_scale(figure, bands, list(panels.flat), f"{label} [{unit}]")
     return figure

@@ -61,10 +61,11 @@ def band(points, side, width):
 
 
 def widened(box, outlines, part=0.3):
-    """Limits that show the tools too, but not more than a part of the larger side beyond each side of the box."""
+    """Limits that show the tools too, but not more than a part of the larger side beyond each side of the box; a third
+    of that for open outlines, which go on anyway."""
     x0, x1, y0, y1 = box
-    room = part * max(x1 - x0, y1 - y0)
     for outline in outlines:
+        room = (part if closed(outline.points) else part / 3) * max(box[1] - box[0], box[3] - box[2])
         low, high = np.nanmin(outline.points, axis=0), np.nanmax(outline.points, axis=0)
         x0, y0 = min(x0, max(low[0], box[0] - room)), min(y0, max(low[1], box[2] - room))
         x1, y1 = max(x1, min(high[0], box[1] + room)), max(y1, min(high[1], box[3] + room))
@@ -73,8 +74,8 @@ def widened(box, outlines, part=0.3):
 
 
 def draw_tools(axes, outlines, mesh, names=True):
-    """Outlines, filled where they are closed and do not enclose the workpiece, otherwise with a band on the tool's side;
-    set the view before. Returns handles for the key."""
+    """Outlines, filled where they are closed and do not enclose the workpiece, otherwise with a band on the tool's
+    side; set the view before. Returns handles for the key."""
     width = 0.03 * max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
     for outline in outlines:
         solid = closed(outline.points) and not encloses(outline.points, mesh)

@@ -44,9 +44,11 @@ def kind_of(bare, coordinates):
 
 
 def describe(names, units, given=None):
-    """{name: Column} of a history with these columns. given: {name or bare name: (label, unit, factor)} of the case, for
-    its own columns and where the defaults are wrong: coordinates called angle, theta, phi, psi, alpha, beta or turn are
-    angles, shown in degrees; all others are taken as lengths."""
+    """{name: Column} of a history with these columns. given: {name or bare name: (label, unit, factor)} of the case,
+    for its own columns and where the defaults are wrong: coordinates called angle, theta, phi, psi, alpha, beta or
+    turn are angles, shown in degrees; all others are taken as lengths. None in place of the three: left out of the
+    pictures."""
+    given = given or {}
     coordinates = {split_name(n)[1][2:] for n in names if n.startswith("Q_")}
     factor = {LENGTH: units.mm, ANGLE: 180 / np.pi, FORCE: units.force, MOMENT: units.moment, STRESS: units.MPa}
     unit = {LENGTH: "mm", ANGLE: "deg", FORCE: units.force_unit, MOMENT: units.moment_unit, STRESS: "MPa"}
@@ -57,6 +59,9 @@ def describe(names, units, given=None):
         tool, bare = split_name(name)
         kind = kind_of(bare, coordinates)
         text = label.get(bare, f"$Q_{{{bare[2:]}}}$" if bare.startswith("Q_") else bare)
-        chosen = (given or {}).get(name) or (given or {}).get(bare) or (text, unit.get(kind, "-"), factor.get(kind, 1.0))
+        default = (text, unit.get(kind, "-"), factor.get(kind, 1.0))
+        chosen = given.get(name, given.get(bare, default))
+        if chosen is None:
+            continue
         columns[name] = Column(name, kind, f"{tool}: {chosen[0]}" if tool else chosen[0], *chosen[1:])
     return columns

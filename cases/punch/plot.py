@@ -22,7 +22,7 @@ def expected(x, e, a, mean):
 def near_contact(run):
     a, tilt = number(run, "a"), run.history["angle"][-1]
     x = np.array([-a, a])
-    return stress_near(run, -2.5 * a, 2.5 * a, 2.5 * a, (x, run.history["y"][-1] + tilt * x))
+    return stress_near(run, -2.5 * a, 2.5 * a, 2.5 * a, (x, run.history["y"][-1] + tilt * x), "rigid punch")
 
 
 def pressure(run):
@@ -33,13 +33,14 @@ def pressure(run):
     curves = []
     for e, color in zip(dict.fromkeys(table["e_over_a"]), (BLUE, GREEN, RED)):
         chosen = (table["e_over_a"] == e) & (abs(table["x"]) < 1.2 * a)
-        curves.append((fine, expected(fine, e * a, a, mean), dict(color=color, label=f"e = {e:.3g} a")))
+        label = f"e = {e:.3g} a" if e else "e = 0"
+        curves.append((fine, expected(fine, e * a, a, mean), dict(color=color, label=label)))
         curves.append((table["x"][chosen], table["pressure"][chosen],
                        dict(color=color, marker="o", markersize=3.5, linestyle="none")))
     figure = curves_figure(curves, "x [mm]", "pressure [MPa]",
-                           "Pressure under the punch: lines closed forms, dots nodal forces over their share")
+                           "Pressure under the punch: lines closed form, dots nodal force over its share")
     figure.axes[0].set_ylim(-0.3 * mean, 6 * mean)
-    figure.axes[0].legend(loc="upper left")
+    figure.axes[0].legend(loc="upper center", title="place of the force")
     return figure
 
 
@@ -50,8 +51,10 @@ def release(run):
     form = np.where(e <= 0.5, -1, 1 - 4 * (1 - e))
     return curves_figure([(e, form, dict(color="black", label="end of the contact, closed form")),
                           (run.events["t"][chosen] - 1, run.events["x"][chosen] / number(run, "a"),
-                           dict(color=BLUE, marker="o", markersize=4, linestyle="none", label="located releases of nodes"))],
-                         "e/a", "x/a", "Lifting off: each node is released as the end of the contact passes it")
+                           dict(color=BLUE, marker="o", markersize=4, linestyle="none",
+                                label="located releases of nodes"))],
+                         "place of the force e/a [-]", "place on the surface x/a [-]",
+                         "Lifting off: each node is released as the end of the contact passes it")
 
 
 def tilt(run):
@@ -61,7 +64,8 @@ def tilt(run):
     return curves_figure([(e, 1e3 * form, dict(color="black", label="closed form")),
                           (run.history["e_over_a"], 1e3 * run.history["tilt"],
                            dict(color=ORANGE, marker="o", markersize=4, linestyle="none", label="computed"))],
-                         "e/a", "tilt [mrad]", "Tilt of the punch against the place of the force")
+                         "place of the force e/a [-]", "tilt [mrad]",
+                         "Tilt of the punch against the place of the force")
 
 
 sys.exit(main(sys.argv[1:], length="mm", without=("stress", "sequence", "history", "pressure"),

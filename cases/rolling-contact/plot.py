@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Pictures of rolling contact: plot.py OUTDIR reads what rolling-contact.edp wrote there and puts PNG files beside it."""
+"""Pictures of rolling contact: plot.py OUTDIR reads what rolling-contact.edp wrote there, puts PNG files beside it."""
 import os
 import sys
 
@@ -7,12 +7,12 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.p
 import numpy as np
 from hertz.halfplane import circle, contact_nodes, curves_figure, number, stress_near
 from plotting.case import main
-from plotting.figure import BLUE, GRAY, ORANGE, RED, SKY
+from plotting.figure import BLUE, GRAY, ORANGE, RED, SKY, key_of_both, same_zero
 
 
 def near_contact(run):
     a, X = number(run, "a"), run.history["x"][-1]
-    return stress_near(run, X - 3 * a, X + 3 * a, 3 * a, circle(run, X - 3 * a, X + 3 * a))
+    return stress_near(run, X - 3 * a, X + 3 * a, 3 * a, circle(run, X - 3 * a, X + 3 * a), "rigid cylinder")
 
 
 def traction(run):
@@ -38,16 +38,19 @@ def creep(run):
     history = run.history
     shown = history["t"] > 1
     way = history["x"][shown]
-    figure = curves_figure([(way, 1e3 * history["creep"][shown], dict(color=BLUE, marker="o", markersize=3, label="creep")),
-                            (way, 1e3 * history["creep_expected"][shown], dict(color="black", linestyle="--", label="Carter"))],
-                           "way of the cylinder [mm]", r"creep [$10^{-3}$]", "Creep under a torque that grows, then stays")
+    figure = curves_figure([(way, 1e3 * history["creep"][shown],
+                             dict(color=BLUE, marker="o", markersize=3, label="creep, computed")),
+                            (way, 1e3 * history["creep_expected"][shown],
+                             dict(color="black", linestyle="--", label="steady creep, Carter"))],
+                           "way of the cylinder [mm]", r"creep [$10^{-3}$]",
+                           "Creep while the torque grows, and after that")
     axes = figure.axes[0]
     force = axes.twinx()
     force.grid(False)
-    force.plot(way, history["Q_over_muP"][shown], color=ORANGE, label=r"Q/($\mu$P)")
-    force.set_ylabel(r"Q/($\mu$P)")
-    force.set_ylim(0, 1)
-    force.legend(loc="center right")
+    force.plot(way, history["Q_over_muP"][shown], color=ORANGE, label=r"force Q/($\mu$P), right scale")
+    force.set_ylabel(r"tangential force Q/($\mu$P) [-]")
+    same_zero(axes, force)
+    key_of_both(axes, force, loc="center right")
     return figure
 
 

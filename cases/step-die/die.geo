@@ -1,4 +1,4 @@
-// Die with a groove, mm: flat face y = 0, groove 2w wide and d deep, draft angle b, fillets r1 at its mouth, r2 at its bottom.
+// Die with a groove, mm: flat face y = 0, groove 2w wide, d deep, draft angle b, fillets r1 at its mouth, r2 below.
 // The curves run from right to left: the workpiece is on their left, below.       gmsh -0 die.geo -o die.step
 SetFactory("OpenCASCADE");
 DefineConstant[ w = 3, d = 1.5, b = 15, r1 = 0.8, r2 = 0.6, far = 20 ];

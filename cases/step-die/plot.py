@@ -5,7 +5,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 from plotting.case import main
-from plotting.figure import BLUE, GRAY, ORANGE, new_figure
+from plotting.figure import BLUE, GRAY, ORANGE, key_of_both, new_figure, same_zero
 
 
 def filling(run):
@@ -17,14 +17,14 @@ def filling(run):
     axes.set_ylabel("force on the whole die [N/mm]")
     share = axes.twinx()
     share.grid(False)
-    share.plot(stroke, 100 * history["filling"], color=ORANGE, linestyle="--", label="filling")
+    share.plot(stroke, 100 * history["filling"], color=ORANGE, linestyle="--", label="filling, right scale")
     share.set_ylabel("groove filled [%]")
     for t, kind in zip(run.events["t"], run.events["event"]):
         if kind == "next-piece":
             axes.axvline(t * stroke[-1], color=GRAY, linestyle=":", linewidth=1)
-    lines = axes.get_legend_handles_labels(), share.get_legend_handles_labels()
-    axes.legend(lines[0][0] + lines[1][0], lines[0][1] + lines[1][1], loc="upper left")
-    axes.set_title("Dotted: a node passes from one curve of the die to the next")
+    same_zero(axes, share)
+    key_of_both(axes, share, loc="lower right")
+    axes.set_title("Pressing into the groove; dotted: a node passes from one curve of the die to the next")
     return figure
 
 

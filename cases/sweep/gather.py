@@ -1,7 +1,7 @@
 """Collects the summaries of a sweep: out/sweep/CASE/sweep.csv, one row for each variant of sweep.json, and the list of
 those that failed. Columns: the varied options, status, every number of the summary's "final" and "results" (NAME_error
-where a result has an expected value; "final.NAME" where a result has the same name), steps, cpu_seconds. Exit status 1
-if one failed.
+where a result has an expected value; "final.NAME" where a result has the same name; "run.NAME" where a varied option
+has it), steps, cpu_seconds. Exit status 1 if one failed.
 """
 import csv
 import json
@@ -57,7 +57,7 @@ def main():
         folder = variant["folder"]
         summary, code = read_summary(folder), read_text(f"{folder}/exit.txt").strip() or "none"
         good = code == "0" and summary.get("status") == "finished"
-        row = row_of(summary)
+        row = {("run." + k if k in variant["values"] else k): v for k, v in row_of(summary).items()}
         columns += [c for c in row if c not in columns]
         rows.append({**variant["values"], "status": "finished" if good else summary.get("status", "failed"), **row})
         if not good:

@@ -1,6 +1,7 @@
-"""One picture of a sweep: out/sweep/CASE/sweep.png from sweep.csv. A panel for each quantity of RESULT (names with
-commas; default: the results of the case that change, else forces of the drives) against the first varied option, a line
-for each combination of the others. Exit status 1 if a quantity of RESULT is not there.
+"""The pictures of a sweep: out/sweep/CASE/sweep.png from sweep.csv, and cost.png, error against CPU seconds, where
+results with expected values change (plotting/cost.py). A panel for each quantity of RESULT (names with commas, or with
+semicolons where a name has a comma; default: the results of the case that change, else forces of the drives) against
+the first varied option, a line for each combination of the others. Exit status 1 if a quantity of RESULT is not there.
 """
 import csv
 import json
@@ -10,6 +11,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 try:
     import numpy as np
+    from plotting.cost import cost_figure
     from plotting.curves import COLORS
     from plotting.figure import apply_style, new_figure, save, say_empty
 except ImportError as error:
@@ -45,9 +47,15 @@ def changes(values):
     return bool(known) and max(known) - min(known) > 1e-3 * max(map(abs, known))
 
 
+def asked_for():
+    """Names in RESULT, separated by commas, or by semicolons where a name has a comma."""
+    text = os.environ.get("RESULT", "")
+    return [name.strip() for name in text.split(";" if ";" in text else ",") if name.strip()]
+
+
 def chosen(columns, units, parameters, rows):
     """Quantities to draw."""
-    asked = [name.strip() for name in os.environ.get("RESULT", "").split(",") if name.strip()]
+    asked = asked_for()
     known = [c for c in columns if c not in parameters and c not in ("status", "t")]
     missing = [name for name in asked if name not in known]
     if missing:
@@ -123,6 +131,9 @@ def main():
         return 0
     apply_style()
     print(save(figure_of(sweep, good, quantities, units), top, "sweep"))
+    cost = cost_figure(sweep, good, asked_for())
+    if cost is not None:
+        print(save(cost, top, "cost"))
     return 0
 
 

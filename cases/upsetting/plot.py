@@ -15,14 +15,14 @@ def force(run):
     history, unit = run.history, run.summary["results"]["force with friction"]["unit"]
     figure, (left, right) = new_figure(10.0, 4.4, ncols=2)
     left.plot(100 * history["reduction"], history["force"] / 1e3, color=BLUE, label="with friction")
-    left.plot(100 * plain["reduction"], plain["force"] / 1e3, color=ORANGE, label="without")
+    left.plot(100 * plain["reduction"], plain["force"] / 1e3, color=ORANGE, label="without friction")
     left.plot(100 * plain["reduction"], plain["formula"] / 1e3, color=GRAY, linestyle="--", label="without, formula")
     left.set_ylabel(f"force on the platen [k{unit}]")
     left.legend(loc="lower right")
     right.plot(100 * history["reduction"], history["barrelling"], color=BLUE)
-    right.set_ylabel("barrelling [mm]")
-    right.set_title("Largest half width less that of the contact")
-    left.set_title(f"Ratio at the end: {run.result('force ratio'):.3f}")
+    right.set_ylabel("largest half width less that of the contact [mm]")
+    right.set_title("Barrelling; falls where a side node folds over")
+    left.set_title(f"Force; with friction {run.result('force ratio'):.3f} times the other at the end")
     for axes in (left, right):
         axes.set_xlabel("reduction of height [%]")
         axes.set_ylim(bottom=0)
@@ -30,4 +30,4 @@ def force(run):
 
 
 sys.exit(main(sys.argv[1:], length="mm", pictures=(force,),
-              columns={"force": ("force on the platen", "N or N/mm", 1.0), "barrelling": ("barrelling", "mm", 1.0)}))
+              columns={"reduction": None, "force": None, "barrelling": ("barrelling", "mm", 1.0)}))
