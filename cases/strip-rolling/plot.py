@@ -9,24 +9,30 @@ from plotting.figure import BLUE, GRAY, GREEN, ORANGE, RED, new_figure
 
 
 def bite(run):
-    """Path of nose, tail and pusher, horizontal forces on the strip, roll force and torque against the path of the roll."""
+    """Path of nose, tail and pusher, forces along x on the strip, roll force and torques over the rolls' path."""
     history = run.history
-    path = history["path"]
+    path, two = history["path"], "Q_lower.y" in history
     figure, axes = new_figure(8.0, 9.0, nrows=3, sharex=True)
-    axes[0].plot(path, path, color=GRAY, linestyle=":", label="surface of the roll")
+    axes[0].plot(path, path, color=GRAY, linestyle=":", label="surface of the upper roll")
     axes[0].plot(path, history["nose"] - history["nose"][0], color=BLUE, label="nose")
     axes[0].plot(path, history["tail"] - history["tail"][0], color=GREEN, label="tail")
     axes[0].plot(path, history["pusher.x"] - history["pusher.x"][0], color=ORANGE, linestyle="--", label="pusher")
     axes[0].set_ylabel("path along x [mm]")
-    axes[1].plot(path, history["Q_pusher.x"], color=ORANGE, label="pusher")
-    axes[1].plot(path, history["pull"], color=BLUE, linestyle="--", label="roll")
-    axes[1].set_ylabel("horizontal force on the strip [N/mm]")
-    axes[2].plot(path, -history["Q_roll.y"], color=RED, label="roll force [N/mm]")
-    axes[2].plot(path, history["Q_roll.angle"], color=BLUE, label="roll torque [N mm/mm]")
+    axes[1].plot(path, history["Q_pusher.x"] / (1 + two), color=ORANGE,
+                 label="half of the pusher's" if two else "pusher")
+    axes[1].plot(path, history["pull"], color=BLUE, linestyle="--", label="mean of the rolls" if two else "roll")
+    axes[1].set_ylabel("force on the strip along x [N/mm]")
+    axes[2].plot(path, -history["Q_upper.y"], color=RED, label="roll force [N/mm]")
+    axes[2].plot(path, history["Q_upper.angle"], color=BLUE, label="torque, upper roll [N mm/mm]")
+    if two:
+        axes[2].plot(path, -history["Q_lower.angle"], color=GREEN, linestyle=(0, (6, 6)),
+                     label="torque, lower roll [N mm/mm]")
     axes[2].set_xlabel("path of the roll's surface [mm]")
     for place in axes:
         place.legend()
-    gripped = "gripped" if run.result("gripped (1) or refused (0)") else "refused"
+    results = run.summary.get("results", {})
+    verdict = results.get("gripped (1) or refused (0)", {"value": None})["value"]
+    gripped = "stopped early" if verdict is None else "gripped" if verdict else "refused"
     axes[0].set_title(f"{gripped}: mu = {run.result('friction coefficient'):.3g}, "
                       f"tan(alpha) = {run.result('tan(alpha)'):.3g}")
     return figure
