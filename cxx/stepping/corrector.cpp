@@ -3,8 +3,23 @@
 #include "base/error.hpp"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace burnish {
+namespace {
+
+// What rounding leaves of the nodal forces in balance: that of places, times the stiffness [force]. Residuals of
+// a light load on a large body come no lower.
+template <int Dim> double rounding_of_forces(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& X) {
+  double stiffness = 0;
+  for (int node = 0; node < K.num_nodes; ++node) {
+    const double* block = K.block(K.find(node, node));
+    for (int c = 0; c < Dim; ++c) stiffness = std::max(stiffness, std::abs(block[c * Dim + c]));
+  }
+  return 4 * std::numeric_limits<double>::epsilon() * stiffness * X.cwiseAbs().maxCoeff();
+}
+
+} // namespace
 
 template <int Dim>
 Corrector<Dim>::Corrector(ContactModel<Dim> model, Eigen::VectorXd X, std::vector<char> fixed,
@@ -42,12 +57,16 @@ void Corrector<Dim>::begin(const Program& program, const ContactState<Dim>& pred
   m_reason.clear();
 }
 
+template <int Dim> double Corrector<Dim>::allowed(double scale) const {
+  return std::max(m_options.tolerance * scale, std::min(m_rounding, StepOptions().tolerance * scale));
+}
+
 // Sets m_balance; returns the load scale, in which the load of this state counts in its own tolerance.
 template <int Dim> double Corrector<Dim>::balance_at(const Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   const double h = m_body.spacing;
   double scale = m_load_scale;
   for (int pass = 0; pass < 2; ++pass) {
-    m_balance = balance(m_model, m_body, m_state, m_program, u, R, m_options.tolerance * scale,
+    m_balance = balance(m_model, m_body, m_state, m_program, u, R, allowed(scale),
                         m_options.gap_tolerance * h, m_options.offset_tolerance * h);
     if (m_balance.load <= scale) break;
     scale = m_balance.load;
@@ -70,17 +89,20 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
     return StepStatus::FAILED;
   }
   const bool consistent = !m_adapt || m_balance.inconsistent == 0;
-  if (m_iteration > 0 && res <= m_options.tolerance * scale && consistent) {
+  if (m_iteration > 0 && res <= allowed(scale) && consistent) {
     m_load_scale = scale;
     return StepStatus::CONVERGED;
   }
   if (m_iteration >= m_options.max_iterations) {
     std::ostringstream text;
     text << "no convergence in " << m_iteration << " iterations: residual " << res << ", allowed "
-         << m_options.tolerance * scale << ", " << m_balance.inconsistent << " inconsistent contact states";
-    if (res <= m_options.tolerance * scale)
+         << allowed(scale) << ", " << m_balance.inconsistent << " inconsistent contact states";
+    if (res <= allowed(scale))
       text << ": the forces balance, but friction is too small to hold a coordinate under force, or states "
               "cycle";
+    if (m_rounding > allowed(scale))
+      text << ": rounding alone leaves about " << m_rounding
+           << ", the mesh is too large or too slender for this load";
     m_reason = text.str();
     return StepStatus::FAILED;
   }
@@ -99,15 +121,15 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
   if (m_best_residual < 0 || res < m_best_residual) m_best_residual = res;
   const bool covered = window_covers(u);
   const bool fresh = m_iteration == 0 && !m_keep_factor;
-  return !m_has_factor || fresh || (slow && res > m_options.tolerance * scale) || !covered
-             ? StepStatus::REFACTORIZE
-             : StepStatus::ITERATE;
+  return !m_has_factor || fresh || (slow && res > allowed(scale)) || !covered ? StepStatus::REFACTORIZE
+                                                                              : StepStatus::ITERATE;
 }
 
 template <int Dim>
 FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
   require(K.size() == m_body.X.size(), "contact.factorize", "size of K", K.size(), "number of dofs");
   if (!window_covers(u) || m_window.empty()) choose_window(u);
+  m_rounding = rounding_of_forces(K, m_body.X);
   std::vector<int> nodes;
   for (const int i : m_window) nodes.push_back(m_model.candidates[i]);
   {
@@ -151,7 +173,7 @@ WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, cons
   problem.R = &R;
   problem.entry = &m_entry;
   problem.releases = &m_releases;
-  problem.force_tolerance = 0.1 * m_options.tolerance * std::max(m_load_scale, m_balance.load);
+  problem.force_tolerance = 0.1 * allowed(std::max(m_load_scale, m_balance.load));
   problem.gap_tolerance = 0.5 * m_options.gap_tolerance * m_body.spacing;
   problem.adapt = m_adapt;
   problem.max_passes = m_options.max_state_passes;

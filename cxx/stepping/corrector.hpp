@@ -67,6 +67,9 @@ private:
   bool window_covers(const Eigen::VectorXd& u) const;
   std::vector<int> near_contact(const Eigen::VectorXd& u, double widths, double spacings) const;
   const NodeBlockMatrix<Dim>& shifted(const NodeBlockMatrix<Dim>& K);
+  /// Largest residual that counts as balance [force]: the tolerance of the load, or what rounding leaves, but that
+  /// no more than the default tolerance of it.
+  double allowed(double scale) const;
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
   void project(Eigen::VectorXd& u, bool keep_fresh);
   WindowProblem<Dim> window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
@@ -94,6 +97,7 @@ private:
   Balance m_balance;
   CorrectorCounts m_counts;
   std::string m_reason;
+  double m_rounding = 0; // residual that rounding leaves, of the last tangent [force]
   double m_load_scale = 0, m_last_residual = -1, m_best_residual = -1;
   int m_iteration = 0, m_halvings = 0, m_step_factorizations = 0, m_indefinite = 0;
   Eigen::VectorXd m_u_before, m_q_before; // iterate before the last correct(), for halving
