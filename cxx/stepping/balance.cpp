@@ -32,6 +32,8 @@ void contact_node(const ContactModel<Dim>& model, int candidate, const ContactNo
                   double force_tolerance, double gap_tolerance, double offset_tolerance, Balance& result) {
   const FrictionLaw& law = model.law(candidate, node.tool);
   const double length = p.x_s.col(0).norm(), N = force.N, T = force.T;
+  result.friction += std::abs(T);
+  result.friction_limit += law.limit(std::max(N, 0.), node.area);
   bool bad = N < -force_tolerance || offset_to(model, candidate, p, x).norm() > offset_tolerance;
   if (node.state == NodeState::SLIDING) {
     const double r = std::abs(T + node.slip_sign * law.limit(N, node.area));

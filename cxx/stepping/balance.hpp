@@ -15,9 +15,10 @@ struct Balance {
   Eigen::VectorXd
       tool_force; ///< sum X_k . F_n per coordinate: what the drives give the tools (article eq. 1.6)
   Eigen::VectorXd
-      tool_residual;      ///< tool_force - Q_k over the lever arm, zero for coordinates under motion [force]
-  int inconsistent = 0;   ///< nodes whose state contradicts force, slip or gap
-  double penetration = 0; ///< deepest penetration of a free candidate >= 0 [length]
+      tool_residual;    ///< tool_force - Q_k over the lever arm, zero for coordinates under motion [force]
+  int inconsistent = 0; ///< nodes whose state contradicts force, slip or gap
+  double friction = 0, friction_limit = 0; ///< sums of |T| and of its limit over the contact nodes [force]
+  double penetration = 0;                  ///< deepest penetration of a free candidate >= 0 [length]
 };
 
 /// @param R internal minus external nodal force, num_dofs [force]

@@ -78,6 +78,24 @@ template <int Dim> void Corrector<Dim>::measure(const Eigen::VectorXd& u, const 
   m_load_scale = balance_at(u, R);
 }
 
+template <int Dim> std::string Corrector<Dim>::reason_of_failure(double scale) const {
+  std::ostringstream text;
+  text << "no convergence in " << m_iteration << " iterations: residual " << m_balance.residual
+       << ", allowed " << allowed(scale) << ", " << m_balance.inconsistent << " inconsistent contact states";
+  if (m_balance.residual > allowed(scale)) {
+    if (m_rounding > allowed(scale))
+      text << ": rounding leaves up to " << m_rounding
+           << ", the mesh is too large or too slender for this load";
+  } else if (m_balance.friction > (1 + m_options.tolerance) * m_balance.friction_limit) {
+    text << ": the forces balance with friction that adds up to " << m_balance.friction
+         << " over the contact nodes, whose limits add up to " << m_balance.friction_limit
+         << ": too little to hold a coordinate under force";
+  } else {
+    text << ": the forces balance, but states cycle";
+  }
+  return text.str();
+}
+
 template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(),
           "number of dofs");
@@ -94,16 +112,7 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
     return StepStatus::CONVERGED;
   }
   if (m_iteration >= m_options.max_iterations) {
-    std::ostringstream text;
-    text << "no convergence in " << m_iteration << " iterations: residual " << res << ", allowed "
-         << allowed(scale) << ", " << m_balance.inconsistent << " inconsistent contact states";
-    if (res <= allowed(scale))
-      text << ": the forces balance, but friction is too small to hold a coordinate under force, or states "
-              "cycle";
-    if (m_rounding > allowed(scale))
-      text << ": rounding alone leaves about " << m_rounding
-           << ", the mesh is too large or too slender for this load";
-    m_reason = text.str();
+    m_reason = reason_of_failure(scale);
     return StepStatus::FAILED;
   }
   const bool slow = m_last_residual >= 0 && res > m_options.slow * m_last_residual;

@@ -70,6 +70,7 @@ private:
   /// Largest residual that counts as balance [force]: the tolerance of the load, or what rounding leaves, but that
   /// no more than the default tolerance of it.
   double allowed(double scale) const;
+  std::string reason_of_failure(double scale) const; // after the last iteration
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
   void project(Eigen::VectorXd& u, bool keep_fresh);
   WindowProblem<Dim> window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
