@@ -1,12 +1,16 @@
 #include "base/formula.hpp"
 #include "base/error.hpp"
 #include "base/formula_scan.hpp"
+#include "base/formula_size.hpp"
 #include "base/formula_tape.hpp"
 #include <cmath>
 #include <sstream>
 
 namespace burnish {
 namespace {
+
+constexpr long LARGEST_DERIVATIVE = 1000000;
+constexpr double MOST_TERMS = 1000; ///< of a derivative that is expanded
 
 /// "beta = 1.5, r = 2", for messages.
 std::string place(const std::vector<std::string>& names, const double* values) {
@@ -16,15 +20,17 @@ std::string place(const std::vector<std::string>& names, const double* values) {
   return text.str();
 }
 
-/// GiNaC leaves the derivatives of its steps open: zero except at the step.
-struct FlatSteps : GiNaC::map_function {
+/// Steps stand as symbols while the rest is differentiated: they count as flat, and GiNaC 1.8 takes the conjugate
+/// of a step's derivative, which it meets in that of abs, for the step itself.
+struct FrozenSteps : GiNaC::map_function {
+  GiNaC::exmap steps, symbols; ///< symbol to step, step to symbol
   GiNaC::ex operator()(const GiNaC::ex& e) override {
-    if (GiNaC::is_a<GiNaC::fderivative>(e)) {
-      const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-      if (name == "step" || name == "csgn") return 0;
-      throw std::invalid_argument("function \"" + name + "\" has no derivative");
-    }
-    return e.map(*this);
+    if (!GiNaC::is_a<GiNaC::function>(e)) return e.map(*this);
+    const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+    if (name != "step" && name != "csgn") return e.map(*this);
+    const auto [found, added] = symbols.try_emplace(e, GiNaC::realsymbol());
+    if (added) steps[found->second] = e;
+    return found->second;
   }
 };
 
@@ -37,8 +43,11 @@ struct Formula::Impl {
   GiNaC::ex expression;
   FormulaTape tape;
 
-  std::string where() const { return what + " \"" + text + "\"" + label; }
-  [[noreturn]] void refuse(const std::string& why) const { fail(where(), why); }
+  std::string where() const { return what + " " + quoted(text) + label; }
+  [[noreturn]] void refuse(const std::string& why) const {
+    const std::size_t place = why.find("(): "); // GiNaC's begin with its own place: "power::eval(): "
+    fail(where(), place == std::string::npos ? why : why.substr(place + 4));
+  }
   void compile() {
     try {
       tape = FormulaTape(expression, variables);
@@ -47,9 +56,13 @@ struct Formula::Impl {
     }
   }
   void differentiate(std::size_t variable) {
-    FlatSteps flat_steps;
+    if (!(derivative_size(expression, variables[variable]) <= LARGEST_DERIVATIVE))
+      refuse("the formula is too long to be differentiated, expected a derivative of at most " +
+             std::to_string(LARGEST_DERIVATIVE) + " numbers, names and operations");
     try {
-      expression = flat_steps(expression.diff(variables[variable]));
+      FrozenSteps frozen;
+      const GiNaC::ex smooth = frozen(expression);
+      expression = smooth.diff(variables[variable]).subs(frozen.steps);
     } catch (const std::exception& error) {
       refuse(error.what());
     }
@@ -71,9 +84,7 @@ Formula::Formula(std::string what, std::string text, const FormulaNames& names) 
     for (const auto& [name, value] : names.parameters) table[name] = exact_number(value);
     impl->expression = parse_formula(impl->text, table);
   } catch (const std::exception& error) {
-    const std::string text = error.what(); // GiNaC's begin with its own place: "power::eval(): "
-    const std::size_t place = text.find("(): ");
-    impl->refuse(place == std::string::npos ? text : text.substr(place + 4));
+    impl->refuse(error.what());
   }
   impl->compile();
   m_impl = std::move(impl);
@@ -102,7 +113,13 @@ Formula Formula::derivative(int variable) const {
 }
 
 bool Formula::depends_on(int variable) const {
-  return !derivative(variable).m_impl->expression.expand().is_zero();
+  const GiNaC::ex slope = derivative(variable).m_impl->expression;
+  if (expanded_terms(slope) > MOST_TERMS) return !slope.is_zero();
+  try {
+    return !slope.expand().is_zero();
+  } catch (const std::exception&) { // an exponent of more than 32 bits
+    return !slope.is_zero();
+  }
 }
 
 const std::string& Formula::text() const { return m_impl->text; }

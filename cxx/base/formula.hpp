@@ -22,23 +22,26 @@ void check_formula_names(const std::string& where, const FormulaNames& names);
 /// Immutable; copies share the parsed expression. pi is known as pi and Pi; functions are sin cos tan asin
 /// acos atan atan2 sinh cosh tanh asinh acosh atanh exp log sqrt pow abs step (0, at zero 1/2, 1) and csgn
 /// (-1, 0, 1); powers are ^. A sign after an operator needs parentheses: x^(-2). Parameters are put in as
-/// numbers. One evaluation costs some 0.1 microseconds.
+/// numbers. atan2(0, 0) is 0. A formula has at most 10000 characters and 100 parentheses within one another, a
+/// derivative at most a million numbers, names and operations. One evaluation costs some 0.1 microseconds.
 class Formula {
 public:
   /// @param what  how messages call it, for example: x of tool "crank"
   /// @throws std::invalid_argument `what "text": ...` with the place in the text for wrong syntax and for a
   /// name that is neither variable, parameter nor function (lists the names known); for names that are no
   /// identifiers, occur twice, or are taken by functions or constants (pi, Pi, I, Euler, Catalan); for
-  /// parameters that are not finite, and for constant parts without a finite real value (1/0, sqrt(-1))
+  /// parameters that are not finite; for constant parts without a finite real value (1/0, sqrt(-1)), too small for
+  /// double (1e-400) or too large to be computed exactly (2^(10^9)), and for a text that is too long
   Formula(std::string what, std::string text, const FormulaNames& names);
   /// Value at the variables' values, one per variable.
   /// @throws std::invalid_argument quoting formula and place ("beta = 1.5708") where the value, or one on the
   /// way to it, is not a finite real number (pole, root or logarithm of a negative number)
   double operator()(const double* values) const;
   /// Exact derivative by a variable; step and csgn count as flat everywhere, abs has none at zero.
-  /// @throws std::invalid_argument if the variable is out of range
+  /// @throws std::invalid_argument if the variable is out of range, if the formula is too long to be
+  /// differentiated, or if a constant part of the derivative is no finite real number
   Formula derivative(int variable) const;
-  /// False if the value does not change with the variable.
+  /// False if the value does not change with the variable. (True if it would take more than 1000 terms to see.)
   bool depends_on(int variable) const;
   const std::string& text() const; ///< as given; that of the original for a derivative
 

@@ -1,54 +1,19 @@
 #include "base/formula_scan.hpp"
 #include "base/error.hpp"
 #include "base/formula.hpp"
+#include "base/formula_size.hpp"
 #include "base/formula_tape.hpp"
+#include "base/formula_tokens.hpp"
 #include <algorithm>
 #include <cln/cln.h>
 #include <cmath>
-#include <regex>
 #include <set>
 #include <sstream>
 
 namespace burnish {
 namespace {
 
-constexpr long LONGEST = 1000; ///< decimal places of a number
-
-enum class Kind { NUMBER, WORD, OPERATOR, OPEN, CLOSE, COMMA };
-struct Token {
-  Kind kind;
-  std::string text;
-  std::size_t start; ///< in the formula, from 0
-};
-
-[[noreturn]] void wrong(std::size_t start, const std::string& why) {
-  throw std::invalid_argument("at character " + std::to_string(start + 1) + ": " + why);
-}
-
-std::vector<Token> tokens_of(const std::string& text) {
-  static const std::regex number("([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?");
-  static const std::regex word("[A-Za-z][A-Za-z0-9_]*");
-  constexpr auto HERE = std::regex_constants::match_continuous;
-  std::vector<Token> tokens;
-  std::smatch match;
-  for (auto at = text.begin(); at != text.end();) {
-    const auto start = static_cast<std::size_t>(at - text.begin());
-    if (std::isspace(static_cast<unsigned char>(*at))) {
-      ++at;
-      continue;
-    }
-    if (std::regex_search(at, text.end(), match, number, HERE))
-      tokens.push_back({Kind::NUMBER, match.str(), start});
-    else if (std::regex_search(at, text.end(), match, word, HERE))
-      tokens.push_back({Kind::WORD, match.str(), start});
-    else if (const auto kind = std::string("+-*/^(),").find(*at); kind != std::string::npos)
-      tokens.push_back({kind < 5 ? Kind::OPERATOR : static_cast<Kind>(kind - 2), std::string(1, *at), start});
-    else
-      wrong(start, "\"" + std::string(1, *at) + "\" means nothing in a formula");
-    at += static_cast<std::ptrdiff_t>(tokens.back().text.size());
-  }
-  return tokens;
-}
+using Kind = FormulaToken::Kind;
 
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
@@ -77,78 +42,86 @@ bool is_function(const std::string& name) {
   return std::count(functions().begin(), functions().end(), name) > 0;
 }
 
-void check_word(const std::vector<Token>& tokens, std::size_t i, const GiNaC::symtab& table) {
-  const Token& token = tokens[i];
+void check_word(const std::vector<FormulaToken>& tokens, std::size_t i, const GiNaC::symtab& table) {
+  const FormulaToken& token = tokens[i];
   const bool called = i + 1 < tokens.size() && tokens[i + 1].kind == Kind::OPEN;
   const bool known = table.count(token.text);
-  if (called && known) wrong(token.start, "\"" + token.text + "\" is no function; a product needs *");
+  if (called && known) wrong_formula(token.start, "\"" + token.text + "\" is no function; a product needs *");
   if (called && !is_function(token.text))
-    wrong(token.start, "unknown function \"" + token.text + "\", expected one of " + listed(functions()));
+    wrong_formula(token.start,
+                  "unknown function \"" + token.text + "\", expected one of " + listed(functions()));
   if (called && i + 2 < tokens.size() && tokens[i + 2].kind == Kind::CLOSE)
-    wrong(token.start, "function \"" + token.text + "\" has no argument");
+    wrong_formula(token.start, "function \"" + token.text + "\" has no argument");
   if (!called && !known && is_function(token.text))
-    wrong(token.start, "function \"" + token.text + "\" needs its argument in parentheses");
+    wrong_formula(token.start, "function \"" + token.text + "\" needs its argument in parentheses");
   if (!called && !known)
-    wrong(token.start, "unknown name \"" + token.text + "\", expected one of " + known_names(table));
+    wrong_formula(token.start, "unknown name \"" + token.text + "\", expected one of " + known_names(table));
 }
 
 /// What GiNaC would misread or report without a place.
-void check_tokens(const std::vector<Token>& tokens, const GiNaC::symtab& table) {
+void check_tokens(const std::vector<FormulaToken>& tokens, const GiNaC::symtab& table) {
   if (tokens.empty()) throw std::invalid_argument("the formula is empty");
   for (std::size_t i = 0; i < tokens.size(); ++i) {
-    const Token& token = tokens[i];
+    const FormulaToken& token = tokens[i];
     if (token.kind == Kind::WORD) check_word(tokens, i, table);
     if (i == 0) continue;
     const Kind before = tokens[i - 1].kind;
     const bool operand = token.kind == Kind::NUMBER || token.kind == Kind::WORD || token.kind == Kind::OPEN;
     if ((token.text == "-" || token.text == "+") && before == Kind::OPERATOR)
-      wrong(token.start, "a sign after an operator needs parentheses, as in x*(-y)");
+      wrong_formula(token.start, "a sign after an operator needs parentheses, as in x*(-y)");
     if (operand && (before == Kind::NUMBER || before == Kind::CLOSE ||
                     (before == Kind::WORD && token.kind != Kind::OPEN)))
-      wrong(token.start, "an operator is missing before \"" + token.text + "\"");
+      wrong_formula(token.start, "an operator is missing before \"" + token.text + "\"");
   }
 }
 
-/// 0.05 as (005*10^(-2)), for GiNaC would round it.
-std::string exact_text(const Token& token) {
-  if (token.kind != Kind::NUMBER) return token.text;
-  if (!std::isfinite(std::strtod(token.text.c_str(), nullptr))) wrong(token.start, "the number is too large");
-  const std::size_t letter = token.text.find_first_of("eE");
-  std::string digits = token.text.substr(0, letter);
-  long exponent = letter == std::string::npos ? 0 : std::stol(token.text.substr(letter + 1));
-  if (const std::size_t point = digits.find('.'); point != std::string::npos) {
-    exponent -= static_cast<long>(digits.size() - point - 1);
-    digits.erase(point, 1);
-  }
-  if (exponent < -LONGEST) wrong(token.start, "the number is too small");
-  return exponent == 0 ? digits : "(" + digits + "*10^(" + std::to_string(exponent) + "))";
-}
-
-/// What GiNaC reads, and where each token begins in it.
-struct ExactText {
+/// What GiNaC reads, and where each token begins in it. Numbers, parameters and constants are symbols of their
+/// own in it: GiNaC would compute their powers at once, however large.
+struct SymbolicText {
   std::string text;
   std::vector<std::size_t> starts;
-  explicit ExactText(const std::vector<Token>& tokens) {
-    for (const Token& token : tokens) {
+  GiNaC::symtab table;
+  std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> values; ///< of these symbols
+
+  SymbolicText(const std::vector<FormulaToken>& tokens, const GiNaC::symtab& names) {
+    for (const auto& [name, expression] : names)
+      if (GiNaC::is_a<GiNaC::symbol>(expression))
+        table[name] = expression;
+      else
+        add(name, expression);
+    for (const FormulaToken& token : tokens) {
       starts.push_back(text.size());
-      text += exact_text(token) + " ";
+      std::string word = token.text;
+      if (token.kind == Kind::NUMBER) {
+        word = "number" + std::to_string(starts.size());
+        while (names.count(word)) word += "_";
+        add(word, token_number(token));
+      }
+      text += word + " ";
     }
+  }
+
+private:
+  void add(const std::string& name, const GiNaC::ex& value) {
+    const GiNaC::realsymbol symbol(name);
+    table[name] = symbol;
+    values[symbol] = value;
   }
 };
 
 /// GiNaC counts no columns. When it fails it has read its token and one character more.
-std::string place_of_failure(std::istringstream& stream, const std::vector<Token>& tokens,
-                             const ExactText& exact) {
+std::string place_of_failure(std::istringstream& stream, const std::vector<FormulaToken>& tokens,
+                             const SymbolicText& symbolic) {
   stream.clear();
   const auto read = static_cast<std::size_t>(stream.tellg());
   std::size_t last = 0;
   for (std::size_t i = 0; i < tokens.size(); ++i)
-    if (exact.starts[i] + 2 <= read) last = tokens[i].start;
+    if (symbolic.starts[i] + 2 <= read) last = tokens[i].start;
   return "at character " + std::to_string(last + 1);
 }
 
 std::string syntax_message(const std::string& message, std::istringstream& stream,
-                           const std::vector<Token>& tokens, const ExactText& exact) {
+                           const std::vector<FormulaToken>& tokens, const SymbolicText& symbolic) {
   if (message.find("power should have") != std::string::npos)
     return "a^b^c is ambiguous, write a^(b^c) or (a^b)^c";
   if (message.find("got: EOF") != std::string::npos)
@@ -157,45 +130,100 @@ std::string syntax_message(const std::string& message, std::istringstream& strea
   const std::size_t start = message.find("column 0: ");
   std::string text = start == std::string::npos ? message : message.substr(start + 10);
   text = text.substr(0, text.find('\n'));
-  return place_of_failure(stream, tokens, exact) + ": " + text;
+  if (const std::size_t end = text.find("EOF"); end != std::string::npos) text.replace(end, 3, "the end");
+  return place_of_failure(stream, tokens, symbolic) + ": " + text;
 }
+
+/// Puts the values in; the parts that become constant are computed exactly.
+struct InsertValues : GiNaC::map_function {
+  const std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less>& values;
+  explicit InsertValues(const std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less>& v) : values(v) {}
+  GiNaC::ex operator()(const GiNaC::ex& e) override {
+    if (GiNaC::is_a<GiNaC::symbol>(e)) {
+      const auto found = values.find(e);
+      return found == values.end() ? e : found->second;
+    }
+    if (GiNaC::is_a<GiNaC::power>(e)) {
+      const GiNaC::ex base = (*this)(e.op(0)), exponent = (*this)(e.op(1));
+      require_moderate_power(base, exponent);
+      if (base.is_zero() && exponent.evalf().info(GiNaC::info_flags::positive)) return 0; // GiNaC leaves 0^pi
+      return real(GiNaC::pow(base, exponent), [&](std::ostream& part) {
+        if (exponent.is_equal(GiNaC::ex(1) / 2))
+          part << "sqrt(" << base << ")";
+        else
+          part << "(" << base << ")^(" << exponent << ")";
+      });
+    }
+    return real(e.map(*this), [&](std::ostream& part) {
+      if (GiNaC::is_a<GiNaC::function>(e))
+        describe_call(part, e);
+      else
+        part << e;
+    });
+  }
+
+private:
+  void describe_call(std::ostream& part, const GiNaC::ex& e) {
+    part << GiNaC::ex_to<GiNaC::function>(e).get_name();
+    for (std::size_t i = 0; i < e.nops(); ++i) part << (i ? ", " : "(") << (*this)(e.op(i));
+    part << ")";
+  }
+  template <class Describe> static GiNaC::ex real(const GiNaC::ex& e, const Describe& describe) {
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+      if (GiNaC::is_a<GiNaC::numeric>(*part) && !GiNaC::ex_to<GiNaC::numeric>(*part).is_real()) {
+        std::ostringstream text;
+        describe(text);
+        throw std::invalid_argument("its part " + text.str() + " is no finite real number");
+      }
+    return e;
+  }
+};
 
 } // namespace
 
 void check_formula_names(const std::string& where, const FormulaNames& names) {
   static const std::set<std::string> constants{"I", "Pi", "pi", "Euler", "Catalan"};
-  static const std::regex identifier("[A-Za-z][A-Za-z0-9_]*");
   std::set<std::string> known;
   const auto check = [&](const std::string& name) {
-    if (!std::regex_match(name, identifier))
-      fail(where, "name \"" + name + "\" is no identifier (a letter, then letters, digits and _)");
+    if (!is_identifier(name))
+      fail(where, "name " + quoted(name) + " is no identifier (a letter, then letters, digits and _)");
     if (is_function(name) || constants.count(name))
       fail(where, "name \"" + name + "\" is taken by a " + (is_function(name) ? "function" : "constant"));
-    if (!known.insert(name).second) fail(where, "name \"" + name + "\" occurs twice");
+    if (!known.insert(name).second) fail(where, "name " + quoted(name) + " occurs twice");
   };
   for (const std::string& name : names.variables) check(name);
   for (const auto& [name, value] : names.parameters) {
     check(name);
-    require(std::isfinite(value), where.c_str(), ("parameter \"" + name + "\"").c_str(), value,
+    require(std::isfinite(value), where.c_str(), ("parameter " + quoted(name)).c_str(), value,
             "a finite number");
   }
+}
+
+std::string quoted(const std::string& text) {
+  constexpr std::size_t SHOWN = 200;
+  std::string beginning = text.substr(0, SHOWN);
+  std::replace(beginning.begin(), beginning.end(), '\0', '?'); // would end a message
+  if (text.size() <= SHOWN) return "\"" + beginning + "\"";
+  return "\"" + beginning + "...\" (" + std::to_string(text.size()) + " characters)";
 }
 
 GiNaC::numeric exact_number(double value) { return GiNaC::numeric(cln::rationalize(cln::cl_R(value))); }
 
 GiNaC::ex parse_formula(const std::string& text, const GiNaC::symtab& table) {
-  const std::vector<Token> tokens = tokens_of(text);
+  const std::vector<FormulaToken> tokens = formula_tokens(text);
   check_tokens(tokens, table);
-  GiNaC::parser parser(table, true, GiNaC::get_default_reader());
-  const ExactText exact(tokens);
-  std::istringstream stream(exact.text);
+  const SymbolicText symbolic(tokens, table);
+  GiNaC::parser parser(symbolic.table, true, GiNaC::get_default_reader());
+  std::istringstream stream(symbolic.text);
+  GiNaC::ex result;
   try {
-    return parser(stream);
+    result = parser(stream);
   } catch (const GiNaC::parse_error& error) {
-    throw std::invalid_argument(syntax_message(error.what(), stream, tokens, exact));
+    throw std::invalid_argument(syntax_message(error.what(), stream, tokens, symbolic));
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(syntax_message(error.what(), stream, tokens, exact));
+    throw std::invalid_argument(syntax_message(error.what(), stream, tokens, symbolic));
   }
+  return InsertValues(symbolic.values)(result);
 }
 
 } // namespace burnish

@@ -94,6 +94,12 @@ struct FormulaTape::Compiler {
     const auto number = GiNaC::ex_to<GiNaC::numeric>(e.evalf());
     Operation operation{Kind::CONSTANT};
     operation.constant = number.is_real() ? number.to_double() : NOT_A_NUMBER;
+    if (!std::isfinite(operation.constant) || (operation.constant == 0 && !number.is_zero())) {
+      std::ostringstream part;
+      part << number;
+      throw std::invalid_argument("its part " + part.str() +
+                                  " is no finite real number in the range of double");
+    }
     return append(operation);
   }
   int pair(Kind kind, const GiNaC::ex& e) {

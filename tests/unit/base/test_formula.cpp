@@ -72,6 +72,10 @@ TEST(Formula, DerivativesAreExact) {
   EXPECT_DOUBLE_EQ(flat.derivative(0)(v), 1);
   EXPECT_DOUBLE_EQ(flat.derivative(1)(v), 1);
   EXPECT_DOUBLE_EQ(flat.derivative(1).derivative(1)(v), 0);
+  const Formula turned("t", "abs(-3*csgn(y))/x", TWO); // GiNaC's own derivative by y is 3/(2 x)
+  EXPECT_DOUBLE_EQ(turned.derivative(0)(v), -3 / (0.7 * 0.7));
+  EXPECT_EQ(turned.derivative(1)(v), 0);
+  EXPECT_EQ(turned.derivative(1).derivative(0)(v), 0);
 }
 
 TEST(Formula, DependsOn) {
@@ -133,6 +137,7 @@ TEST(Formula, SingularPlaces) {
   HAS(at("1e300*x*y", 1e10), " * ");
   HAS(at("x", NAN), "the value nan is no finite real number, at x = nan");
   const double zero[] = {0, 0};
+  HAS(message([&] { Formula("t", "0^x", TWO).derivative(0); }), "\"0^x\", derivative by x: division by zero");
   HAS(message([&] { Formula("t", "sqrt(x)", TWO).derivative(0)(zero); }),
       "t \"sqrt(x)\", derivative by x: (0)^(-0.5) is no finite real number, at x = 0");
   EXPECT_DOUBLE_EQ(value("sin(x)", 0), 0);
@@ -142,7 +147,7 @@ TEST(Formula, WrongSyntaxNamesThePlace) {
   EXPECT_EQ(refused("e*cos(x)+"), "x of tool \"crank\" \"e*cos(x)+\": the formula ends too early");
   HAS(refused(""), "\"\": the formula is empty");
   HAS(refused("e*cos(x"), "a \")\" is missing");
-  HAS(refused("x)*y"), "at character 2: expected EOF");
+  HAS(refused("x)*y"), "at character 2: expected the end, got: \")\"");
   HAS(refused("x*(y+)"), "at character 6: unexpected token, got: \")\"");
   HAS(refused("2x"), "at character 2: an operator is missing before \"x\"");
   HAS(refused("x y"), "at character 3: an operator is missing before \"y\"");
@@ -152,6 +157,9 @@ TEST(Formula, WrongSyntaxNamesThePlace) {
   HAS(refused("x^y^2"), "a^b^c is ambiguous");
   HAS(refused("x//2"), "at character 3: unexpected token");
   HAS(refused("x # y"), "at character 3: \"#\" means nothing");
+  HAS(refused("x+\xce\xb2"), "at character 3: \"\xce\xb2\" means nothing"); // one character of two bytes
+  HAS(refused("x+\x01"), "at character 3: the control character 1 means nothing");
+  HAS(refused(std::string("x+\0y", 4)), "\"x+?y\": at character 3: the control character 0 means nothing");
   HAS(refused("{x}"), "at character 1: \"{\" means nothing");
   HAS(refused("x==y"), "at character 2: \"=\" means nothing");
   HAS(refused("1..2"), "at character 3: an operator is missing before \".2\"");
@@ -177,7 +185,55 @@ TEST(Formula, ConstantPartsAreChecked) {
   HAS(refused("x*acos(2)"), "its part acos(2) is no finite real number");
   HAS(refused("x+1e400"), "at character 3: the number is too large");
   HAS(refused("x+1e-4000"), "at character 3: the number is too small");
-  HAS(refused("x+10^400"), "its part inf is no finite real number");
+  HAS(refused("1e-310*x"), "at character 1: the number is too small");
+  HAS(refused("x+1e-99999999999999999999"), "at character 3: the number is too small");
+  HAS(refused("x+10^400"), "its part 1.0E400 is no finite real number");
+  HAS(refused("x*1e-300*1e-300"), "its part 1.0E-600 is no finite real number in the range of double");
+  HAS(refused("sqrt(-1)*sqrt(-1)*x"), "its part sqrt(-1) is no finite real number"); // the product is real
+  HAS(refused("log(-1)*x"), "its part log(-1) is no finite real number");
+  EXPECT_DOUBLE_EQ(value("x+0e99999999999999999999+0^pi", 2), 2);
+}
+
+TEST(Formula, LargePowersAreNotComputed) { // GiNaC would be busy for minutes, or end the process
+  HAS(refused("x+10^(10^8)"), "its part (10)^(100000000) is too large to be computed exactly");
+  HAS(refused("2^1000000000"), "too large to be computed exactly");
+  HAS(refused("x*7^123456789.5"), "too large to be computed exactly");
+  HAS(refused("(2*x)^1000000000"), "too large to be computed exactly");
+  HAS(refused("(2+4*x)^1000000000"), "too large to be computed exactly");
+  HAS(refused("n^(l*1e12)"), "its part (3)^(50000000000) is too large");
+  HAS(refused("1.0000001^(10^6)"), "too large to be computed exactly");
+  EXPECT_DOUBLE_EQ(value("x^1000000", 1), 1);
+  EXPECT_DOUBLE_EQ(value("2^500*x", 1), std::pow(2, 500));
+  EXPECT_TRUE(Formula("t", "(x+y+1)^1000", TWO).depends_on(0)); // half a million terms, were it expanded
+  EXPECT_TRUE(Formula("t", "((x+1)^20+y)^20", TWO).depends_on(1));
+  EXPECT_TRUE(Formula("t", "x^6200000000", TWO).depends_on(0));
+}
+
+namespace {
+std::string repeated(const std::string& text, int times) {
+  std::string result;
+  for (int i = 0; i < times; ++i) result += text;
+  return result;
+}
+} // namespace
+
+TEST(Formula, LongTextsAreRefusedOrWork) {
+  for (const char* part : {"a", "1", "x+", "(", "sin(", "0.", "x^(", "-(-"}) {
+    const std::string why = refused(repeated(part, 100000));
+    HAS(why, " characters, expected at most 10000");
+    EXPECT_LT(why.size(), 400u) << part; // quotes its beginning only
+  }
+  HAS(refused(repeated("a", 9000)), "at character 1: unknown name \"aaa");
+  HAS(refused(repeated("1", 9000)), "at character 1: the number is too large");
+  HAS(refused(repeated("(", 200) + "x" + repeated(")", 200)), "at character 101: more than 100 parentheses");
+  EXPECT_DOUBLE_EQ(value("0." + repeated("3", 9000) + "*x", 3), 1);
+  EXPECT_DOUBLE_EQ(value(repeated("(", 100) + "x" + repeated(")", 100), 3), 3);
+  EXPECT_DOUBLE_EQ(value(repeated("x+", 4999) + "x", 3), 15000);
+  std::string product = "x";
+  for (int i = 0; i < 300; ++i) product += "*sin(" + std::to_string(i) + ".5*x)";
+  const Formula many("t", product,
+                     TWO); // a derivative of 300 terms with 300 factors: the second one is too long
+  HAS(message([&] { many.derivative(0).derivative(0); }), "the formula is too long to be differentiated");
 }
 
 TEST(Formula, NamesAreChecked) {
