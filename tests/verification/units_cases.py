@@ -65,7 +65,7 @@ def worst_column(one, other):
     known = [name for name, (a, b) in size.items() if abs(b - unit[name] * a) <= 1e-3 * b]  # others: only rounding
     largest = {power: max((size[name][0] for name in known if unit[name] == power), default=1) for power in POWERS}
     all_sizes = max(a for a, _ in size.values())
-    off = {name: max(abs(y / unit[name] - x) for x, y in zip(one[name], other[name])) / largest[unit[name]]
+    off = {name: max(abs(y / unit[name] - x) for x, y in zip(one[name], other[name])) / (largest[unit[name]] or 1)
            for name in known}
     off.update({name: size[name][0] / all_sizes for name in one if name not in known})
     return max((value, name) for name, value in off.items())
