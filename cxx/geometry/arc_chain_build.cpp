@@ -42,6 +42,8 @@ private:
   void check_corners() const;
   void check_room() const;
   void add(const ArcPiece& piece, const std::string& label);
+  void check_arc(std::size_t i) const;
+  bool on_the_way(std::size_t i, std::size_t j, const Vector<2>& x) const;
   void check_crossings() const;
 
   const std::vector<Vector<2>>& m_points;
@@ -102,9 +104,11 @@ void Builder::check_corners() const {
     if (m_radii[i] > 0) continue;
     const std::size_t before = (i + m_n - 1) % m_n;
     const double room = std::min(m_edge[before] - m_cut[before], m_edge[i] - m_cut[next(i)]);
+    const std::string advice = room > ROUNDING * m_size
+                                   ? ", up to " + at_most(room / std::tan(turn / 2)) + " fits there"
+                                   : " and its neighbors smaller ones, which leave no room";
     fail(WHERE, name(i) + " is a corner of " + text(turn * 180 / M_PI) +
-                    " degrees without fillet; give it a radius > 0, up to " +
-                    at_most(room / std::tan(turn / 2)) + " fits there");
+                    " degrees without fillet; give it a radius > 0" + advice);
   }
 }
 
@@ -129,18 +133,41 @@ void Builder::add(const ArcPiece& piece, const std::string& label) {
   m_labels.push_back(label);
 }
 
+void Builder::check_arc(std::size_t i) const {
+  const double turn = std::abs(m_turn[i]), least = ROUNDING * m_size;
+  if (m_radii[i] * turn > least) return;
+  fail(WHERE, "radius " + text(m_radii[i]) + " at " + name(i) + " is too small for a corner of " +
+                  text(turn * 180 / M_PI) + " degrees in a chain of size " + text(m_size) +
+                  "; give it more than " + text(least / turn));
+}
+
+// A chain that turns by less than 180 degrees on the way from one point to the other does not come back: the
+// two are close because little lies between them.
+bool Builder::on_the_way(std::size_t i, std::size_t j, const Vector<2>& x) const {
+  double turn = 0, between = 0;
+  for (std::size_t k = 0; k < m_pieces.size(); ++k) {
+    const ArcPiece& piece = m_pieces[k];
+    const double sharpness = std::abs(piece.curvature), from = k == i ? piece.closest(x, 0).s : 0;
+    const double to = k == j ? piece.closest(x, 0).s : piece.length;
+    turn += sharpness * piece.length;
+    if (k >= i && k <= j) between += sharpness * (to - from);
+  }
+  return between < M_PI || (m_closed && turn - between < M_PI);
+}
+
 void Builder::check_crossings() const {
   const std::size_t n = m_pieces.size();
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 2; j < n; ++j) {
       if (m_closed && i == 0 && j == n - 1) continue; // neighbors
-      const auto common = common_points(m_pieces[i], m_pieces[j], STRAIGHT * m_size);
-      if (common.empty()) continue;
-      const bool ends =
-          i == 0 && j == n - 1 && (m_points.front() - m_points.back()).norm() <= STRAIGHT * m_size;
-      fail(WHERE, "the chain crosses or touches itself at " + text(common[0]) + ": " + m_labels[i] + " and " +
-                      m_labels[j] +
-                      (ends ? " (if it is meant to be closed: closed, without the last point)" : ""));
+      for (const Vector<2>& x : common_points(m_pieces[i], m_pieces[j], STRAIGHT * m_size)) {
+        if (on_the_way(i, j, x)) continue;
+        const bool ends =
+            i == 0 && j == n - 1 && (m_points.front() - m_points.back()).norm() <= STRAIGHT * m_size;
+        fail(WHERE, "the chain crosses or touches itself at " + text(x) + ": " + m_labels[i] + " and " +
+                        m_labels[j] +
+                        (ends ? " (if it is meant to be closed: closed, without the last point)" : ""));
+      }
     }
 }
 
@@ -155,6 +182,7 @@ std::vector<ArcPiece> Builder::build() {
     add({m_points[i] + m_cut[i] * t, t, 0, m_edge[i] - m_cut[i] - m_cut[j]},
         "the line from point " + std::to_string(i) + " to point " + std::to_string(j));
     if (m_cut[j] == 0) continue;
+    check_arc(j);
     const double turn = m_turn[j], R = m_radii[j];
     add({m_points[j] - m_cut[j] * t, t, std::copysign(1 / R, turn), R * std::abs(turn)},
         "the fillet at point " + std::to_string(j));

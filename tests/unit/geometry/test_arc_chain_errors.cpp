@@ -24,6 +24,36 @@ TEST(ArcChainErrors, RefusesCornersWithTheRadiusThatFits) {
   expect_invalid([] { ArcChain({{0, 0}, {2, 0}, {1, 0}}, {0, 0.1, 0}); }, "turns back on itself at point 1");
 }
 
+TEST(ArcChainErrors, RefusesRadiiTooSmallToBeSeen) { // such a fillet was left out: a corner
+  expect_invalid(
+      [] {
+        ArcChain({{0, 2}, {0, 0}, {3, 0}}, {0, 1e-300, 0});
+      },
+      "radius 1e-300 at point 1 at (0, 0) is too small for a corner of 90 degrees in a chain of size "
+      "3.60555; give it more than 2.29537e-12");
+  ArcChain({{0, 2}, {0, 0}, {3, 0}}, {0, 3e-12, 0});
+}
+
+TEST(ArcChainErrors, CornerBetweenFilletsThatLeaveNoRoom) {
+  expect_invalid(
+      [] {
+        ArcChain({{0, 3}, {0, 0}, {3, 0}, {3, 2}}, {0, 3, 0, 0});
+      },
+      "point 2 at (3, 0) is a corner of 90 degrees without fillet; give it a radius > 0 and its neighbors "
+      "smaller ones, which leave no room");
+}
+
+// Radii typed with ten digits leave lines of 1e-10 of the size between them: neighbors, not crossings.
+TEST(ArcChainErrors, TinyPiecesAreNoCrossings) {
+  for (const double rest : {1e-11, 1e-10, 1e-9}) {
+    const double R = 0.5 - rest / 2;
+    const ArcChain chain({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {R, R, R, R}, true);
+    EXPECT_EQ(chain.pieces().size(), 8u);
+    EXPECT_NEAR(chain.closest_point({0.5, 0.5}, ANY).gap, -0.5, 1e-12);
+    ArcChain({{-1, 0}, {0, 0}, {1, 1e-7}}, {0, rest * 1e7, 0}); // an arc as long as rest
+  }
+}
+
 TEST(ArcChainErrors, RefusesFilletsThatOverlap) {
   const Points points{{0, 2}, {0, 0}, {3, 0}, {3, 2}};
   expect_invalid(
