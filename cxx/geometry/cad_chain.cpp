@@ -36,6 +36,8 @@ public:
     for (const CadPiece& curve : curves)
       for (const double part : {0., 0.3, 0.7, 1.})
         size = std::max(size, (curve.at(part * curve.length()).x - m_x[0]).norm());
+    for (const CadPiece& curve : curves)
+      if (curve.length() <= JOINED * size) fail_short(curve, size);
     for (std::size_t a = 0; a < m_x.size(); ++a) {
       std::vector<std::size_t> here;
       for (std::size_t b = 0; b < m_x.size(); ++b)
@@ -51,6 +53,11 @@ public:
   std::size_t size() const { return m_x.size(); }
 
 private:
+  [[noreturn]] static void fail_short(const CadPiece& curve, double size) {
+    fail(WHERE, "curve " + std::to_string(curve.tag()) + " at " + text(curve.start().x, size) +
+                    " is too short: " + number(curve.length()) + " long, in a chain of size " + number(size) +
+                    " at least " + number(JOINED * size) + " is needed; take it out of the drawing");
+  }
   [[noreturn]] void fail_branch(std::size_t a, const std::vector<std::size_t>& here) const {
     std::string tags = std::to_string(m_curves[a / 2].tag());
     for (const std::size_t b : here) tags += ", " + std::to_string(m_curves[b / 2].tag());
@@ -88,12 +95,17 @@ void check_joint(const CadPiece& before, const CadPiece& after) {
                       text(value.x, piece->length()));
   const double angle = std::abs(std::atan2(left_of(a.first).dot(b.first), a.first.dot(b.first)));
   if (angle <= SMOOTH) return;
-  const std::string which =
-      before.tag() == after.tag()
-          ? "curve " + std::to_string(before.tag()) + " closes with"
-          : "curves " + std::to_string(before.tag()) + " and " + std::to_string(after.tag()) + " make";
-  fail(WHERE, which + " a corner of " + number(angle * 180 / M_PI) + " degrees at " +
-                  text(a.x, before.length()) + "; round it with a fillet in the CAD system");
+  const bool alone = before.tag() == after.tag();
+  const std::string place = text(a.x, before.length()),
+                    which = alone ? "curve " + std::to_string(before.tag())
+                                  : "curves " + std::to_string(before.tag()) + " and " +
+                                        std::to_string(after.tag());
+  if (angle > M_PI - SMOOTH)
+    fail(WHERE, which +
+                    (alone ? " turns back on itself where it closes, at " : " turn back on each other at ") +
+                    place + ": a cusp, or a curve drawn twice");
+  fail(WHERE, which + (alone ? " closes with" : " make") + " a corner of " + number(angle * 180 / M_PI) +
+                  " degrees at " + place + "; round it with a fillet in the CAD system");
 }
 
 } // namespace

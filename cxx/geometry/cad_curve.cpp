@@ -1,6 +1,7 @@
 #include "geometry/cad_curve.hpp"
 #include "base/error.hpp"
 #include "geometry/arc_piece.hpp"
+#include "geometry/cad_crossings.hpp"
 #include "geometry/plane.hpp"
 #include <algorithm>
 
@@ -28,39 +29,14 @@ CadValue beyond(const CadValue& end, double s) {
   return {arc.point(speed * s), speed * t, speed * speed * arc.curvature * left_of(t)};
 }
 
-bool cross_each_other(const CadCell& a, const CadCell& b) {
-  const auto sides = [](const CadCell& line, const CadCell& other) {
-    const Vector<2> along = line.x[1] - line.x[0];
-    return cross(along, other.x[0] - line.x[0]) * cross(along, other.x[1] - line.x[0]);
-  };
-  for (int k = 0; k < 2; ++k)
-    if (std::max(a.x[0][k], a.x[1][k]) < std::min(b.x[0][k], b.x[1][k]) ||
-        std::max(b.x[0][k], b.x[1][k]) < std::min(a.x[0][k], a.x[1][k]))
-      return false;
-  return sides(a, b) <= 0 && sides(b, a) <= 0;
-}
-
 } // namespace
 
 CadCurve::CadCurve(const CadSelection& selection)
     : m_chain(chained(read_curves(selection))), m_start(starts(m_chain.pieces)), m_search(m_chain.pieces) {
-  check_crossings();
+  check_crossings(m_chain, m_search.cells());
   m_side = closed() && counterclockwise() ? -1 : 1;
   if (selection.inside) m_side = -m_side;
   m_tightest = 1 / sharpest();
-}
-
-void CadCurve::check_crossings() const {
-  const auto& cells = m_search.cells();
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    for (std::size_t j = i + 2; j < cells.size(); ++j) {
-      if (closed() && i == 0 && j + 1 == cells.size()) continue; // neighbors
-      if (!cross_each_other(cells[i], cells[j])) continue;
-      std::ostringstream place;
-      place << "the chain crosses itself near (" << cells[i].x[0].x() << ", " << cells[i].x[0].y()
-            << "): curves " << pieces()[cells[i].piece].tag() << " and " << pieces()[cells[j].piece].tag();
-      fail("CadCurve", place.str());
-    }
 }
 
 bool CadCurve::counterclockwise() const {

@@ -28,7 +28,7 @@ class CadCurve : public Profile<2> {
 public:
   /// @throws std::invalid_argument: see CadFile, CadSpans, chained; a scale that is not positive, an unknown
   /// tag (lists those that exist; tells if it is a surface), a curve that is not in the plane z = 0, a chain
-  /// that crosses itself
+  /// that crosses or touches itself
   explicit CadCurve(const CadSelection& selection);
   const std::vector<CadPiece>& pieces() const { return m_chain.pieces; }
   double length() const { return m_start.back(); }
@@ -38,10 +38,10 @@ public:
   /// @throws std::invalid_argument if s is not finite
   ProfilePoint<2> evaluate(const Param<2>& s) const override;
 
-  /// Nearest of all points of the chain, to rounding. gap = distance along the normal at the foot point,
-  /// negative in the tool. Open chains, beyond an end: as Segment, gap = +distance to that end, on_end; an
-  /// excess of 1e-12 L over an end still counts as the end itself. Where several points are equally near
-  /// (1e-12 L): the one nearest to `near`.
+  /// Nearest of all points of the chain, to rounding (close to a center of curvature: to 1e-8 of the
+  /// distance). gap = distance along the normal at the foot point, negative in the tool. Open chains, beyond
+  /// an end: as Segment, gap = +distance to that end, on_end; an excess of 1e-12 L over an end still counts
+  /// as the end itself. Where several points are equally near (1e-12 L): the one nearest to `near`.
   /// @param x     point in the tool's frame, 2 [length]
   /// @param near  parameter to stay close to; closed: picks the branch, |s - near| <= L/2 [length]
   /// @throws std::invalid_argument if x or near is not finite
@@ -58,7 +58,6 @@ public:
 private:
   double wrapped(double s) const;
   std::size_t piece_at(double wrapped_s) const;
-  void check_crossings() const;
   bool counterclockwise() const;
   double sharpest() const;
 

@@ -1,11 +1,10 @@
 #include "geometry/cad_file.hpp"
 #include "base/error.hpp"
 #include "geometry/cad_session.hpp"
+#include "geometry/cad_text.hpp"
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <gmsh.h>
 #include <regex>
 
@@ -15,46 +14,9 @@ namespace {
 
 constexpr const char* WHERE = "CadFile";
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\n"), last = text.find_last_not_of(" \t\n");
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
-std::string extension(const std::string& path) {
-  std::string end = std::filesystem::path(path).extension().string();
-  for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return end;
-}
-
-std::string content(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code code;
-  const std::string quoted = "\"" + path + "\"", end = extension(path);
-  if (!fs::exists(path, code))
-    fail(WHERE, quoted + " does not exist, seen from folder " + fs::current_path().string());
-  if (fs::is_directory(path, code)) fail(WHERE, quoted + " is a folder");
-  if (end != ".geo" && end != ".step" && end != ".stp" && end != ".brep")
-    fail(WHERE, quoted + " ends in \"" + end + "\", expected .geo, .step, .stp or .brep");
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) fail(WHERE, quoted + " cannot be read");
-  if (trimmed(text.str()).empty()) fail(WHERE, quoted + " is empty");
-  const std::string last = text.str().substr(text.str().find_last_of('\n') + 1);
-  if (end == ".geo" && std::count(last.begin(), last.end(), ';') > 1)
-    fail(WHERE, quoted + " does not end with a new line: gmsh would read only one command of its last line");
-  return text.str();
-}
-
-// A number that the file does not know would change nothing: a typing error. Included files are not searched.
-void check_known(const std::string& path, const std::string& text,
-                 const std::map<std::string, double>& numbers) {
-  if (numbers.empty()) return;
-  if (extension(path) != ".geo") fail(WHERE, "\"" + path + "\" takes no numbers, only .geo files do");
-  if (std::regex_search(text, std::regex("\\b(Include|Merge)\\b"))) return;
-  for (const auto& number : numbers)
-    if (!std::regex_search(text, std::regex("\\b" + number.first + "\\b")))
-      fail(WHERE, "\"" + path + "\" has no number \"" + number.first + "\"");
+// What OpenCASCADE prints, in one line.
+std::string one_line(const std::string& text) {
+  return std::regex_replace(trimmed(text), std::regex("\\s*\n\\s*"), "; ");
 }
 
 // What gmsh must read before a .geo file: it keeps the names of the last one; numbers are taken this way.
@@ -80,7 +42,7 @@ std::string epilogue(const std::map<std::string, double>& numbers) {
 // Reads the file into the current model; returns the first error.
 std::string read_into(const GmshSession& session, const std::string& path,
                       const std::map<std::string, double>& numbers) {
-  if (extension(path) != ".geo") return session.merge(path);
+  if (file_extension(path) != ".geo") return session.merge(path);
   const TemporaryFile before(preamble(numbers), ".geo"), after(epilogue(numbers), ".geo");
   for (const std::string& file : {before.path(), path, after.path()}) {
     const std::string said = session.merge(file);
@@ -111,7 +73,7 @@ std::map<std::string, double> parse_numbers(const std::string& where, const std:
 }
 
 CadFile::CadFile(std::string path, const std::map<std::string, double>& numbers) : m_path(std::move(path)) {
-  check_known(m_path, content(m_path), numbers);
+  check_cad_text(m_path, numbers);
   const GmshSession session;
   m_model = session.new_model();
   std::string said = read_into(session, m_path, numbers);
@@ -122,7 +84,7 @@ CadFile::CadFile(std::string path, const std::map<std::string, double>& numbers)
   for (const auto& entity : exact) m_exact.push_back(entity.second);
   std::sort(m_curves.begin(), m_curves.end());
   if (said.empty() && !m_curves.empty()) return;
-  const std::string printed = trimmed(session.printed());
+  const std::string printed = one_line(session.printed());
   session.remove(m_model);
   if (said.empty()) said = "no curves in it" + (printed.empty() ? "" : " (" + printed + ")");
   fail(WHERE, "\"" + m_path + "\": " + said);
@@ -148,7 +110,8 @@ CadEdge CadFile::edge(int tag) const {
   gmsh::model::getType(1, tag, edge.type);
   gmsh::model::getParametrizationBounds(1, tag, begin, end);
   if (begin.size() != 1 || end.size() != 1 || !(begin[0] < end[0]))
-    fail(WHERE, "\"" + m_path + "\": curve " + std::to_string(tag) + " (" + edge.type + ") has no parameter");
+    fail(WHERE, "\"" + m_path + "\": curve " + std::to_string(tag) + " (" + edge.type +
+                    ") has no range of its parameter: its points are not finite or fall together");
   edge.begin = begin[0];
   edge.end = end[0];
   edge.exact_derivative = std::find(m_exact.begin(), m_exact.end(), tag) != m_exact.end();

@@ -36,6 +36,9 @@ void check_plane(const CadFile& file, const CadEdge& edge) {
   for (int i = 0; i <= 64; ++i) u.push_back(edge.begin + (edge.end - edge.begin) * i / 64);
   const Eigen::Matrix3Xd x = file.value(edge.tag, u);
   Eigen::Index at = 0;
+  if (!x.allFinite())
+    fail(WHERE,
+         "curve " + std::to_string(edge.tag) + " of \"" + file.path() + "\" has points that are not finite");
   const double z = x.row(2).cwiseAbs().maxCoeff(&at), size = x.topRows<2>().cwiseAbs().maxCoeff();
   if (z <= 1e-9 * size) return;
   std::ostringstream text;

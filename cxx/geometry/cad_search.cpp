@@ -2,12 +2,15 @@
 #include "base/error.hpp"
 #include "geometry/plane.hpp"
 #include <algorithm>
+#include <array>
 
 namespace burnish {
 
 namespace {
 
 constexpr double TURN = 0.1; // rad in a cell
+constexpr int PARTS = 8;     // samples of a cell
+constexpr int SCANNED = 16;  // parts of a cell that may hold several foot points
 constexpr int MOST_HALVINGS = 16;
 constexpr std::size_t GROUP = 16;
 
@@ -18,28 +21,83 @@ double distance_to_chord(const CadCell& cell, const Vector<2>& x) {
   return (from - part * chord).norm();
 }
 
-// Foot point within a cell: the zero of f = x_s.(x(s) - x) between the ends, by Newton within a bracket.
-CadFoot foot_in(const CadCell& cell, const CadPiece& piece, const Vector<2>& x) {
-  const double f0 = cell.t[0].dot(cell.x[0] - x), f1 = cell.t[1].dot(cell.x[1] - x);
-  if (f0 >= 0 || f1 <= 0) {
-    const bool nearer = (cell.x[0] - x).norm() <= (cell.x[1] - x).norm();
-    const bool first = f0 >= 0 && (f1 > 0 || nearer);
-    return {cell.piece, first ? cell.begin : cell.end, (first ? f0 : f1) == 0};
+/// A place on a piece seen from x: f = x_s.(x(s) - x) is zero at foot points.
+struct View {
+  double s, f, slope, distance;
+};
+
+View view_of(const CadPiece& piece, double s, const Vector<2>& x) {
+  const CadValue at = piece.at(s);
+  const Vector<2> d = at.x - x;
+  return {s, at.first.dot(d), at.first.squaredNorm() + at.second.dot(d), d.norm()};
+}
+
+// Foot point between low and high: the zero of f by Newton within a bracket, or the nearer end.
+CadFoot foot_between(const CadCell& cell, const CadPiece& piece, const Vector<2>& x, const View& low_end,
+                     const View& high_end) {
+  if (low_end.f >= 0 || high_end.f <= 0) {
+    const bool first = low_end.f >= 0 && (high_end.f > 0 || low_end.distance <= high_end.distance);
+    const View& end = first ? low_end : high_end;
+    return {cell.piece, end.s, end.f == 0};
   }
-  double low = cell.begin, high = cell.end, s = low + (high - low) * f0 / (f0 - f1);
+  double low = low_end.s, high = high_end.s, s = low + (high - low) * low_end.f / (low_end.f - high_end.f);
   for (int round = 0; round < 60; ++round) {
-    const CadValue at = piece.at(s);
-    const Vector<2> d = at.x - x;
-    const double f = at.first.dot(d), slope = at.first.squaredNorm() + at.second.dot(d);
-    const double newton = slope > 0 ? s - f / slope : high + 1;
+    const View at = view_of(piece, s, x);
+    const double newton = at.slope > 0 ? s - at.f / at.slope : high + 1;
     if (std::abs(newton - s) <= 1e-9 * (cell.end - cell.begin)) { // the next step would be below rounding
-      s = std::clamp(newton, cell.begin, cell.end);
+      s = std::clamp(newton, low_end.s, high_end.s);
       break;
     }
-    (f < 0 ? low : high) = s;
+    (at.f < 0 ? low : high) = s;
     s = newton > low && newton < high ? newton : (low + high) / 2;
   }
   return {cell.piece, s, true};
+}
+
+CadFoot foot_in(const CadCell& cell, const CadPiece& piece, const Vector<2>& x) {
+  const auto end = [&](int k, double s) {
+    const Vector<2> d = cell.x[k] - x;
+    return View{s, cell.t[k].dot(d), 0, d.norm()};
+  };
+  const View first = end(0, cell.begin), last = end(1, cell.end);
+  const double length = (cell.x[1] - cell.x[0]).norm();
+  const bool near = (std::min(first.distance, last.distance) + length) * cell.bend < 1;
+  if (near || (cell.hollow[0].dot(cell.x[0] - x) > 0 && cell.hollow[1].dot(cell.x[1] - x) > 0))
+    return foot_between(cell, piece, x, first, last);
+  // on the hollow side, about as far as the center of curvature, there may be several
+  CadFoot best;
+  double least = std::numeric_limits<double>::infinity();
+  View before = first;
+  for (int k = 1; k <= SCANNED; ++k) {
+    const View after =
+        k == SCANNED ? last : view_of(piece, cell.begin + (cell.end - cell.begin) * k / SCANNED, x);
+    const CadFoot foot = foot_between(cell, piece, x, before, after);
+    const double distance = (piece.at(foot.s).x - x).norm();
+    if (distance < least || (distance == least && foot.normal)) {
+      least = distance;
+      best = foot;
+    }
+    before = after;
+  }
+  return best;
+}
+
+// What samples of a cell, its ends included, tell of the rest: a little more.
+void bound(CadCell& cell, const std::array<CadValue, PARTS + 1>& samples) {
+  bool left = true, right = true;
+  double slowest = samples[0].first.squaredNorm();
+  for (const CadValue& value : samples) {
+    cell.sag = std::max(cell.sag, 1.3 * distance_to_chord(cell, value.x));
+    cell.bend = std::max(cell.bend, 1.3 * value.second.norm());
+    slowest = std::min(slowest, value.first.squaredNorm());
+    const double side = left_of(value.first).dot(value.second);
+    left = left && side > 0;
+    right = right && side < 0;
+  }
+  cell.bend /= slowest;
+  if (!left && !right) return;
+  cell.hollow[0] = samples.front().second;
+  cell.hollow[1] = samples.back().second;
 }
 
 } // namespace
@@ -53,8 +111,7 @@ CadSearch::CadSearch(const std::vector<CadPiece>& pieces) {
 }
 
 void CadSearch::add(const CadPiece& piece, std::size_t index, double begin, double end, int depth) {
-  constexpr int PARTS = 8;
-  CadValue value[PARTS + 1];
+  std::array<CadValue, PARTS + 1> value;
   double turn = 0;
   for (int k = 0; k <= PARTS; ++k) {
     value[k] = piece.at(begin + (end - begin) * k / PARTS);
@@ -72,9 +129,9 @@ void CadSearch::add(const CadPiece& piece, std::size_t index, double begin, doub
     add(piece, index, begin, (begin + end) / 2, depth + 1);
     return add(piece, index, (begin + end) / 2, end, depth + 1);
   }
-  CadCell cell{index, begin, end, {value[0].x, value[PARTS].x}, {value[0].first, value[PARTS].first}, 0};
-  for (const CadValue& v : value) cell.sag = std::max(cell.sag, distance_to_chord(cell, v.x));
-  cell.sag = 1.3 * cell.sag + 1e-14 * piece.length(); // of samples: a little more
+  CadCell cell{index, begin, end, {value[0].x, value[PARTS].x}, {value[0].first, value[PARTS].first}, turn};
+  bound(cell, value);
+  cell.sag += 1e-14 * piece.length();
   m_cells.push_back(cell);
 }
 

@@ -8,6 +8,7 @@ namespace burnish {
 namespace {
 
 constexpr double EXACT = 1e-13; // relative: rounding
+constexpr double LOOSEST = 1.1e-11;
 
 double largest(const Eigen::Matrix2Xd& columns) {
   return std::sqrt(columns.colwise().squaredNorm().maxCoeff());
@@ -35,24 +36,41 @@ CadSpans::CadSpans(const CadSource& source) {
   std::vector<double> u;
   for (int i = 0; i <= 200; ++i) u.push_back(source.begin + (source.end - source.begin) * i / 200);
   const Eigen::Matrix2Xd x = source.value(u);
-  if (!x.allFinite()) fail("CadCurve", source.name + " has points that are not finite");
   m_size = largest(x);
   const double extent = largest(x.colwise() - x.col(0));
-  if (!(extent > 0)) fail("CadCurve", source.name + " has no length");
-  m_knots.push_back(source.begin);
-  const auto knots = source.derivative ? knots_of_derivative(source, u, extent) : knots_of_value(source);
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) cover(source, knots[i], knots[i + 1], 0);
+  if (!(extent > 1e-12 * m_size))
+    fail("CadCurve", source.name + " has no length: all its points are at " + place(source, u[0]));
+  const double speed = source.derivative ? largest(source.derivative(u)) * std::max(1., m_size / extent) : 0;
+  double jump = std::nan("");
+  m_rounding = EXACT;
+  while (!recover(source, speed, jump)) {
+    m_rounding *= 10;
+    if (!source.derivative || m_rounding > LOOSEST) refuse(source, jump);
+  }
   for (std::size_t i = 1; i + 1 < m_knots.size(); ++i)
     check_corner(source, m_knots[i], evaluate(m_knots[i], true).first, evaluate(m_knots[i]).first);
 }
 
-std::vector<double> CadSpans::knots_of_derivative(const CadSource& source, const std::vector<double>& u,
-                                                  double extent) {
-  m_noise = EXACT * largest(source.derivative(u)) * std::max(1., m_size / extent);
-  double jump = 0;
-  const auto knots = find_knots(source.derivative, source.begin, source.end, m_noise, jump);
-  if (!knots.empty()) return knots;
-  if (std::isnan(jump)) fail("CadCurve", source.name + " is not smooth between its knots");
+// speed: largest |x_u|, enlarged for curves far from the origin. jump: as find_knots
+bool CadSpans::recover(const CadSource& source, double speed, double& jump) {
+  m_noise = m_rounding * speed;
+  m_spans.clear();
+  m_knots = {source.begin};
+  const auto knots = source.derivative
+                         ? find_knots(source.derivative, source.begin, source.end, m_noise, jump)
+                         : knots_of_value(source);
+  bool covered = !knots.empty();
+  for (std::size_t i = 0; covered && i + 1 < knots.size(); ++i)
+    covered = cover(source, knots[i], knots[i + 1], 0);
+  return covered;
+}
+
+void CadSpans::refuse(const CadSource& source, double jump) const {
+  if (std::isnan(jump))
+    fail("CadCurve",
+         "the second derivatives of " + source.name + " near " + place(source, m_knots.back()) +
+             " cannot be recovered from what gmsh gives; draw it with another kind of curve, or use "
+             "SetFactory(\"OpenCASCADE\") in the .geo file");
   const double aside = 1e-6 * (source.end - source.begin);
   const Eigen::Matrix2Xd t = source.derivative({jump - aside, jump + aside});
   check_corner(source, jump, t.col(0), t.col(1));
@@ -72,7 +90,7 @@ std::vector<double> CadSpans::knots_of_value(const CadSource& source) const {
 
 bool CadSpans::fit(const CadSource& source, double begin, double end, Span& span) const {
   for (const int degree : {1, 2, 3, 5, 8, 12, CAD_DEGREE}) {
-    if (cad_misfit(source.value, degree, begin, end, span.x) > 2 * EXACT * m_size) continue;
+    if (cad_misfit(source.value, degree, begin, end, span.x) > 2 * m_rounding * m_size) continue;
     span.begin = begin;
     span.end = end;
     span.first = chebyshev_derivative(span.x, end - begin);
@@ -85,20 +103,15 @@ bool CadSpans::fit(const CadSource& source, double begin, double end, Span& span
 }
 
 // Spans that are no polynomials are halved until one of high degree is as good.
-void CadSpans::cover(const CadSource& source, double begin, double end, int depth) {
+bool CadSpans::cover(const CadSource& source, double begin, double end, int depth) {
   Span span;
   if (fit(source, begin, end, span)) {
     m_spans.push_back(span);
     m_knots.push_back(end);
-    return;
+    return true;
   }
-  if (depth == 6)
-    fail("CadCurve",
-         "the second derivatives of " + source.name + " near " + place(source, begin) +
-             " cannot be recovered from what gmsh gives; draw it with another kind of curve, or use "
-             "SetFactory(\"OpenCASCADE\") in the .geo file");
-  cover(source, begin, (begin + end) / 2, depth + 1);
-  cover(source, (begin + end) / 2, end, depth + 1);
+  const double middle = (begin + end) / 2;
+  return depth < 6 && cover(source, begin, middle, depth + 1) && cover(source, middle, end, depth + 1);
 }
 
 CadValue CadSpans::evaluate(double u, bool before) const {

@@ -23,7 +23,9 @@ struct CadValue {
 /// difference, too (error 1e-8; of Bezier curves plainly wrong). Curves of CAD systems are polynomials,
 /// rational functions or arcs between their knots, so they are recovered here: Chebyshev polynomials that
 /// agree with values (and OpenCASCADE's exact first derivatives) to 2e-13 between the knots; their
-/// derivatives are then right to 1e-10 and better. What cannot be recovered is refused.
+/// derivatives are then right to 1e-10 and better. OpenCASCADE evaluates Bezier curves of high degree with
+/// more rounding: up to 2e-11 is let pass, second derivatives are then right to 1e-8. What cannot be
+/// recovered is refused.
 class CadSpans {
 public:
   /// @throws std::invalid_argument if the curve has no such form
@@ -39,13 +41,14 @@ private:
     double begin, end;
     Coefficients x, first, second; ///< on [begin, end]
   };
-  std::vector<double> knots_of_derivative(const CadSource& source, const std::vector<double>& u,
-                                          double extent);
+  bool recover(const CadSource& source, double speed, double& jump);
+  [[noreturn]] void refuse(const CadSource& source, double jump) const;
   std::vector<double> knots_of_value(const CadSource& source) const;
   bool fit(const CadSource& source, double begin, double end, Span& span) const;
-  void cover(const CadSource& source, double begin, double end, int depth);
+  bool cover(const CadSource& source, double begin, double end, int depth);
 
   double m_size = 0, m_noise = 0; ///< largest |x|; rounding of x_u
+  double m_rounding;              ///< relative
   std::vector<Span> m_spans;
   std::vector<double> m_knots;
 };

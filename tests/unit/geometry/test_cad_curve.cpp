@@ -112,6 +112,24 @@ TEST(CadCurve, ClosestPointAgainstBruteForce) {
   }
 }
 
+// Where several points of the same short part of a curve are almost equally near.
+TEST(CadCurve, ClosestPointNearCentersOfCurvature) {
+  const CadCurve curve = drawn("Point(1) = {-7.26401, 20.4627, 0}; Point(2) = {32.4234, 21.945, 0};"
+                               "Point(3) = {54.7874, 23.4165, 0}; Spline(1) = {1:3};");
+  const double L = curve.length();
+  for (double part = 0.01; part < 1; part += 0.03) {
+    const auto at = curve.evaluate(Param<2>(part * L));
+    const double k = at.n.dot(at.x_ss[0]) / at.x_s.squaredNorm();
+    for (const double more : {-1e-3, 0., 1e-6, 1e-3}) {
+      const Vector<2> x = at.x + (1 + more) / k * at.n;
+      double least = 1e9;
+      for (int i = 0; i <= 4000; ++i)
+        least = std::min(least, (x - curve.evaluate(Param<2>(L * i / 4000)).x).norm());
+      EXPECT_LE(std::abs(curve.closest_point(x, ANY).gap) / least, 1 + 1e-8) << part << " " << more;
+    }
+  }
+}
+
 TEST(CadCurve, CamOfLinesAndArcsIsTheArcChain) {
   for (const char* kernel : {"", OPENCASCADE})
     for (bool inside : {false, true}) {

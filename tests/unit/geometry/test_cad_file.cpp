@@ -184,8 +184,9 @@ TEST(CadFileErrors, Files) {
       pointless("Point(1) = {0, 0, 0};\n", ".geo"),
       endless("Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0};", ".geo");
   expect_invalid([&] { opened(empty.path()); }, "is empty");
-  expect_invalid([&] { opened(text.path()); }, "Could not read file");
-  expect_invalid([&] { opened(brep.path()); }, "no curves in it");
+  expect_invalid([&] { opened(text.path()); }, "is no STEP file: it does not begin with \"ISO-10303-21\"");
+  expect_invalid([&] { opened(brep.path()); },
+                 "is no BREP file: it does not begin with \"CASCADE Topology\"");
   expect_invalid([&] { opened(pointless.path()); }, "no curves in it");
   expect_invalid([&] { opened(endless.path()); }, "does not end with a new line");
   expect_invalid([] { drawn("Point(1) = {0, 0, 0;"); }, "line 1: syntax error");
@@ -229,7 +230,7 @@ TEST(CadFileErrors, Chains) {
   refuses(square("Bezier(5) = {1, 2, 3, 1};"), {5}, "curve 5 closes with a corner of 135 degrees at (0, 0)");
   refuses("Point(1) = {0, 0, 0}; Point(2) = {6, 4, 0}; Point(3) = {-2, 4, 0}; Point(4) = {4, 0, 0};"
           "Bezier(1) = {1, 2, 3, 4};",
-          {}, "the chain crosses itself near (");
+          {}, "the chain crosses or touches itself near (1.99999, 1.71428): curve 1 with itself");
   refuses(square("Bezier(5) = {1, 1, 1, 3};"), {5}, "curve 5 has no tangent at");
 }
 

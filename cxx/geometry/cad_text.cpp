@@ -1,0 +1,92 @@
+#include "geometry/cad_text.hpp"
+#include "base/error.hpp"
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace burnish {
+
+namespace {
+
+constexpr const char* WHERE = "CadFile";
+
+std::string content(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code code;
+  const std::string quoted = "\"" + path + "\"", end = file_extension(path);
+  if (!fs::exists(path, code))
+    fail(WHERE, quoted + " does not exist, seen from folder " + fs::current_path().string());
+  if (fs::is_directory(path, code)) fail(WHERE, quoted + " is a folder");
+  if (!fs::is_regular_file(path, code)) fail(WHERE, quoted + " is no ordinary file");
+  if (end != ".geo" && end != ".step" && end != ".stp" && end != ".brep")
+    fail(WHERE, quoted + " ends in \"" + end + "\", expected .geo, .step, .stp or .brep");
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream || trimmed(text.str()).empty())
+    fail(WHERE,
+         quoted + (fs::file_size(path, code) > 0 && text.str().empty() ? " cannot be read" : " is empty"));
+  return text.str();
+}
+
+// gmsh says little of these.
+void check_kind(const std::string& quoted, const std::string& end, const std::string& text) {
+  const auto begins_with = [&](const char* words) {
+    return text.substr(0, 1000).find(words) != std::string::npos;
+  };
+  if (text.find('\0') != std::string::npos) fail(WHERE, quoted + " is no text: it has bytes of value 0");
+  if (end == ".brep" && !begins_with("CASCADE Topology"))
+    fail(WHERE, quoted + " is no BREP file: it does not begin with \"CASCADE Topology\"");
+  if ((end == ".step" || end == ".stp") && !begins_with("ISO-10303-21"))
+    fail(WHERE, quoted + " is no STEP file: it does not begin with \"ISO-10303-21\"");
+}
+
+void check_geo(const std::string& quoted, const std::string& text) {
+  const std::string last = text.substr(text.find_last_of('\n') + 1);
+  if (std::count(last.begin(), last.end(), ';') > 1)
+    fail(WHERE, quoted + " does not end with a new line: gmsh would read only one command of its last line");
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (std::regex_search(line.substr(0, line.find("//")), std::regex("(^|;|\\})\\s*Exit\\b")))
+      fail(WHERE, quoted + ", line " + std::to_string(number) + ": Exit would end this program; take it out");
+  }
+}
+
+// A number that the file does not know would change nothing: a typing error. Included files are not searched.
+void check_known(const std::string& quoted, const std::string& text,
+                 const std::map<std::string, double>& numbers) {
+  if (std::regex_search(text, std::regex("\\b(Include|Merge)\\b"))) return;
+  for (const auto& number : numbers)
+    if (!std::regex_search(text, std::regex("\\b" + number.first + "\\b")))
+      fail(WHERE, quoted + " has no number \"" + number.first + "\"");
+}
+
+} // namespace
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+std::string file_extension(const std::string& path) {
+  std::string end = std::filesystem::path(path).extension().string();
+  for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return end;
+}
+
+void check_cad_text(const std::string& path, const std::map<std::string, double>& numbers) {
+  const std::string text = content(path), quoted = "\"" + path + "\"", end = file_extension(path);
+  check_kind(quoted, end, text);
+  if (end == ".geo") {
+    check_geo(quoted, text);
+    check_known(quoted, text, numbers);
+  } else if (!numbers.empty()) {
+    fail(WHERE, quoted + " takes no numbers, only .geo files do");
+  }
+}
+
+} // namespace burnish
