@@ -3,6 +3,8 @@
 //                                              closed=true
 //   tool t(cad="cam.step", scale=1e-3);        .geo .step .stp .brep; curves=[3,4]; geo="R=2; H=8" gives
 //                                              numbers to the DefineConstants of a .geo file
+//                                              FreeFEM reads letters beyond ASCII in a path only from the
+//                                              command line: cad=getARGV("-cad", "")
 //   closed: body outside; open: body on the left of the direction of travel; inside=true swaps
 //   t.outlinex(n), t.outliney(n)               outline of the tool where it is, n points and its joints
 //   t.tightestradius                           smallest radius of curvature; inf for lines
@@ -49,12 +51,16 @@ Shape chain(const Named& named) {
 Shape cad(const Named& named) {
   burnish::CadSelection selection;
   selection.file = named.text("cad", "");
-  if (named.has("curves"))
-    for (const double tag : named.numbers("curves")) {
+  if (named.has("curves")) {
+    const std::vector<double> tags = named.numbers("curves");
+    if (tags.empty())
+      burnish::fail("tool", "curves is an empty array: name curves, or leave it out to take all");
+    for (const double tag : tags) {
       burnish::require(tag == std::round(tag) && std::abs(tag) < 1e9, "tool", "tag in curves", tag,
                        "an integer");
       selection.curves.push_back(static_cast<int>(tag));
     }
+  }
   selection.scale = named.real("scale", 1);
   selection.numbers = named.text("geo", "");
   selection.inside = named.boolean("inside", false);

@@ -11,13 +11,6 @@ constexpr const char* WHERE = "CadCurve";
 constexpr double JOINED = 1e-6; // of the size
 constexpr double SMOOTH = 1e-3; // rad
 
-// Without the noise of coordinates that should be zero; size: of the curves there.
-std::string text(const Vector<2>& x, double size) {
-  const Vector<2> clean = (x.array().abs() < 1e-12 * size).select(0., x.array()).matrix();
-  std::ostringstream out;
-  out << "(" << clean.x() << ", " << clean.y() << ")";
-  return out.str();
-}
 std::string number(double value) {
   std::ostringstream out;
   out << value;
@@ -54,14 +47,14 @@ public:
 
 private:
   [[noreturn]] static void fail_short(const CadPiece& curve, double size) {
-    fail(WHERE, "curve " + std::to_string(curve.tag()) + " at " + text(curve.start().x, size) +
+    fail(WHERE, "curve " + std::to_string(curve.tag()) + " at " + place_text(curve.start().x, size) +
                     " is too short: " + number(curve.length()) + " long, in a chain of size " + number(size) +
                     " at least " + number(JOINED * size) + " is needed; take it out of the drawing");
   }
   [[noreturn]] void fail_branch(std::size_t a, const std::vector<std::size_t>& here) const {
     std::string tags = std::to_string(m_curves[a / 2].tag());
     for (const std::size_t b : here) tags += ", " + std::to_string(m_curves[b / 2].tag());
-    fail(WHERE, "the chain branches at " + text(m_x[a], m_curves[a / 2].length()) + ": curves " + tags +
+    fail(WHERE, "the chain branches at " + place_text(m_x[a], m_curves[a / 2].length()) + ": curves " + tags +
                     " meet there; name the curves of one chain (curves = [...])");
   }
   const std::vector<CadPiece>& m_curves;
@@ -83,8 +76,9 @@ private:
     }
   fail(WHERE, "the curves do not join into one chain: " + in + " and apart from them " + out +
                   "; their nearest ends are those of curve " + std::to_string(curves[a / 2].tag()) + " at " +
-                  text(joints.x(a), curves[a / 2].length()) + " and of curve " +
-                  std::to_string(curves[b / 2].tag()) + " at " + text(joints.x(b), curves[b / 2].length()));
+                  place_text(joints.x(a), curves[a / 2].length()) + " and of curve " +
+                  std::to_string(curves[b / 2].tag()) + " at " +
+                  place_text(joints.x(b), curves[b / 2].length()));
 }
 
 void check_joint(const CadPiece& before, const CadPiece& after) {
@@ -92,11 +86,11 @@ void check_joint(const CadPiece& before, const CadPiece& after) {
   for (const auto& [value, piece] : {std::make_pair(a, &before), std::make_pair(b, &after)})
     if (value.first.norm() < 1e-6) // 1 on average
       fail(WHERE, "curve " + std::to_string(piece->tag()) + " has no tangent at its end " +
-                      text(value.x, piece->length()));
+                      place_text(value.x, piece->length()));
   const double angle = std::abs(std::atan2(left_of(a.first).dot(b.first), a.first.dot(b.first)));
   if (angle <= SMOOTH) return;
   const bool alone = before.tag() == after.tag();
-  const std::string place = text(a.x, before.length()),
+  const std::string place = place_text(a.x, before.length()),
                     which = alone ? "curve " + std::to_string(before.tag())
                                   : "curves " + std::to_string(before.tag()) + " and " +
                                         std::to_string(after.tag());

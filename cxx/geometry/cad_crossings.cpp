@@ -71,9 +71,8 @@ bool meet(const Chord& a, const CadPiece& of_a, const Chord& b, const CadPiece& 
 Chord chord_of(const CadCell& cell) { return {cell.begin, cell.end, {cell.x[0], cell.x[1]}, cell.sag}; }
 
 [[noreturn]] void fail_crossing(const Vector<2>& x, double size, int a, int b) {
-  const Vector<2> clean = (x.array().abs() < 1e-6 * size).select(0., x.array()).matrix();
   std::ostringstream text;
-  text << "the chain crosses or touches itself near (" << clean.x() << ", " << clean.y() << "): ";
+  text << "the chain crosses or touches itself near " << place_text(x, size) << ": ";
   if (a == b)
     text << "curve " << a << " with itself";
   else

@@ -1,5 +1,6 @@
 #include "geometry/cad_piece.hpp"
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 namespace burnish {
@@ -53,6 +54,13 @@ std::vector<double> CadPiece::knots() const {
   for (double& value : s) value = m_length - value;
   std::reverse(s.begin(), s.end());
   return s;
+}
+
+std::string place_text(const Vector<2>& x, double size) {
+  const Vector<2> clean = (x.array().abs() < 1e-12 * size).select(0., x.array()).matrix();
+  std::ostringstream text;
+  text << "(" << clean.x() << ", " << clean.y() << ")";
+  return text.str();
 }
 
 } // namespace burnish

@@ -2,6 +2,7 @@
 // One CAD curve as a piece of a profile: its direction of travel and a parameter that takes its arc length.
 #include "geometry/cad_spans.hpp"
 #include <memory>
+#include <string>
 
 namespace burnish {
 
@@ -26,5 +27,8 @@ private:
   double m_begin, m_rate, m_length; ///< m_rate = du/ds
   bool m_reversed = false;
 };
+
+/// "(x, y)" for messages, without the rounding of coordinates that should be zero. @param size of the curves there
+std::string place_text(const Vector<2>& x, double size);
 
 } // namespace burnish

@@ -31,7 +31,7 @@ void check_tags(const CadFile& file, const std::vector<int>& tags) {
   }
 }
 
-void check_plane(const CadFile& file, const CadEdge& edge) {
+void check_plane(const CadFile& file, const CadEdge& edge, bool chosen) {
   std::vector<double> u;
   for (int i = 0; i <= 64; ++i) u.push_back(edge.begin + (edge.end - edge.begin) * i / 64);
   const Eigen::Matrix3Xd x = file.value(edge.tag, u);
@@ -45,12 +45,14 @@ void check_plane(const CadFile& file, const CadEdge& edge) {
   text << "curve " << edge.tag << " of \"" << file.path()
        << "\" is not in the plane z = 0: it passes through (" << x(0, at) << ", " << x(1, at) << ", "
        << x(2, at) << ")";
+  if (!chosen && file.curves().size() > 1)
+    text << "; name the curves of the profile (curves = [...]) out of " << listed(file.curves());
   fail(WHERE, text.str());
 }
 
-CadPiece read_curve(const CadFile& file, int tag, double scale) {
+CadPiece read_curve(const CadFile& file, int tag, double scale, bool chosen) {
   const CadEdge edge = file.edge(tag);
-  check_plane(file, edge);
+  check_plane(file, edge, chosen);
   CadSource source;
   source.name = "curve " + std::to_string(tag) + " (" + edge.type + ") of \"" + file.path() + "\"";
   source.begin = edge.begin;
@@ -73,8 +75,9 @@ std::vector<CadPiece> read_curves(const CadSelection& selection) {
   const CadFile file(selection.file, parse_numbers(WHERE, selection.numbers));
   check_tags(file, selection.curves);
   std::vector<CadPiece> pieces;
-  for (const int tag : selection.curves.empty() ? file.curves() : selection.curves)
-    pieces.push_back(read_curve(file, tag, selection.scale));
+  const bool chosen = !selection.curves.empty();
+  for (const int tag : chosen ? selection.curves : file.curves())
+    pieces.push_back(read_curve(file, tag, selection.scale, chosen));
   return pieces;
 }
 

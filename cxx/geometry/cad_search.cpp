@@ -116,11 +116,9 @@ void CadSearch::add(const CadPiece& piece, std::size_t index, double begin, doub
   for (int k = 0; k <= PARTS; ++k) {
     value[k] = piece.at(begin + (end - begin) * k / PARTS);
     const Vector<2>& t = value[k].first;
-    if (!(t.norm() > 1e-6)) { // 1 on average
-      std::ostringstream place;
-      place << value[k].x.x() << ", " << value[k].x.y();
-      fail("CadCurve", "curve " + std::to_string(piece.tag()) + " has no tangent at (" + place.str() + ")");
-    }
+    if (!(t.norm() > 1e-6)) // 1 on average
+      fail("CadCurve", "curve " + std::to_string(piece.tag()) + " has no tangent at " +
+                           place_text(value[k].x, piece.length()));
     if (k == 0) continue;
     const Vector<2>& before = value[k - 1].first;
     turn += std::abs(std::atan2(left_of(before).dot(t), before.dot(t)));

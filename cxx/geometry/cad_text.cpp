@@ -5,6 +5,7 @@
 #include <fstream>
 #include <regex>
 #include <sstream>
+#include <vector>
 
 namespace burnish {
 
@@ -43,26 +44,57 @@ void check_kind(const std::string& quoted, const std::string& end, const std::st
     fail(WHERE, quoted + " is no STEP file: it does not begin with \"ISO-10303-21\"");
 }
 
-void check_geo(const std::string& quoted, const std::string& text) {
-  const std::string last = text.substr(text.find_last_of('\n') + 1);
+/// A .geo file and what it includes, as far as the names of these files are written there.
+struct GeoText {
+  std::vector<std::pair<std::string, std::string>> files; ///< paths and contents
+  bool whole = true;                                      ///< false: some could not be found this way
+};
+
+void gather(const std::string& path, const std::string& text, GeoText& all) {
+  all.files.emplace_back(path, text);
+  std::istringstream lines(text);
+  const std::regex word("\\b(Include|Merge)\\b"), literal("\\b(Include|Merge)\\s*\"([^\"]*)\"");
+  for (std::string line; std::getline(lines, line);) {
+    line = line.substr(0, line.find("//"));
+    std::smatch found;
+    if (!std::regex_search(line, word)) continue;
+    const auto folder = std::filesystem::path(path).parent_path();
+    const bool named = std::regex_search(line, found, literal);
+    const std::string name = named ? (folder / found[2].str()).string() : "";
+    std::ifstream stream(name, std::ios::binary);
+    std::ostringstream content;
+    if (named && stream) content << stream.rdbuf();
+    if (content.str().empty() || all.files.size() > 20)
+      all.whole = false;
+    else if (file_extension(name) == ".geo")
+      gather(name, content.str(), all);
+  }
+}
+
+void check_geo(const std::string& path, const std::string& text) {
+  const std::string last = text.substr(text.find_last_of('\n') + 1), quoted = "\"" + path + "\"";
   if (std::count(last.begin(), last.end(), ';') > 1)
     fail(WHERE, quoted + " does not end with a new line: gmsh would read only one command of its last line");
   std::istringstream lines(text);
+  const std::regex exit("(^|;|\\})\\s*Exit\\b");
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    if (std::regex_search(line.substr(0, line.find("//")), std::regex("(^|;|\\})\\s*Exit\\b")))
+    if (std::regex_search(line.substr(0, line.find("//")), exit))
       fail(WHERE, quoted + ", line " + std::to_string(number) + ": Exit would end this program; take it out");
   }
 }
 
-// A number that the file does not know would change nothing: a typing error. Included files are not searched.
-void check_known(const std::string& quoted, const std::string& text,
+// A number that no file knows would change nothing: a typing error.
+void check_known(const std::string& quoted, const GeoText& all,
                  const std::map<std::string, double>& numbers) {
-  if (std::regex_search(text, std::regex("\\b(Include|Merge)\\b"))) return;
-  for (const auto& number : numbers)
-    if (!std::regex_search(text, std::regex("\\b" + number.first + "\\b")))
+  if (!all.whole) return;
+  for (const auto& number : numbers) {
+    const std::regex name("\\b" + number.first + "\\b");
+    const auto holds = [&](const auto& file) { return std::regex_search(file.second, name); };
+    if (std::none_of(all.files.begin(), all.files.end(), holds))
       fail(WHERE, quoted + " has no number \"" + number.first + "\"");
+  }
 }
 
 } // namespace
@@ -82,8 +114,10 @@ void check_cad_text(const std::string& path, const std::map<std::string, double>
   const std::string text = content(path), quoted = "\"" + path + "\"", end = file_extension(path);
   check_kind(quoted, end, text);
   if (end == ".geo") {
-    check_geo(quoted, text);
-    check_known(quoted, text, numbers);
+    GeoText all;
+    gather(path, text, all);
+    for (const auto& [name, content] : all.files) check_geo(name, content);
+    check_known(quoted, all, numbers);
   } else if (!numbers.empty()) {
     fail(WHERE, quoted + " takes no numbers, only .geo files do");
   }

@@ -11,11 +11,11 @@ std::string trimmed(const std::string& text);
 /// In small letters, with its dot.
 std::string file_extension(const std::string& path);
 
+/// Of a .geo file also the files that it includes by their written names.
 /// @param numbers  values for names of a .geo file
 /// @throws std::invalid_argument with the file: missing, a folder or no file, of another kind than its name
-/// tells, empty, a .geo whose last line gmsh would not read or that says Exit (gmsh would end the process;
-/// files that it includes are not searched), numbers for another kind of file or with a name that the file
-/// does not have
+/// tells, empty, a .geo whose last line gmsh would not read or that says Exit (gmsh would end the process),
+/// numbers for another kind of file or with a name that no file has
 void check_cad_text(const std::string& path, const std::map<std::string, double>& numbers);
 
 } // namespace burnish

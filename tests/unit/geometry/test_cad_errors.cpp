@@ -62,6 +62,31 @@ TEST(CadErrors, ExitInAGeoFile) {
   EXPECT_NEAR(drawn(line + "\n// Exit;\nPrintf(\"Exit\");\nExitLength = 3;").length(), 2, 1e-14);
 }
 
+TEST(CadErrors, IncludedFilesAreLookedThrough) {
+  const std::string line = std::string(TWO) + "DefineConstant[ R = 2 ]; Line(1) = {1, 2};\n";
+  const TemporaryFile harmless(line, ".geo"), ends(line + "Exit;\n", ".geo");
+  const auto including = [](const TemporaryFile& file) {
+    return "Include \"" + std::filesystem::path(file.path()).filename().string() + "\";\n";
+  };
+  refuses(including(ends), "line 3: Exit would end this program");
+  EXPECT_NEAR(drawn(including(harmless), {}, "R=3").length(), 2, 1e-14);
+  expect_invalid([&] { drawn(including(harmless), {}, "Q=3"); }, "has no number \"Q\"");
+}
+
+TEST(CadErrors, CurvesOfASolidHaveToBeNamed) {
+  const std::string box = std::string(OPENCASCADE) + "Box(1) = {0, 0, 0, 1, 2, 3};";
+  refuses(box, "curve 1 of ");
+  refuses(box, "is not in the plane z = 0: it passes through (0, 0, 3); name the curves of the profile "
+               "(curves = [...]) out of 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12");
+  EXPECT_NEAR(drawn(box, {4}).length(), 2, 1e-12);
+}
+
+TEST(CadErrors, Cusp) {
+  refuses("Point(1) = {-1, 1, 0}; Point(2) = {1, -1, 0}; Point(3) = {-1, -1, 0}; Point(4) = {1, 1, 0};"
+          "Bezier(1) = {1, 2, 3, 4};",
+          "curve 1 has no tangent at (0, -0.5)");
+}
+
 TEST(CadErrors, CurvesWithoutLength) {
   refuses(std::string(TWO) + "Line(1) = {1, 3};", "curve 1 (Line) of ");
   refuses(std::string(TWO) + "Line(1) = {1, 3};", "has no length: all its points are at (1, 1)");
