@@ -14,6 +14,7 @@
 //   C.warnings                                     text, one line each: tools that reach for one node, ...
 //   real q = C.approach(roller, "r", u[]);         moves one coordinate until the tool just touches
 #include "base/error.hpp"
+#include "base/formula.hpp"
 #include "friction_choice.hpp"
 #include "named.hpp"
 #include "types.hpp"
@@ -105,7 +106,7 @@ basicAC_F0::name_and_type AddTool::names[] = {
 struct ParameterTag {};
 double parameter(const Method<ContactHandle, ParameterTag>& m, string* const& name, const double& value) {
   return guarded([&] {
-    burnish::require(std::isfinite(value), "contact.parameter", name->c_str(), value, "a finite number");
+    burnish::check_formula_names("contact.parameter", {{"p"}, {{*name, value}}});
     return m->get().parameters[*name] = value;
   });
 }

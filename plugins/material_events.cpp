@@ -26,7 +26,7 @@ struct LogTag {};
 
 double parameter(const Method<M, ParameterTag>& m, string* const& name, const double& value) {
   return guarded([&] {
-    burnish::require(std::isfinite(value), "material.parameter", name->c_str(), value, "a finite number");
+    burnish::check_formula_names("material.parameter", {burnish::point_event_variables(), {{*name, value}}});
     return m->get().parameters[*name] = value;
   });
 }

@@ -49,6 +49,9 @@ struct Coordinates {
       burnish::fail("tool.coordinates",
                     "tool \"" + object.tool->name() +
                         "\" belongs to a contact already: choose its coordinates before add");
+    if (object.tool->shared_tool())
+      burnish::fail("tool.coordinates", "tool \"" + object.tool->name() + "\" has its coordinates already: " +
+                                            burnish::joined(object.tool->tool().coordinates().names()));
     object.tool->set_coordinates(coordinates);
     return true;
   }

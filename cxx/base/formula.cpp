@@ -94,8 +94,8 @@ double Formula::operator()(const double* values) const {
   const double value = m_impl->tape(values);
   if (!std::isnan(value)) return value;
   const std::string where = place(m_impl->names, values);
-  m_impl->refuse(m_impl->tape.failure(values) + " is no finite real number" +
-                 (where.empty() ? "" : ", at " + where));
+  throw FormulaDomainError(m_impl->where() + ": " + m_impl->tape.failure(values) +
+                           " is no finite real number" + (where.empty() ? "" : ", at " + where));
 }
 
 Formula Formula::derivative(int variable) const {

@@ -2,10 +2,17 @@
 // A user's formula as text: parsed and differentiated exactly by GiNaC, evaluated in double precision.
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace burnish {
+
+/// A place where a formula has no value. The formula itself is in order: a smaller step may stay clear of it.
+class FormulaDomainError : public std::invalid_argument {
+public:
+  using std::invalid_argument::invalid_argument;
+};
 
 /// Names of variables, in the order of the values, and numbers for names that stay constant.
 struct FormulaNames {
@@ -14,10 +21,13 @@ struct FormulaNames {
 };
 
 /// Names of GiNaC's own functions that formulas cannot call (beta, zeta, psi, S, H ...) are free.
-/// @throws std::invalid_argument "where: ..." for a variable or parameter whose name is no identifier, occurs
-/// twice, or is a constant of GiNaC or a function that formulas may call, and for a parameter that is not
-/// finite
+/// @throws std::invalid_argument "where: ..." for a variable or parameter whose name is no identifier, has more
+/// than 100 characters, occurs twice, or is a constant of GiNaC or a function that formulas may call, and for a
+/// parameter that is not finite or below 2.3e-308
 void check_formula_names(const std::string& where, const FormulaNames& names);
+
+/// The text in quotes for a message, only its beginning if it is very long.
+std::string quoted(const std::string& text);
 
 /// Immutable; copies share the parsed expression. pi is known as pi and Pi; functions are sin cos tan asin
 /// acos atan atan2 sinh cosh tanh asinh acosh atanh exp log sqrt pow abs step (0, at zero 1/2, 1) and csgn
@@ -34,7 +44,7 @@ public:
   /// double (1e-400) or too large to be computed exactly (2^(10^9)), and for a text that is too long
   Formula(std::string what, std::string text, const FormulaNames& names);
   /// Value at the variables' values, one per variable.
-  /// @throws std::invalid_argument quoting formula and place ("beta = 1.5708") where the value, or one on the
+  /// @throws FormulaDomainError quoting formula and place ("beta = 1.5708") where the value, or one on the
   /// way to it, is not a finite real number (pole, root or logarithm of a negative number)
   double operator()(const double* values) const;
   /// Exact derivative by a variable; step and csgn count as flat everywhere, abs has none at zero.

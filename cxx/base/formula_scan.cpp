@@ -14,6 +14,7 @@ namespace burnish {
 namespace {
 
 using Kind = FormulaToken::Kind;
+constexpr std::size_t LONGEST_NAME = 100;
 
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
@@ -187,6 +188,9 @@ void check_formula_names(const std::string& where, const FormulaNames& names) {
   const auto check = [&](const std::string& name) {
     if (!is_identifier(name))
       fail(where, "name " + quoted(name) + " is no identifier (a letter, then letters, digits and _)");
+    if (name.size() > LONGEST_NAME)
+      fail(where,
+           "name " + quoted(name) + ", expected at most " + std::to_string(LONGEST_NAME) + " characters");
     if (is_function(name) || constants.count(name))
       fail(where, "name \"" + name + "\" is taken by a " + (is_function(name) ? "function" : "constant"));
     if (!known.insert(name).second) fail(where, "name " + quoted(name) + " occurs twice");
@@ -196,6 +200,8 @@ void check_formula_names(const std::string& where, const FormulaNames& names) {
     check(name);
     require(std::isfinite(value), where.c_str(), ("parameter " + quoted(name)).c_str(), value,
             "a finite number");
+    require(value == 0 || std::isnormal(value), where.c_str(), ("parameter " + quoted(name)).c_str(), value,
+            "zero or a number that double holds in full");
   }
 }
 

@@ -9,9 +9,6 @@ namespace burnish {
 /// @throws an exception of CLN for numbers below 1e-307
 GiNaC::numeric exact_number(double value);
 
-/// The text in quotes for a message, only its beginning if it is very long.
-std::string quoted(const std::string& text);
-
 /// Expression of the text; decimal numbers become exact fractions. Stricter than GiNaC: a sign after an
 /// operator needs parentheses, x^(-2), because GiNaC's parser would take it for the sign of all that follows.
 /// @param table  expression of every name

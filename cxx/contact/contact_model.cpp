@@ -21,6 +21,13 @@ const char* name_of(NodeState state) {
   return "?";
 }
 
+template <int Dim> std::string ContactModel<Dim>::coordinate(int k) const {
+  std::size_t tool = 0;
+  while (tool + 1 < tools.size() && k >= first[tool + 1]) ++tool;
+  const std::string& name = tools[tool]->coordinates().names()[static_cast<std::size_t>(k - first[tool])];
+  return "coordinate \"" + name + "\" of tool \"" + tools[tool]->name() + "\"";
+}
+
 template <int Dim> std::vector<Pose<Dim>> ContactModel<Dim>::poses(const Eigen::VectorXd& q) const {
   std::vector<Pose<Dim>> result;
   result.reserve(tools.size());

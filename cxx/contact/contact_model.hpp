@@ -61,6 +61,8 @@ template <int Dim> struct ContactModel {
   Eigen::VectorXd tool_q(const Eigen::VectorXd& q, int tool) const {
     return q.segment(first[tool], first[tool + 1] - first[tool]);
   }
+  /// "coordinate "x" of tool "roller"" for entry k of q, for messages.
+  std::string coordinate(int k) const;
   std::vector<Pose<Dim>> poses(const Eigen::VectorXd& q) const;
   bool symmetric() const; ///< true if no tool has friction
 };

@@ -13,8 +13,8 @@ double traction_at(const Formula& traction, double p) {
   if (t >= 0) return t;
   std::ostringstream text;
   text.precision(10);
-  text << t << " at p = " << p << ", expected a traction >= 0";
-  fail(std::string(WHAT) + " \"" + traction.text() + "\"", text.str());
+  text << WHAT << " \"" << traction.text() << "\": " << t << " at p = " << p << ", expected a traction >= 0";
+  throw FormulaDomainError(text.str());
 }
 
 } // namespace

@@ -15,7 +15,7 @@ public:
   /// @throws std::invalid_argument for a wrong formula (see Formula), a parameter that is called p, and for
   /// t(0) < 0 or t(0), t'(0) not finite (quotes the formula)
   explicit FormulaFriction(const std::string& traction, const std::map<std::string, double>& parameters = {});
-  /// @throws std::invalid_argument quoting the formula, p and the value where t < 0 or not finite
+  /// @throws FormulaDomainError quoting the formula, p and the value where t < 0 or not finite
   double limit(double N, double area) const override;
   double slope(double N, double area) const override;
   const std::string& text() const { return m_traction.text(); }

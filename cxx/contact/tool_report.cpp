@@ -3,6 +3,20 @@
 #include <set>
 
 namespace burnish {
+namespace {
+
+/// Whether one of the names is that of another column of a history: time, forces, counts, maxima.
+bool is_column(const std::vector<std::string>& names) {
+  std::set<std::string> columns{
+      "t",       "contact",       "contact_begin_deg",     "contact_end_deg", "sticking",
+      "sliding", "stress_eq_max", "plastic_strain_eq_max", "factorizations"};
+  for (const std::string& name : names) columns.insert("Q_" + name);
+  for (const std::string& name : names)
+    if (columns.count(name)) return true;
+  return false;
+}
+
+} // namespace
 
 template <int Dim>
 std::vector<std::string> coordinate_names(const std::vector<std::shared_ptr<const Tool<Dim>>>& tools) {
@@ -11,8 +25,9 @@ std::vector<std::string> coordinate_names(const std::vector<std::shared_ptr<cons
   for (const auto& tool : tools) {
     if (!seen.insert(tool->name()).second)
       fail("coordinate_names", "two tools bear the name \"" + tool->name() + "\", expected different names");
+    const bool plain = tools.size() == 1 && !is_column(tool->coordinates().names());
     for (const std::string& name : tool->coordinates().names())
-      names.push_back(tools.size() == 1 ? name : tool->name() + "." + name);
+      names.push_back(plain ? name : tool->name() + "." + name);
   }
   return names;
 }

@@ -5,7 +5,8 @@
 namespace burnish {
 
 /// Names of the coordinates of all tools, one tool after another, as in ContactState::q: plain ("x") with one
-/// tool, with the tool's name before ("roller.x") with several.
+/// tool, with the tool's name before ("roller.x") with several, or where a plain one would be that of another
+/// column of a history: "t", "contact", "Q_a" beside "a".
 /// @throws std::invalid_argument if two tools bear the same name
 template <int Dim>
 std::vector<std::string> coordinate_names(const std::vector<std::shared_ptr<const Tool<Dim>>>& tools);

@@ -8,6 +8,8 @@ template <int Dim>
 DrivenTool<Dim>::DrivenTool(std::string name, std::shared_ptr<const Profile<Dim>> profile)
     : m_name(std::move(name)), m_profile(std::move(profile)) {
   if (m_name.empty()) fail("tool", "the name is empty");
+  if (m_name.find_first_of(",\"\n\r") != std::string::npos)
+    fail("tool", "name \"" + m_name + "\", expected a text without comma, quote and line break");
   if (!m_profile) fail("tool", "no profile");
 }
 

@@ -10,7 +10,8 @@ namespace burnish {
 /// to date.
 template <int Dim> class DrivenTool {
 public:
-  /// @throws std::invalid_argument for an empty name or a null profile
+  /// @throws std::invalid_argument for a null profile and for a name that is empty or holds a comma, quote or
+  /// line break (it goes into tables)
   DrivenTool(std::string name, std::shared_ptr<const Profile<Dim>> profile);
   /// Chooses the generalized coordinates; forgets earlier motions and forces. q starts at zero.
   void set_coordinates(std::shared_ptr<const Coordinates<Dim>> coordinates);

@@ -27,7 +27,7 @@ std::vector<std::string> coordinate_names(const std::string& list) {
     const std::size_t first = item.find_first_not_of(" \t\n"), last = item.find_last_not_of(" \t\n");
     if (first == std::string::npos)
       fail("coordinates",
-           "list of names \"" + list + "\" has an empty name, expected such as \"r, phi, theta\"");
+           "list of names " + quoted(list) + " has an empty name, expected such as \"r, phi, theta\"");
     names.push_back(item.substr(first, last - first + 1));
   }
   return names;
@@ -57,9 +57,9 @@ void FormulaCoordinates::require_use(const std::string& tool) const {
   for (int k = 0; k < size(); ++k)
     if (!m_x.value.depends_on(k) && !m_y.value.depends_on(k) && !m_angle.value.depends_on(k))
       fail("coordinates of tool \"" + tool + "\"", "coordinate \"" + m_names[static_cast<std::size_t>(k)] +
-                                                       "\" moves nothing: x = \"" + m_x.value.text() +
-                                                       "\", y = \"" + m_y.value.text() + "\", angle = \"" +
-                                                       m_angle.value.text() + "\"");
+                                                       "\" moves nothing: x = " + quoted(m_x.value.text()) +
+                                                       ", y = " + quoted(m_y.value.text()) +
+                                                       ", angle = " + quoted(m_angle.value.text()));
 }
 
 Pose<2> FormulaCoordinates::pose(const Eigen::VectorXd& q) const {

@@ -211,7 +211,7 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
                           : "singular contact block";
     if (solution.weakest_coordinate >= 0) {
       std::ostringstream text;
-      text << "nothing resists coordinate number " << solution.weakest_coordinate << " under force control";
+      text << "nothing resists " << m_model.coordinate(solution.weakest_coordinate) << " under force control";
       m_reason = text.str();
     }
     return StepStatus::FAILED;

@@ -52,6 +52,11 @@ public:
 
   const Balance& last_balance() const { return m_balance; }
   const std::string& reason() const { return m_reason; }
+  /// The step failed for a reason outside the corrector. @returns FAILED
+  StepStatus give_up(const std::string& why) {
+    m_reason = why;
+    return StepStatus::FAILED;
+  }
   const CorrectorCounts& counts() const { return m_counts; }
   int iteration() const { return m_iteration; }
   /// Load scale of the tolerance: largest contact resultant of the accepted steps and of this one [force].

@@ -1,5 +1,6 @@
 #include "stepping/session.hpp"
 #include "base/error.hpp"
+#include "base/formula.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -75,9 +76,11 @@ typename Session<Dim>::SmallestGap Session<Dim>::smallest_gap(int tool, int k, c
     if (!m_model.may_touch(static_cast<int>(i), tool)) continue;
     const auto foot =
         m_model.tools[tool]->closest_point(pose, body.position(u, m_candidates[i]), m_accepted.nodes[i].s);
+    const auto p = m_model.tools[tool]->surface(pose, foot.s);
+    result.fastest = std::max(result.fastest, p.x_q.col(k).norm());
+    result.bending = std::max(result.bending, 0.5 * p.x_qq[static_cast<std::size_t>(k)].col(k).norm());
     if (!result.nodes.empty() && foot.gap >= result.gap + same) continue;
     if (result.nodes.empty() || foot.gap < result.gap - same) result.nodes.clear();
-    const auto p = m_model.tools[tool]->surface(pose, foot.s);
     result.gap = result.nodes.empty() ? foot.gap : std::min(result.gap, foot.gap);
     result.slope = -p.n.dot(p.x_q.col(k));
     result.lever = p.x_q.col(k).norm();
@@ -97,7 +100,7 @@ double Session<Dim>::approach(int tool, const std::string& coordinate, const Eig
   const int k = m_tools[tool]->index(coordinate);
   double& q = m_accepted.q[m_model.first[tool] + k];
   m_accepted.q.segment(m_model.first[tool], m_tools[tool]->q().size()) = m_tools[tool]->q();
-  for (int iteration = 0; iteration < 100; ++iteration) { // Newton on the smallest gap as a function of q^k
+  for (int iteration = 0; iteration < 1000; ++iteration) { // Newton on the smallest gap as a function of q^k
     const SmallestGap least = smallest_gap(tool, k, u);
     if (std::abs(least.gap) < 1e-9 * m_corrector->body().spacing) {
       for (const std::size_t i : least.nodes) {
@@ -112,7 +115,12 @@ double Session<Dim>::approach(int tool, const std::string& coordinate, const Eig
       return q;
     }
     if (std::abs(least.slope) < 1e-9 * least.lever) break;
-    q -= least.gap / least.slope;
+    // no point of the tool moves further than the gap, to second order, lest a leap past a dead center or
+    // through the body ends at another touch than the first one
+    const double way = std::max(std::abs(least.gap), 0.05 * m_corrector->body().spacing);
+    const double most =
+        2 * way / (least.fastest + std::sqrt(least.fastest * least.fastest + 4 * least.bending * way));
+    q -= std::clamp(least.gap / least.slope, -most, most);
   }
   fail("contact.approach",
        "coordinate \"" + coordinate + "\" of tool \"" + m_tools[tool]->name() +
@@ -133,6 +141,21 @@ template <int Dim> Program Session<Dim>::read_program() {
   return program;
 }
 
+// A coordinate under force goes on as in the last step, or stays where it is if its formulas end there.
+template <int Dim> Prediction<Dim> Session<Dim>::predicted(const Eigen::VectorXd& u) {
+  const auto with = [&](const StepHistory<Dim>& history) {
+    return predict(m_model, m_corrector->body(), *m_locator, *m_discretization, m_program, m_accepted, u,
+                   history, m_dt, m_stepping == Stepping::IMPLICIT);
+  };
+  try {
+    return with(m_history);
+  } catch (const FormulaDomainError&) {
+    StepHistory<Dim> still = m_history;
+    still.dq.setZero();
+    return with(still);
+  }
+}
+
 template <int Dim> void Session<Dim>::begin(Eigen::VectorXd& u, double t, double dt, Stepping stepping) {
   require(std::isfinite(dt) && dt > 0, "contact.begin", "dt", dt, "> 0");
   require(u.size() == m_u.size(), "contact.begin", "size of u", u.size(), "number of dofs");
@@ -144,6 +167,7 @@ template <int Dim> void Session<Dim>::begin(Eigen::VectorXd& u, double t, double
   m_program = read_program();
   drop_unresisted(m_program);
   check_support(m_program);
+  check_independent(m_program);
   if (first) check_not_inside(u);
   m_t = t;
   m_dt = dt;
@@ -151,14 +175,27 @@ template <int Dim> void Session<Dim>::begin(Eigen::VectorXd& u, double t, double
   m_u = u;
   share_surface();
   match_old_program();
-  auto prediction = stepping == Stepping::RATES
-                        ? resting(u)
-                        : predict(m_model, m_corrector->body(), *m_locator, *m_discretization, m_program,
-                                  m_accepted, u, m_history, dt, stepping == Stepping::IMPLICIT);
+  auto prediction = stepping == Stepping::RATES ? resting(u) : predicted(u);
   u = prediction.u;
   const bool keep = stepping == Stepping::EVENT && m_steps_since_factor < 2;
   m_corrector->begin(m_program, prediction.state, std::move(prediction.entry), stepping == Stepping::IMPLICIT,
                      keep);
+}
+
+// An iterate where a formula has no value fails the step: a shorter one may stay clear of it.
+template <int Dim> StepStatus Session<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+  try {
+    return m_corrector->check(u, R);
+  } catch (const FormulaDomainError& error) {
+    return m_corrector->give_up(error.what());
+  }
+}
+template <int Dim> StepStatus Session<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+  try {
+    return m_corrector->correct(u, R);
+  } catch (const FormulaDomainError& error) {
+    return m_corrector->give_up(error.what());
+  }
 }
 
 template <int Dim>

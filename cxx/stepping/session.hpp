@@ -39,9 +39,9 @@ public:
   /// @throws std::invalid_argument for dt <= 0, an undriven coordinate, force control without contact, a tool
   /// that starts inside the body, wrong sizes, NaN
   void begin(Eigen::VectorXd& u, double t, double dt, Stepping stepping);
-  StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R) { return m_corrector->check(u, R); }
+  StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
-  StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) { return m_corrector->correct(u, R); }
+  StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   /// Earliest contact events between the accepted state and (u, R); see earliest_events.
   /// @param tolerance events this close to the earliest one are taken with it [fraction of the step]
   /// @param until events later than this fraction (plus the tolerance) do not count
@@ -98,15 +98,18 @@ public:
 private:
   struct SmallestGap {
     double gap = 0, slope = 0, lever = 0;
-    std::vector<std::size_t> nodes; // candidates that have it
+    double fastest = 0, bending = 0; // largest |X_,k| and |X_,kk|/2 of all candidates' feet
+    std::vector<std::size_t> nodes;  // candidates that have it
   };
   SmallestGap smallest_gap(int tool, int k, const Eigen::VectorXd& u);
   Program read_program();
+  Prediction<Dim> predicted(const Eigen::VectorXd& u);
   void match_old_program();
   Prediction<Dim> resting(const Eigen::VectorXd& u) const;
   void keep_support(ContactState<Dim>& state, const std::vector<ContactEvent<Dim>>& events) const;
   std::vector<int> supports() const;
   void check_support(const Program& program) const;
+  void check_independent(const Program& program) const;
   void drop_unresisted(Program& program);
   void check_not_inside(const Eigen::VectorXd& u) const;
   void share_surface();

@@ -67,6 +67,33 @@ template <int Dim> void Session<Dim>::check_support(const Program& program) cons
   }
 }
 
+// Coordinates under force that move their tool alike share a force in no certain way.
+template <int Dim> void Session<Dim>::check_independent(const Program& program) const {
+  const auto poses = m_model.poses(m_accepted.q);
+  const double lever = m_corrector->body().spacing;
+  for (std::size_t t = 0; t < m_tools.size(); ++t) {
+    std::string names;
+    std::vector<Eigen::VectorXd> motions;
+    for (int k = 0; k < m_tools[t]->q().size(); ++k) {
+      if (program.is_motion[m_model.first[t] + k]) continue;
+      Eigen::VectorXd motion(Dim + Dim * Dim);
+      motion << poses[t].origin_q[k],
+          lever * Eigen::Map<const Eigen::VectorXd>(poses[t].R_q[k].data(), Dim * Dim);
+      if (motion.norm() == 0) continue;
+      motions.push_back(motion.normalized());
+      names += (names.empty() ? "\"" : ", \"") + m_tools[t]->drive().names()[k] + "\"";
+    }
+    Eigen::MatrixXd columns(Dim + Dim * Dim, motions.size());
+    for (std::size_t i = 0; i < motions.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = motions[i];
+    if (motions.size() < 2 ||
+        Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(columns).setThreshold(1e-9).rank() == columns.cols())
+      continue;
+    fail("contact.begin", "coordinates " + names + " of tool \"" + m_tools[t]->name() +
+                              "\" are under force, but one of them moves the tool as the others do; give one "
+                              "of them a motion");
+  }
+}
+
 // Every node's share of the surface at the start of the step, for laws of pressure and traction.
 template <int Dim> void Session<Dim>::share_surface() {
   const Eigen::VectorXd share = surface_shares(m_model, m_corrector->body(), m_surface, m_u);
@@ -137,6 +164,7 @@ void Session<Dim>::note_conflicts(const ContactState<Dim>& state, const Eigen::V
 template void Session<2>::check_not_inside(const Eigen::VectorXd&) const;
 template void Session<2>::drop_unresisted(Program&);
 template void Session<2>::check_support(const Program&) const;
+template void Session<2>::check_independent(const Program&) const;
 template void Session<2>::share_surface();
 template void Session<2>::warn(const std::string&, const std::string&);
 template void Session<2>::warn_of_curvature();
