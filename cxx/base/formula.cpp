@@ -36,33 +36,39 @@ struct FrozenSteps : GiNaC::map_function {
 
 } // namespace
 
-struct Formula::Impl {
-  std::string what, text, label; ///< label: of a derivative, for messages
+/// What a formula shares with its derivatives.
+struct Formula::Source {
+  std::string what, text;
   std::vector<std::string> names;
   std::vector<GiNaC::realsymbol> variables;
+};
+
+struct Formula::Impl {
+  std::shared_ptr<const Source> source;
+  std::string label; ///< of a derivative, for messages
   GiNaC::ex expression;
   FormulaTape tape;
 
-  std::string where() const { return what + " " + quoted(text) + label; }
+  std::string where() const { return source->what + " " + quoted(source->text) + label; }
   [[noreturn]] void refuse(const std::string& why) const {
     const std::size_t place = why.find("(): "); // GiNaC's begin with its own place: "power::eval(): "
     fail(where(), place == std::string::npos ? why : why.substr(place + 4));
   }
   void compile() {
     try {
-      tape = FormulaTape(expression, variables);
+      tape = FormulaTape(expression, source->variables);
     } catch (const std::exception& error) {
       refuse(error.what());
     }
   }
-  void differentiate(std::size_t variable) {
-    if (!(derivative_size(expression, variables[variable]) <= LARGEST_DERIVATIVE))
+  void differentiate(const GiNaC::realsymbol& variable) {
+    if (!(derivative_size(expression, variable) <= LARGEST_DERIVATIVE))
       refuse("the formula is too long to be differentiated, expected a derivative of at most " +
              std::to_string(LARGEST_DERIVATIVE) + " numbers, names and operations");
     try {
       FrozenSteps frozen;
       const GiNaC::ex smooth = frozen(expression);
-      expression = smooth.diff(variables[variable]).subs(frozen.steps);
+      expression = smooth.diff(variable).subs(frozen.steps);
     } catch (const std::exception& error) {
       refuse(error.what());
     }
@@ -70,19 +76,21 @@ struct Formula::Impl {
 };
 
 Formula::Formula(std::string what, std::string text, const FormulaNames& names) {
+  auto source = std::make_shared<Source>();
+  source->what = std::move(what);
+  source->text = std::move(text);
+  source->names = names.variables;
   auto impl = std::make_shared<Impl>();
-  impl->what = std::move(what);
-  impl->text = std::move(text);
-  impl->names = names.variables;
+  impl->source = source;
   GiNaC::symtab table{{"pi", GiNaC::Pi}, {"Pi", GiNaC::Pi}};
   check_formula_names(impl->where(), names);
   try {
     for (const std::string& name : names.variables) {
-      impl->variables.push_back(GiNaC::realsymbol(name));
-      table[name] = impl->variables.back();
+      source->variables.push_back(GiNaC::realsymbol(name));
+      table[name] = source->variables.back();
     }
     for (const auto& [name, value] : names.parameters) table[name] = exact_number(value);
-    impl->expression = parse_formula(impl->text, table);
+    impl->expression = parse_formula(source->text, table);
   } catch (const std::exception& error) {
     impl->refuse(error.what());
   }
@@ -93,19 +101,19 @@ Formula::Formula(std::string what, std::string text, const FormulaNames& names) 
 double Formula::operator()(const double* values) const {
   const double value = m_impl->tape(values);
   if (!std::isnan(value)) return value;
-  const std::string where = place(m_impl->names, values);
+  const std::string where = place(m_impl->source->names, values);
   throw FormulaDomainError(m_impl->where() + ": " + m_impl->tape.failure(values) +
                            " is no finite real number" + (where.empty() ? "" : ", at " + where));
 }
 
 Formula Formula::derivative(int variable) const {
-  const int count = static_cast<int>(m_impl->variables.size());
+  const int count = static_cast<int>(m_impl->source->variables.size());
   require(variable >= 0 && variable < count, "Formula::derivative", "variable", variable,
           ("0 to " + std::to_string(count - 1)).c_str());
   const auto k = static_cast<std::size_t>(variable);
   auto impl = std::make_shared<Impl>(*m_impl);
-  impl->label += (impl->label.empty() ? ", derivative by " : " and ") + impl->names[k];
-  impl->differentiate(k);
+  impl->label += (impl->label.empty() ? ", derivative by " : " and ") + impl->source->names[k];
+  impl->differentiate(impl->source->variables[k]);
   impl->compile();
   Formula result(*this);
   result.m_impl = std::move(impl);
@@ -122,6 +130,6 @@ bool Formula::depends_on(int variable) const {
   }
 }
 
-const std::string& Formula::text() const { return m_impl->text; }
+const std::string& Formula::text() const { return m_impl->source->text; }
 
 } // namespace burnish

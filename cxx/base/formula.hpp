@@ -56,6 +56,7 @@ public:
   const std::string& text() const; ///< as given; that of the original for a derivative
 
 private:
+  struct Source;
   struct Impl;
   std::shared_ptr<const Impl> m_impl;
 };
