@@ -235,6 +235,7 @@ void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
     m_log.insert(m_log.end(), events.begin(), events.end());
   }
   note_conflicts(state, u);
+  note_ends(state, u);
   m_accepted = state;
   m_load_scale = m_corrector->load_scale();
   m_program_old = m_program;

@@ -116,6 +116,7 @@ private:
   void warn(const std::string& subject, const std::string& text);
   void warn_of_curvature();
   void note_conflicts(const ContactState<Dim>& state, const Eigen::VectorXd& u);
+  void note_ends(const ContactState<Dim>& state, const Eigen::VectorXd& u);
 
   std::shared_ptr<const Discretization<Dim>> m_discretization;
   std::vector<SurfaceEdge> m_surface;

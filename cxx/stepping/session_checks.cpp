@@ -6,6 +6,8 @@
 
 namespace burnish {
 
+static const Eigen::IOFormat ROW(Eigen::StreamPrecision, Eigen::DontAlignCols); // places in messages
+
 template <int Dim> void Session<Dim>::check_not_inside(const Eigen::VectorXd& u) const {
   const auto poses = m_model.poses(m_accepted.q);
   const auto& body = m_corrector->body();
@@ -15,8 +17,8 @@ template <int Dim> void Session<Dim>::check_not_inside(const Eigen::VectorXd& u)
     if (nearest.foot.gap >= -1e-3 * body.spacing) continue;
     std::ostringstream text;
     text << "tool \"" << m_tools[nearest.tool]->name() << "\" starts inside the workpiece: node "
-         << m_candidates[i] << " at " << body.position(u, m_candidates[i]).transpose() << " penetrates by "
-         << -nearest.foot.gap
+         << m_candidates[i] << " at " << body.position(u, m_candidates[i]).transpose().format(ROW)
+         << " penetrates by " << -nearest.foot.gap
          << "; place the tool outside and call approach, or, if its profile has the body on the wrong "
          << "side, turn it: inside=true, or the points in the other order";
     fail("contact.begin", text.str());
@@ -139,8 +141,8 @@ void Session<Dim>::note_conflicts(const ContactState<Dim>& state, const Eigen::V
       const std::string &a = m_tools[node.tool]->name(), &b = m_tools[t]->name();
       std::ostringstream text;
       text << "tools \"" << a << "\" and \"" << b << "\" reach for the same node " << m_candidates[i]
-           << " at " << x.transpose() << ", t = " << m_t + m_dt << ": it stays with \"" << a << "\", and \""
-           << b << "\" overlaps it by " << -gap << "; a node touches at most one tool";
+           << " at " << x.transpose().format(ROW) << ", t = " << m_t + m_dt << ": it stays with \"" << a
+           << "\", and \"" << b << "\" overlaps it by " << -gap << "; a node touches at most one tool";
       warn("node " + a + " " + b, text.str());
     }
   }
@@ -153,9 +155,40 @@ void Session<Dim>::note_conflicts(const ContactState<Dim>& state, const Eigen::V
       if (tool == first) continue;
       std::ostringstream text;
       text << "an element lies between tools \"" << m_tools[first]->name() << "\" and \""
-           << m_tools[tool]->name() << "\" (element " << e << " at " << body.position(u, node).transpose()
-           << ", t = " << m_t + m_dt << "): refine the workpiece there";
+           << m_tools[tool]->name() << "\" (element " << e << " at "
+           << body.position(u, node).transpose().format(ROW) << ", t = " << m_t + m_dt
+           << "): refine the workpiece there";
       warn("element " + m_tools[first]->name() + " " + m_tools[tool]->name(), text.str());
+    }
+  }
+}
+
+// Contact at an end of an open profile, beyond which the surface of the body goes on: a sharp edge.
+template <int Dim> void Session<Dim>::note_ends(const ContactState<Dim>& state, const Eigen::VectorXd& u) {
+  const auto& body = m_corrector->body();
+  const auto poses = m_model.poses(state.q);
+  for (int t = 0; t < static_cast<int>(m_tools.size()); ++t) {
+    const auto range = m_model.tools[t]->profile().range();
+    if (range.closed) continue;
+    for (const Param<Dim>& s : {range.begin, range.end}) {
+      const Vector<Dim> end = m_model.tools[t]->surface(poses[t], s).x;
+      bool touches = false, beyond = false;
+      for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+        const auto& node = state.nodes[i];
+        const Vector<Dim> x = body.position(u, m_candidates[i]);
+        const double distance = (x - end).norm();
+        if (distance > 2 * body.spacing || !m_model.may_touch(static_cast<int>(i), t)) continue;
+        if (in_contact(node.state) && node.tool == t)
+          touches = touches || distance <= body.spacing;
+        else
+          beyond = beyond || m_model.tools[t]->closest_point(poses[t], x, s).on_end;
+      }
+      if (!touches || !beyond) continue;
+      std::ostringstream text;
+      text << "the contact has reached the end of tool \"" << m_tools[t]->name() << "\" at "
+           << end.transpose().format(ROW) << ", t = " << m_t + m_dt
+           << ": the tool is sharp there; let its profile go on, with a fillet";
+      warn("end " + m_tools[t]->name(), text.str());
     }
   }
 }
@@ -169,5 +202,6 @@ template void Session<2>::share_surface();
 template void Session<2>::warn(const std::string&, const std::string&);
 template void Session<2>::warn_of_curvature();
 template void Session<2>::note_conflicts(const ContactState<2>&, const Eigen::VectorXd&);
+template void Session<2>::note_ends(const ContactState<2>&, const Eigen::VectorXd&);
 
 } // namespace burnish
