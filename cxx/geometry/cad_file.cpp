@@ -86,6 +86,9 @@ CadFile::CadFile(std::string path, const std::map<std::string, double>& numbers)
   if (said.empty() && !m_curves.empty()) return;
   const std::string printed = one_line(session.printed());
   session.remove(m_model);
+  if (trimmed(said) == "OpenCASCADE exception")
+    said = "OpenCASCADE exception; are points of a curve closer than 1e-7, which it takes for one? Draw it "
+           "larger";
   if (said.empty()) said = "no curves in it" + (printed.empty() ? "" : " (" + printed + ")");
   fail(WHERE, "\"" + m_path + "\": " + said);
 }

@@ -97,6 +97,14 @@ TEST(CadErrors, CurvesWithoutLength) {
           "it out");
 }
 
+TEST(CadErrors, TooSmallForOpenCascade) {
+  const std::string points =
+      "Point(1) = {1e-12, 0, 0}; Point(2) = {3e-12, 1e-12, 0}; Point(3) = {5e-12, 0, 0};\n";
+  refuses(OPENCASCADE + points + "Spline(1) = {1, 2, 3};",
+          "points of a curve closer than 1e-7, which it takes for one?");
+  EXPECT_NEAR(drawn(points + "Spline(1) = {1, 2, 3};").tightest_radius(), 1e-12, 1e-20);
+}
+
 TEST(CadErrors, PointsThatAreNotFinite) {
   refuses("Point(1) = {0, 0, 0}; Point(2) = {Sqrt(-1), 0, 0}; Line(1) = {1, 2};",
           "has points that are not finite");
