@@ -20,8 +20,8 @@ std::string place(const std::vector<std::string>& names, const double* values) {
   return text.str();
 }
 
-/// Steps stand as symbols while the rest is differentiated: they count as flat, and GiNaC 1.8 takes the conjugate
-/// of a step's derivative, which it meets in that of abs, for the step itself.
+/// Steps stand as symbols while the rest is differentiated: they count as flat, and GiNaC 1.8 takes the
+/// conjugate of a step's derivative, which it meets in that of abs, for the step itself.
 struct FrozenSteps : GiNaC::map_function {
   GiNaC::exmap steps, symbols; ///< symbol to step, step to symbol
   GiNaC::ex operator()(const GiNaC::ex& e) override {

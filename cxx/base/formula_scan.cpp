@@ -76,8 +76,8 @@ void check_tokens(const std::vector<FormulaToken>& tokens, const GiNaC::symtab& 
   }
 }
 
-/// What GiNaC reads, and where each token begins in it. Numbers, parameters and constants are symbols of their
-/// own in it: GiNaC would compute their powers at once, however large.
+/// What GiNaC reads, and where each token begins in it. Numbers, parameters and constants are symbols of
+/// their own in it: GiNaC would compute their powers at once, however large.
 struct SymbolicText {
   std::string text;
   std::vector<std::size_t> starts;

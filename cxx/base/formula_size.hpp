@@ -4,8 +4,8 @@
 
 namespace burnish {
 
-/// @throws std::invalid_argument if GiNaC would compute a power of numbers with more than 100 000 binary digits:
-/// 2^(10^9), (2*x)^(10^9), 1.0000001^(10^6)
+/// @throws std::invalid_argument if GiNaC would compute a power of numbers with more than 100 000 binary
+/// digits: 2^(10^9), (2*x)^(10^9), 1.0000001^(10^6)
 void require_moderate_power(const GiNaC::ex& base, const GiNaC::ex& exponent);
 
 /// Estimate from above of the numbers, symbols and operations in the derivative, none of them shared.

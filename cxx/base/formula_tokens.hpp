@@ -18,8 +18,8 @@ struct FormulaToken {
 /// parentheses within one another, and for a text of more than 10000 characters
 std::vector<FormulaToken> formula_tokens(const std::string& text);
 
-/// Exact value of a NUMBER (0.05: 1/20). @throws std::invalid_argument with the place for one beyond the range
-/// of double
+/// Exact value of a NUMBER (0.05: 1/20). @throws std::invalid_argument with the place for one beyond the
+/// range of double
 GiNaC::numeric token_number(const FormulaToken& token);
 
 /// True for a letter followed by letters, digits and _.

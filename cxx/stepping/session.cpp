@@ -115,8 +115,8 @@ double Session<Dim>::approach(int tool, const std::string& coordinate, const Eig
       return q;
     }
     if (std::abs(least.slope) < 1e-9 * least.lever) break;
-    // no point of the tool moves much further than the gap, to second order, lest a leap past a dead center or
-    // through the body ends at another touch than the first one
+    // no point of the tool moves much further than the gap, to second order, lest a leap past a dead center
+    // or through the body ends at another touch than the first one
     const double way = std::max(1.5 * std::abs(least.gap), 0.05 * m_corrector->body().spacing);
     const double most =
         2 * way / (least.fastest + std::sqrt(least.fastest * least.fastest + 4 * least.bending * way));
