@@ -174,7 +174,7 @@ bool revert(const Method<ContactHandle, RevertTag>& m) {
 }
 string* reason(Stack stack, ContactHandle* const& h) {
   return guarded([&] {
-    return new_string(stack, h->get().session->started() ? h->get().session->corrector().reason() : "");
+    return new_string(stack, h->get().session->reason());
   });
 }
 

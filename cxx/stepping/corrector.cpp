@@ -57,7 +57,9 @@ void Corrector<Dim>::begin(const Program& program, const ContactState<Dim>& pred
   m_reason.clear();
 }
 
+// A load below what rounding leaves is none: a tool under zero force.
 template <int Dim> double Corrector<Dim>::allowed(double scale) const {
+  if (scale < m_rounding) return m_rounding;
   return std::max(m_options.tolerance * scale, std::min(m_rounding, StepOptions().tolerance * scale));
 }
 

@@ -103,6 +103,7 @@ double Session<Dim>::approach(int tool, const std::string& coordinate, const Eig
   for (int iteration = 0; iteration < 1000; ++iteration) { // Newton on the smallest gap as a function of q^k
     const SmallestGap least = smallest_gap(tool, k, u);
     if (std::abs(least.gap) < 1e-9 * m_corrector->body().spacing) {
+      check_from_outside(tool, least.nodes, u);
       for (const std::size_t i : least.nodes) {
         auto& node = m_accepted.nodes[i];
         node.tool = tool;
@@ -122,9 +123,7 @@ double Session<Dim>::approach(int tool, const std::string& coordinate, const Eig
         2 * way / (least.fastest + std::sqrt(least.fastest * least.fastest + 4 * least.bending * way));
     q -= std::clamp(least.gap / least.slope, -most, most);
   }
-  fail("contact.approach",
-       "coordinate \"" + coordinate + "\" of tool \"" + m_tools[tool]->name() +
-           "\" alone does not bring it to the body; place the tool opposite the contact surface first");
+  fail_approach(tool, coordinate);
 }
 
 template <int Dim> Program Session<Dim>::read_program() {
@@ -171,6 +170,7 @@ template <int Dim> void Session<Dim>::begin(Eigen::VectorXd& u, double t, double
   if (first) check_not_inside(u);
   m_t = t;
   m_dt = dt;
+  m_largest_dt = std::max(m_largest_dt, dt);
   m_stepping = stepping;
   m_u = u;
   share_surface();

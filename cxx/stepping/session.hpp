@@ -31,7 +31,7 @@ public:
                 const std::vector<SurfaceEdge>& reach = {});
   /// Moves one coordinate until the tool just touches the body and puts the touching nodes in contact.
   /// @returns the coordinate's value. @throws std::invalid_argument if it cannot touch by this coordinate
-  /// alone
+  /// alone, or would touch it from inside
   double approach(int tool, const std::string& coordinate, const Eigen::VectorXd& u);
 
   // --- one step
@@ -72,6 +72,10 @@ public:
   // --- what is known
   Corrector<Dim>& corrector() { return *m_corrector; }
   const Corrector<Dim>& corrector() const { return *m_corrector; }
+  /// Why the step failed: the corrector's reason, and what may be behind it, a jump of the program or
+  /// the end of a tool's profile in the contact; "" before the first
+  /// step.
+  std::string reason() const;
   const ContactModel<Dim>& model() const { return m_corrector->model(); }
   const ContactState<Dim>& accepted() const { return m_accepted; }
   bool started() const { return m_corrector != nullptr; }
@@ -112,6 +116,12 @@ private:
   void check_independent(const Program& program) const;
   void drop_unresisted(Program& program);
   void check_not_inside(const Eigen::VectorXd& u) const;
+  Vector<Dim> outward(int node, const Eigen::VectorXd& u) const;
+  void check_from_outside(int tool, const std::vector<std::size_t>& touching, const Eigen::VectorXd& u) const;
+  [[noreturn]] void fail_approach(int tool, const std::string& coordinate) const;
+  std::string jump() const;
+  std::string profile_end() const;
+  bool within_body(int tool) const;
   void share_surface();
   void warn(const std::string& subject, const std::string& text);
   void warn_of_curvature();
@@ -134,7 +144,7 @@ private:
   Program m_program, m_program_old;
   StepHistory<Dim> m_history;
   Stepping m_stepping = Stepping::IMPLICIT;
-  double m_t = 0, m_dt = 0, m_load_scale = 0;
+  double m_t = 0, m_dt = 0, m_largest_dt = 0, m_load_scale = 0;
   int m_steps_since_factor = 0;
   long m_condensations = 0;
   std::vector<ContactEvent<Dim>> m_log;

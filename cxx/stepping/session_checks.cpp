@@ -8,7 +8,24 @@ namespace burnish {
 
 static const Eigen::IOFormat ROW(Eigen::StreamPrecision, Eigen::DontAlignCols); // places in messages
 
+// Whether a closed tool lies between the nodes altogether, at the reference place of the workpiece.
+template <int Dim> bool Session<Dim>::within_body(int tool) const {
+  const ParamRange<Dim> range = m_model.tools[tool]->profile().range();
+  const auto pose = m_model.tools[tool]->coordinates().pose(m_model.tool_q(m_accepted.q, tool));
+  constexpr int POINTS = 32;
+  for (int i = 0; i < POINTS; ++i) {
+    const Param<Dim> s = range.begin + (range.end - range.begin) * i / POINTS;
+    if (m_locator->find(m_model.tools[tool]->surface(pose, s).x, m_candidates[0], 0) < 0) return false;
+  }
+  return range.closed;
+}
+
 template <int Dim> void Session<Dim>::check_not_inside(const Eigen::VectorXd& u) const {
+  for (std::size_t t = 0; t < m_tools.size(); ++t)
+    if (within_body(static_cast<int>(t)))
+      fail("contact.begin", "tool \"" + m_tools[t]->name() +
+                                "\" lies within the workpiece, which has no node " +
+                                "inside it; place the tool outside and call approach");
   const auto poses = m_model.poses(m_accepted.q);
   const auto& body = m_corrector->body();
   for (std::size_t i = 0; i < m_candidates.size(); ++i) {
@@ -22,6 +39,42 @@ template <int Dim> void Session<Dim>::check_not_inside(const Eigen::VectorXd& u)
          << "; place the tool outside and call approach, or, if its profile has the body on the wrong "
          << "side, turn it: inside=true, or the points in the other order";
     fail("contact.begin", text.str());
+  }
+}
+
+// Mean normal out of the workpiece of the surface edges at a node; zero if there is none.
+template <int Dim> Vector<Dim> Session<Dim>::outward(int node, const Eigen::VectorXd& u) const {
+  Vector<Dim> sum = Vector<Dim>::Zero();
+  for (const SurfaceEdge& edge : m_surface) {
+    if (edge.a != node && edge.b != node && edge.middle != node) continue;
+    for (int e = 0; e < m_discretization->num_elements; ++e) {
+      const int *vertex = m_discretization->element(e), *end = vertex + Dim + 1;
+      if (std::find(vertex, end, edge.a) == end || std::find(vertex, end, edge.b) == end) continue;
+      const auto& body = m_corrector->body();
+      const int opposite = *std::find_if(vertex, end, [&](int v) { return v != edge.a && v != edge.b; });
+      const Vector<Dim> a = body.position(u, edge.a), away = a - body.position(u, opposite);
+      const Vector<Dim> along = (body.position(u, edge.b) - a).normalized();
+      sum += (away - along.dot(away) * along).normalized();
+    }
+  }
+  return sum.stableNormalized();
+}
+
+// A tool inside the workpiece has nodes at a positive gap, too, and reaches the surface from within.
+template <int Dim>
+void Session<Dim>::check_from_outside(int tool, const std::vector<std::size_t>& touching,
+                                      const Eigen::VectorXd& u) const {
+  const auto pose = m_model.tools[tool]->coordinates().pose(m_model.tool_q(m_accepted.q, tool));
+  for (const std::size_t i : touching) {
+    const int node = m_candidates[i];
+    if (m_model.tools[tool]->surface(pose, m_accepted.nodes[i].s).n.dot(outward(node, u)) < 0.5) continue;
+    std::ostringstream text;
+    text << "tool \"" << m_tools[tool]->name()
+         << "\" comes to the surface from inside the workpiece, at node " << node << " at "
+         << m_corrector->body().position(u, node).transpose().format(ROW)
+         << "; place it outside first, or, if its profile has the body on the wrong side, turn it: "
+         << "inside=true, or the points in the other order";
+    fail("contact.approach", text.str());
   }
 }
 
@@ -195,6 +248,10 @@ template <int Dim> void Session<Dim>::note_ends(const ContactState<Dim>& state, 
 
 // members of this file; session.cpp instantiates the others
 template void Session<2>::check_not_inside(const Eigen::VectorXd&) const;
+template Vector<2> Session<2>::outward(int, const Eigen::VectorXd&) const;
+template void Session<2>::check_from_outside(int, const std::vector<std::size_t>&,
+                                             const Eigen::VectorXd&) const;
+template bool Session<2>::within_body(int) const;
 template void Session<2>::drop_unresisted(Program&);
 template void Session<2>::check_support(const Program&) const;
 template void Session<2>::check_independent(const Program&) const;
