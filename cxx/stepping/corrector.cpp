@@ -57,10 +57,10 @@ void Corrector<Dim>::begin(const Program& program, const ContactState<Dim>& pred
   m_reason.clear();
 }
 
-// A load below what rounding leaves is none: a tool under zero force.
+// A billionth of what rounding leaves is no load at all: a tool under zero force.
 template <int Dim> double Corrector<Dim>::allowed(double scale) const {
-  if (scale < m_rounding) return m_rounding;
-  return std::max(m_options.tolerance * scale, std::min(m_rounding, StepOptions().tolerance * scale));
+  const double capped = std::min(m_rounding, StepOptions().tolerance * scale);
+  return std::max({m_options.tolerance * scale, capped, 1e-9 * m_rounding});
 }
 
 // Sets m_balance; returns the load scale, in which the load of this state counts in its own tolerance.
