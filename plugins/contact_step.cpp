@@ -173,9 +173,7 @@ bool revert(const Method<ContactHandle, RevertTag>& m) {
   });
 }
 string* reason(Stack stack, ContactHandle* const& h) {
-  return guarded([&] {
-    return new_string(stack, h->get().session->reason());
-  });
+  return guarded([&] { return new_string(stack, h->get().session->reason()); });
 }
 
 } // namespace
