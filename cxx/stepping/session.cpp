@@ -161,6 +161,7 @@ template <int Dim> void Session<Dim>::begin(Eigen::VectorXd& u, double t, double
   if (!u.allFinite()) fail("contact.begin", "the displacement holds NaN or Inf");
   const bool first = !m_corrector || m_history.dt == 0;
   start();
+  if (!first) check_not_placed();
   for (std::size_t t = 0; first && t < m_tools.size(); ++t) // placed after another tool's approach
     m_accepted.q.segment(m_model.first[t], m_tools[t]->q().size()) = m_tools[t]->q();
   m_program = read_program();

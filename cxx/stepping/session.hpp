@@ -115,6 +115,7 @@ private:
   void check_support(const Program& program) const;
   void check_independent(const Program& program) const;
   void drop_unresisted(Program& program);
+  void check_not_placed() const;
   void check_not_inside(const Eigen::VectorXd& u) const;
   Vector<Dim> outward(int node, const Eigen::VectorXd& u) const;
   void check_from_outside(int tool, const std::vector<std::size_t>& touching, const Eigen::VectorXd& u) const;

@@ -20,6 +20,19 @@ template <int Dim> bool Session<Dim>::within_body(int tool) const {
   return range.closed;
 }
 
+// Between steps a tool moves by its program only.
+template <int Dim> void Session<Dim>::check_not_placed() const {
+  for (std::size_t t = 0; t < m_tools.size(); ++t)
+    for (Eigen::Index k = 0; k < m_tools[t]->q().size(); ++k) {
+      const int at = m_model.first[t] + static_cast<int>(k);
+      if (m_tools[t]->q()[k] == m_accepted.q[at]) continue;
+      std::ostringstream text;
+      text << m_model.coordinate(at) << " was placed at " << m_tools[t]->q()[k]
+           << " during the run, where it is " << m_accepted.q[at] << "; only move and force change it now";
+      fail("contact.begin", text.str());
+    }
+}
+
 template <int Dim> void Session<Dim>::check_not_inside(const Eigen::VectorXd& u) const {
   for (std::size_t t = 0; t < m_tools.size(); ++t)
     if (within_body(static_cast<int>(t)))
@@ -247,6 +260,7 @@ template <int Dim> void Session<Dim>::note_ends(const ContactState<Dim>& state, 
 }
 
 // members of this file; session.cpp instantiates the others
+template void Session<2>::check_not_placed() const;
 template void Session<2>::check_not_inside(const Eigen::VectorXd&) const;
 template Vector<2> Session<2>::outward(int, const Eigen::VectorXd&) const;
 template void Session<2>::check_from_outside(int, const std::vector<std::size_t>&,
