@@ -16,14 +16,21 @@ MOST = 6  # panels
 MARKERS = "os^vD<>P*X"
 
 
-def expected_values(sweep):
-    """{result: value expected} of the first variant that has results."""
+def results_of(sweep):
+    """Results of the variants that have some: [{name: {"value":, "unit":, "expected":}}]."""
+    found = []
     for variant in sweep["variants"]:
         try:
             with open(os.path.join(variant["folder"], "summary.json"), encoding="utf-8") as file:
-                results = json.load(file).get("results") or {}
+                found.append(json.load(file).get("results") or {})
         except (OSError, ValueError):
             continue
+    return found
+
+
+def expected_values(sweep):
+    """{result: value expected} of the first variant that has results."""
+    for results in results_of(sweep):
         return {name: r["expected"] for name, r in results.items() if r.get("expected") is not None}
     return {}
 

@@ -8,13 +8,7 @@ import json
 import os
 import sys
 
-
-def read_text(path):
-    try:
-        with open(path, encoding="utf-8", errors="replace") as file:
-            return file.read()
-    except OSError:
-        return ""
+from grid import read_text
 
 
 def read_summary(folder):

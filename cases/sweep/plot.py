@@ -11,7 +11,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 try:
     import numpy as np
-    from plotting.cost import cost_figure
+    from plotting.cost import cost_figure, results_of
     from plotting.curves import COLORS
     from plotting.figure import apply_style, new_figure, save, say_empty
 except ImportError as error:
@@ -31,12 +31,7 @@ def number(text):
 def units_of(sweep):
     """Units of the results, from any summary."""
     units = {}
-    for variant in sweep["variants"]:
-        try:
-            with open(os.path.join(variant["folder"], "summary.json"), encoding="utf-8") as file:
-                results = json.load(file).get("results") or {}
-        except (OSError, ValueError):
-            continue
+    for results in results_of(sweep):
         units.update({name: entry.get("unit", "") for name, entry in results.items()})
     return units
 
