@@ -30,10 +30,15 @@ def label_panel(axes, run, columns, title, change):
     first = run.columns[columns[0]]
     if len(columns) == 1:
         title = ("change of " if change else "") + (f"{title} " if first.label.startswith("$") else "") + first.label
-    axes.set_title(f"{title} [{first.unit}]", loc="left", fontsize=10)
+    beside = len(columns) < 3 and len(title) < 30  # else the key has lines of its own under the title
+    lines = 0 if beside else -(-len(columns) // 3)
+    axes.set_title(f"{title} [{first.unit}]", loc="left", fontsize=10, pad=6 + 12 * lines)
     if len(columns) > 1:
-        axes.legend(fontsize=8, loc="lower right", bbox_to_anchor=(1.01, 0.97), ncol=len(columns), frameon=False,
-                    handlelength=1.2, columnspacing=0.8, handletextpad=0.4)
+        where = {"loc": "lower right", "bbox_to_anchor": (1.01, 0.97)}
+        if not beside:
+            where = {"loc": "lower left", "bbox_to_anchor": (-0.02, 0.97)}
+        axes.legend(fontsize=8, ncol=min(3, len(columns)), frameon=False, borderpad=0.3, labelspacing=0.2,
+                    handlelength=1.2, columnspacing=0.8, handletextpad=0.4, **where)
     if first.kind == u.NODES:
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
 
