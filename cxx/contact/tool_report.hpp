@@ -1,6 +1,5 @@
 #pragma once
-// What a report says of each tool: names of all coordinates, nodes in contact, resultant of the contact
-// forces.
+// What a report says of each tool: names of all coordinates, nodes in contact, resultant of the forces.
 #include "contact/contact_model.hpp"
 
 namespace burnish {
@@ -13,11 +12,10 @@ template <int Dim>
 std::vector<std::string> coordinate_names(const std::vector<std::shared_ptr<const Tool<Dim>>>& tools);
 
 /// Number of candidates in a state.
-/// @param what  "free", "touched", "sliding", "sticking", "leaving", "receding", or "contact": touched,
-/// sliding or
-///              sticking
-/// @param tool  index into ContactModel::tools: only nodes whose tool (in contact or nearest) it is; -1:
-/// all
+/// @param what  "free", "touched", "sliding", "sticking", "leaving", "receding", or "contact":
+///              touched, sliding or sticking
+/// @param tool  index into ContactModel::tools: only nodes whose tool (in contact or nearest) it is;
+///              -1: all
 /// @throws std::invalid_argument "where: ..." for another word
 template <int Dim>
 long count_nodes(const ContactState<Dim>& state, const std::string& what, const char* where, int tool = -1);

@@ -72,8 +72,8 @@ private:
   bool window_covers(const Eigen::VectorXd& u) const;
   std::vector<int> near_contact(const Eigen::VectorXd& u, double widths, double spacings) const;
   const NodeBlockMatrix<Dim>& shifted(const NodeBlockMatrix<Dim>& K);
-  /// Largest residual that counts as balance [force]: the tolerance of the load, or what rounding leaves, but that
-  /// no more than the default tolerance of it.
+  /// Largest residual that counts as balance [force]: the tolerance of the load, or what rounding leaves, but of
+  /// that no more than the default tolerance of the load, and a billionth of it in any case.
   double allowed(double scale) const;
   std::string reason_of_failure(double scale) const; // after the last iteration
   Eigen::VectorXd solve(const Eigen::VectorXd& b);

@@ -201,18 +201,17 @@ TEST(FuzzArcChain, AdviceHelps) {
   EXPECT_GE(counts["accepted"], 5000);
 }
 
-TEST(FuzzArcChain, Scribbles) {
-  Random random(1);
+namespace {
+
+template <typename Drawer> void try_drawings(Drawer draw, unsigned seed, int number, int least_accepted) {
+  Random random(seed);
   Counts counts;
-  for (int i = 0; i < 20000 && !HasFailure(); ++i) try_drawing(scribble(random), random, counts);
+  for (int i = 0; i < number && !testing::Test::HasFailure(); ++i) try_drawing(draw(random), random, counts);
   for (const auto& [what, n] : counts) std::cout << "  " << n << " " << what << "\n";
-  EXPECT_GE(counts["accepted"], 500);
+  EXPECT_GE(counts["accepted"], least_accepted);
 }
 
-TEST(FuzzArcChain, SensibleDrawings) {
-  Random random(2);
-  Counts counts;
-  for (int i = 0; i < 3000 && !HasFailure(); ++i) try_drawing(sensible(random), random, counts);
-  for (const auto& [what, n] : counts) std::cout << "  " << n << " " << what << "\n";
-  EXPECT_GE(counts["accepted"], 1000);
-}
+} // namespace
+
+TEST(FuzzArcChain, Scribbles) { try_drawings(scribble, 1, 20000, 500); }
+TEST(FuzzArcChain, SensibleDrawings) { try_drawings(sensible, 2, 3000, 1000); }
