@@ -15,18 +15,18 @@
 #include "named.hpp"
 #include "types.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
 using H = ContactHandle;
 using Array = KN_<double>;
 
-burnish::SurfaceReport<2> report(const Session<2>& s) {
-  if (!s.started()) burnish::fail("contact", "no state yet: call approach or begin first");
-  return burnish::surface_report(s.model(), s.corrector().body(), s.accepted(), s.surface(),
-                                 s.accepted_displacement(), s.accepted_force());
+SurfaceReport<2> report(const Session<2>& s) {
+  if (!s.started()) fail("contact", "no state yet: call approach or begin first");
+  return surface_report(s.model(), s.corrector().body(), s.accepted(), s.surface(), s.accepted_displacement(),
+                        s.accepted_force());
 }
-template <Eigen::VectorXd burnish::SurfaceReport<2>::*member> Array from_report(Stack stack, H* const& h) {
+template <Eigen::VectorXd SurfaceReport<2>::*member> Array from_report(Stack stack, H* const& h) {
   return guarded([&] { return new_array(stack, report(*h->get().session).*member); });
 }
 // One number per candidate.
@@ -81,23 +81,23 @@ double load_scale(H* const& h) {
 
 struct CountTag {};
 long count(const Method<H, CountTag>& m, string* const& state) {
-  return guarded([&] { return burnish::count_nodes(m->get().session->accepted(), *state, "contact.count"); });
+  return guarded([&] { return count_nodes(m->get().session->accepted(), *state, "contact.count"); });
 }
 
 struct StatisticTag {};
 long statistic(const Method<H, StatisticTag>& m, string* const& name) {
   return guarded([&] {
     const Session<2>& s = *m->get().session;
-    const burnish::CorrectorCounts counts = s.started() ? s.corrector().counts() : burnish::CorrectorCounts{};
+    const CorrectorCounts counts = s.started() ? s.corrector().counts() : CorrectorCounts{};
     if (*name == "iterations") return counts.iterations;
     if (*name == "factorizations") return counts.factorizations;
     if (*name == "solves") return counts.solves;
     if (*name == "analyses") return counts.analyses;
-    if (*name == "halvings") return counts.halvings;
+    if (*name == "backtracks") return counts.backtracks;
     if (*name == "condensations") return s.condensations();
-    burnish::fail("contact.statistic",
-                  "unknown name \"" + *name +
-                      "\", expected iterations, factorizations, solves, analyses, halvings or condensations");
+    fail("contact.statistic",
+         "unknown name \"" + *name +
+             "\", expected iterations, factorizations, solves, analyses, backtracks or condensations");
   });
 }
 
@@ -106,20 +106,19 @@ double seconds(const Method<H, SecondsTag>& m, string* const& phase) {
   return guarded([&] {
     const ContactObject& contact = m->get();
     const auto counts =
-        contact.session->started() ? contact.session->corrector().counts() : burnish::CorrectorCounts{};
+        contact.session->started() ? contact.session->corrector().counts() : CorrectorCounts{};
     if (*phase == "condensation") return counts.condensation_seconds + contact.condense_seconds;
     if (*phase == "factorization") return counts.factorization_seconds;
     if (*phase == "solve") return counts.solve_seconds;
     if (*phase == "events") return contact.event_seconds;
-    burnish::fail("contact.seconds",
-                  "unknown phase \"" + *phase + "\", expected condensation, factorization, solve or events");
+    fail("contact.seconds",
+         "unknown phase \"" + *phase + "\", expected condensation, factorization, solve or events");
   });
 }
 
-const burnish::ContactEvent<2>& event(H* h, long i) {
+const ContactEvent<2>& event(H* h, long i) {
   const auto& log = h->get().session->log();
-  burnish::require(i >= 0 && i < static_cast<long>(log.size()), "contact.event", "index", i,
-                   "less than eventnumber");
+  require(i >= 0 && i < static_cast<long>(log.size()), "contact.event", "index", i, "less than eventnumber");
   return log[static_cast<std::size_t>(i)];
 }
 struct TimeTag {};
@@ -132,7 +131,7 @@ double event_time(const Method<H, TimeTag>& m, const long& i) {
   return guarded([&] { return event(m.object, i).t; });
 }
 string* event_kind(Stack stack, const Method<H, KindTag>& m, const long& i) {
-  return guarded([&] { return new_string(stack, burnish::kind_of(event(m.object, i))); });
+  return guarded([&] { return new_string(stack, kind_of(event(m.object, i))); });
 }
 long event_node(const Method<H, NodeTag>& m, const long& i) {
   return guarded([&] { return static_cast<long>(event(m.object, i).node); });
@@ -177,7 +176,7 @@ void register_event_table() {
 } // namespace
 
 void register_contact_data() {
-  using Report = burnish::SurfaceReport<2>;
+  using Report = SurfaceReport<2>;
   const auto array = [](const char* name, Array (*f)(Stack, H* const&)) {
     Add<H*>(name, ".", new OneOperator1s_<Array, H*>(f));
   };
@@ -213,4 +212,4 @@ void register_contact_data() {
   register_event_table();
 }
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -10,7 +10,7 @@
 #include "named.hpp"
 #include "types.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
 struct CondenseTag {};
@@ -25,13 +25,12 @@ struct Condense {
     const bool symmetric = a.boolean("symmetric", false);
     for (const char* name : {"CHOLMOD", "CHOLESKY", "CROUT", "CG", "SPARSESOLVERSYM"})
       if (!symmetric && solver == name) // it would read one triangle only and answer wrongly
-        burnish::fail("contact.condense", "solver \"" + solver + "\" needs symmetric=true");
+        fail("contact.condense", "solver \"" + solver + "\" needs symmetric=true");
     const long n = contact.session->discretization().num_dofs();
-    const burnish::CpuTimer timer(contact.condense_seconds);
+    const CpuTimer timer(contact.condense_seconds);
     const auto& blocks = contact.reader.read(view_of(K, n, "contact.condense"));
-    const auto right =
-        a.boolean("rates", false) ? burnish::RightHandSide::RATES : burnish::RightHandSide::TOTAL;
-    const auto& system = called("contact.condense", [&]() -> const burnish::CondensedSystem& {
+    const auto right = a.boolean("rates", false) ? RightHandSide::RATES : RightHandSide::TOTAL;
+    const auto& system = called("contact.condense", [&]() -> const CondensedSystem& {
       return contact.session->condense(blocks, to_dofs(u, n, "contact.condense", "u"),
                                        to_dofs(R, n, "contact.condense", "R"),
                                        terms_of(a.text("terms", "complete")), right, symmetric);
@@ -90,4 +89,4 @@ void register_contact_matrix() {
       "expand", [] { return new OneOperator3s_<double, Method<H, ExpandTag>, Array, Array>(expand); });
 }
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -2,7 +2,7 @@
 //   C.begin(u[], t, dt);                 u: in accepted, out predicted; the drives hold the values at t + dt
 //     events=true                        contact states stay fixed (event stepping)
 //     rates=true                         pure rates from the accepted state, see contact_matrix.cpp
-//   int st = C.check(u[], R);            rcConverged, rcIterate, rcRefactorize, rcHalved, rcFailed (C.reason tells why)
+//   int st = C.check(u[], R);            rcConverged, rcIterate, rcRefactorize, rcBacktracked, rcFailed (C.reason tells why)
 //   bool ok = C.factorize(M, u[]);       the material's own tangent; or C.factorize(K, u[]) with any symmetric matrix
 //   int st = C.correct(u[], R);          one iteration: moves u, slips, coordinates and contact states
 //   real f = C.events(u[], R);           earliest fraction of the step, 2 if it has no event; tolerance=1e-3, until=1
@@ -14,7 +14,7 @@
 #include "named.hpp"
 #include "types.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
 Eigen::VectorXd dofs(const ContactObject& contact, const KN_<double>& a, const char* where,
@@ -26,19 +26,19 @@ struct BeginTag {};
 struct Begin {
   static const int n = 2;
   static basicAC_F0::name_and_type names[n];
-  static burnish::Stepping stepping(const Named& a) {
-    if (a.boolean("rates", false)) return burnish::Stepping::RATES;
-    return a.boolean("events", false) ? burnish::Stepping::EVENT : burnish::Stepping::IMPLICIT;
+  static Stepping stepping(const Named& a) {
+    if (a.boolean("rates", false)) return Stepping::RATES;
+    return a.boolean("events", false) ? Stepping::EVENT : Stepping::IMPLICIT;
   }
   static bool call(const Named& a, Method<ContactHandle, BeginTag> m, KN_<double> u, double t, double dt) {
     ContactObject& contact = m->get();
-    burnish::require(std::isfinite(t), "contact.begin", "t", t, "a finite number");
+    require(std::isfinite(t), "contact.begin", "t", t, "a finite number");
     Eigen::VectorXd v = dofs(contact, u, "contact.begin", "u");
     const auto kind = stepping(a);
     contact.stage = ContactObject::NO_STEP;
     called("contact.begin", [&] { contact.session->begin(v, t, dt, kind); });
     // a step of pure rates is solved once and not checked
-    contact.stage = kind == burnish::Stepping::RATES ? ContactObject::CHECKED : ContactObject::BEGUN;
+    contact.stage = kind == Stepping::RATES ? ContactObject::CHECKED : ContactObject::BEGUN;
     contact.pending.clear();
     to_array(v, u, "contact.begin");
     return true;
@@ -82,18 +82,17 @@ bool factorize_material(const Method<ContactHandle, FactorizeTag>& m, MaterialHa
     require_stage(m->get(), ContactObject::BEGUN, "contact.factorize");
     const Eigen::VectorXd v = dofs(m->get(), u, "contact.factorize", "u");
     const int size = object.body->discretization().num_dofs(), expected = session.discretization().num_dofs();
-    burnish::require(size == expected, "contact.factorize", "degrees of freedom of the material", size,
-                     (std::to_string(expected) + " as the contact's space").c_str());
+    require(size == expected, "contact.factorize", "degrees of freedom of the material", size,
+            (std::to_string(expected) + " as the contact's space").c_str());
     if (object.body->discretization().axisymmetric != session.discretization().axisymmetric)
-      burnish::fail("contact.factorize",
-                    "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
+      fail("contact.factorize",
+           "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
     do {
       {
-        const burnish::CpuTimer timer(object.assembly_seconds);
-        object.body->tangent(object.tangent, burnish::TangentKind::CONSISTENT,
-                             session.corrector().elastic_blend());
+        const CpuTimer timer(object.assembly_seconds);
+        object.body->tangent(object.tangent, TangentKind::CONSISTENT, session.corrector().elastic_blend());
       }
-      if (session.factorize(object.tangent, v) == burnish::FactorStatus::OK) return true;
+      if (session.factorize(object.tangent, v) == FactorStatus::OK) return true;
     } while (!session.corrector().blend_exhausted());
     return false;
   });
@@ -105,8 +104,7 @@ bool factorize_matrix(const Method<ContactHandle, FactorizeTag>& m, Matrice_Creu
     require_stage(contact, ContactObject::BEGUN, "contact.factorize");
     const auto& blocks =
         contact.reader.read(view_of(K, contact.session->discretization().num_dofs(), "contact.factorize"));
-    return contact.session->factorize(blocks, dofs(contact, u, "contact.factorize", "u")) ==
-           burnish::FactorStatus::OK;
+    return contact.session->factorize(blocks, dofs(contact, u, "contact.factorize", "u")) == FactorStatus::OK;
   });
 }
 
@@ -117,7 +115,7 @@ struct Events {
   static double call(const Named& a, Method<ContactHandle, EventsTag> m, KN_<double> u, KN_<double> R) {
     ContactObject& contact = m->get();
     require_stage(contact, ContactObject::BEGUN, "contact.events");
-    const burnish::CpuTimer timer(contact.event_seconds);
+    const CpuTimer timer(contact.event_seconds);
     contact.pending = contact.session->events(dofs(contact, u, "contact.events", "u"),
                                               dofs(contact, R, "contact.events", "R"),
                                               a.real("tolerance", 1e-3), a.real("until", 1));
@@ -156,7 +154,7 @@ bool accept(Stack, const Method<ContactHandle, AcceptTag>& m, const KN_<double>&
   return guarded([&] {
     ContactObject& contact = m->get();
     require_stage(contact, ContactObject::CHECKED, "contact.accept");
-    const burnish::CpuTimer timer(contact.event_seconds);
+    const CpuTimer timer(contact.event_seconds);
     contact.session->accept(dofs(contact, u, "contact.accept", "u"), dofs(contact, R, "contact.accept", "R"),
                             contact.pending);
     contact.stage = ContactObject::NO_STEP;
@@ -180,9 +178,8 @@ string* reason(Stack stack, ContactHandle* const& h) {
 
 void require_stage(const ContactObject& contact, ContactObject::Stage stage, const char* where) {
   if (contact.stage >= stage) return;
-  burnish::fail(where, contact.stage == ContactObject::NO_STEP
-                           ? "no step is under way, call begin first"
-                           : "this step has not been checked, call check first");
+  fail(where, contact.stage == ContactObject::NO_STEP ? "no step is under way, call begin first"
+                                                      : "this step has not been checked, call check first");
 }
 
 void register_contact_step() {
@@ -214,8 +211,8 @@ void register_contact_step() {
   add_method<H, RevertTag>("revert", [] { return new OneOperator1_<bool, Method<H, RevertTag>>(revert); });
   Add<H*>("reason", ".", new OneOperator1s_<string*, H*>(reason));
   long number = 0;
-  for (const char* name : {"rcConverged", "rcIterate", "rcRefactorize", "rcHalved", "rcFailed"})
+  for (const char* name : {"rcConverged", "rcIterate", "rcRefactorize", "rcBacktracked", "rcFailed"})
     Global.New(name, CConstant<long>(number++));
 }
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -12,19 +12,18 @@
 #include "named.hpp"
 #include "types.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
 using H = ContactHandle;
 
 int tool_index(const Session<2>& s, long i, const char* where) {
   const long n = static_cast<long>(s.tools().size());
-  burnish::require(i >= 0 && i < n, where, "tool", i,
-                   ("0 to toolnumber-1 = " + std::to_string(n - 1)).c_str());
+  require(i >= 0 && i < n, where, "tool", i, ("0 to toolnumber-1 = " + std::to_string(n - 1)).c_str());
   return static_cast<int>(i);
 }
-std::vector<std::shared_ptr<const burnish::Tool<2>>> tools_of(const Session<2>& s) {
-  std::vector<std::shared_ptr<const burnish::Tool<2>>> tools;
+std::vector<std::shared_ptr<const Tool<2>>> tools_of(const Session<2>& s) {
+  std::vector<std::shared_ptr<const Tool<2>>> tools;
   for (const auto& tool : s.tools()) tools.push_back(tool->shared_tool());
   return tools;
 }
@@ -34,13 +33,12 @@ long tool_number(H* const& h) {
 string* coordinates(Stack stack, H* const& h) {
   return guarded([&] {
     std::string text;
-    for (const std::string& name : burnish::coordinate_names<2>(tools_of(*h->get().session)))
+    for (const std::string& name : coordinate_names<2>(tools_of(*h->get().session)))
       text += (text.empty() ? "" : ",") + name;
     return new_string(stack, text);
   });
 }
-template <Eigen::VectorXd& (burnish::DrivenTool<2>::*member)()>
-KN_<double> all_tools(Stack stack, H* const& h) {
+template <Eigen::VectorXd& (DrivenTool<2>::*member)()> KN_<double> all_tools(Stack stack, H* const& h) {
   return guarded([&] {
     std::vector<double> values;
     for (const auto& tool : h->get().session->tools())
@@ -70,7 +68,7 @@ long count_of(const Method<H, CountOfTag>& m, string* const& state, const long& 
   return guarded([&] {
     const Session<2>& s = *m->get().session;
     const int tool = tool_index(s, i, "contact.countof");
-    return burnish::count_nodes(s.accepted(), *state, "contact.countof", tool);
+    return count_nodes(s.accepted(), *state, "contact.countof", tool);
   });
 }
 template <int axis> struct ForceTag {};
@@ -79,7 +77,7 @@ template <int axis> double tool_force(const Method<H, ForceTag<axis>>& m, const 
     const Session<2>& s = *m->get().session;
     const int tool = tool_index(s, i, axis == 0 ? "contact.toolforcex" : "contact.toolforcey");
     if (!s.started()) return 0.;
-    return burnish::tool_resultant(s.model(), s.accepted(), s.accepted_force(), tool)[axis];
+    return tool_resultant(s.model(), s.accepted(), s.accepted_force(), tool)[axis];
   });
 }
 template <int axis> struct OutlineTag {};
@@ -87,10 +85,9 @@ template <int axis>
 KN_<double> outline_of(Stack stack, const Method<H, OutlineTag<axis>>& m, const long& i, const long& n) {
   return guarded([&] {
     const Session<2>& s = *m->get().session;
-    burnish::DrivenTool<2>& tool = *s.tools()[tool_index(s, i, "contact.outline")];
+    DrivenTool<2>& tool = *s.tools()[tool_index(s, i, "contact.outline")];
     std::vector<double> values;
-    for (const auto& x :
-         called("contact.outline", [&] { return burnish::outline(tool.tool(), tool.q(), n); }))
+    for (const auto& x : called("contact.outline", [&] { return outline(tool.tool(), tool.q(), n); }))
       values.push_back(x[axis]);
     return new_array(stack, values);
   });
@@ -110,8 +107,8 @@ template <int axis> void register_force(const char* name) {
 void register_contact_tools() {
   Add<H*>("toolnumber", ".", new OneOperator1_<long, H*>(tool_number));
   Add<H*>("coordinates", ".", new OneOperator1s_<string*, H*>(coordinates));
-  Add<H*>("q", ".", new OneOperator1s_<KN_<double>, H*>(all_tools<&burnish::DrivenTool<2>::q>));
-  Add<H*>("Q", ".", new OneOperator1s_<KN_<double>, H*>(all_tools<&burnish::DrivenTool<2>::force>));
+  Add<H*>("q", ".", new OneOperator1s_<KN_<double>, H*>(all_tools<&DrivenTool<2>::q>));
+  Add<H*>("Q", ".", new OneOperator1s_<KN_<double>, H*>(all_tools<&DrivenTool<2>::generalized_force>));
   Add<H*>("nodetool", ".", new OneOperator1s_<KN_<double>, H*>(node_tools));
   add_method<H, NameTag>("toolname",
                          [] { return new OneOperator2s_<string*, Method<H, NameTag>, long>(tool_name); });
@@ -123,4 +120,4 @@ void register_contact_tools() {
   register_outline<1>("outliney");
 }
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -19,7 +19,7 @@
 #include "named.hpp"
 #include "types.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
 std::vector<long> labels_of(const Named& a) {
@@ -37,7 +37,7 @@ struct Construct {
   static basicAC_F0::name_and_type names[n];
   static Made<ContactObject> call(const Named& a, pfes* space) {
     const std::vector<long> labels = labels_of(a);
-    if (labels.empty()) burnish::fail("contact", "the contact surface is missing: label=... or labels=...");
+    if (labels.empty()) fail("contact", "the contact surface is missing: label=... or labels=...");
     auto discretization = discretization_of(space, "contact");
     std::vector<char> fixed(discretization.num_dofs(), 0);
     if (a.has("fixed")) {
@@ -45,20 +45,20 @@ struct Construct {
           to_dofs(a.array("fixed"), static_cast<long>(fixed.size()), "contact", "fixed");
       for (std::size_t d = 0; d < fixed.size(); ++d) fixed[d] = flags[static_cast<long>(d)] != 0;
     }
-    burnish::StepOptions options;
+    StepOptions options;
     options.tolerance = a.real("tolerance", options.tolerance);
-    burnish::require(options.tolerance > 0 && options.tolerance < 1, "contact", "tolerance",
-                     options.tolerance, "0 < tolerance < 1");
+    require(options.tolerance > 0 && options.tolerance < 1, "contact", "tolerance", options.tolerance,
+            "0 < tolerance < 1");
     options.gap_tolerance = a.real("gaptolerance", options.gap_tolerance);
-    burnish::require(options.gap_tolerance > 0 && options.gap_tolerance < 1, "contact", "gaptolerance",
-                     options.gap_tolerance, "0 < gaptolerance < 1");
+    require(options.gap_tolerance > 0 && options.gap_tolerance < 1, "contact", "gaptolerance",
+            options.gap_tolerance, "0 < gaptolerance < 1");
     options.max_iterations = static_cast<int>(a.integer("maxiterations", options.max_iterations));
-    burnish::require(options.max_iterations > 0, "contact", "maxiterations", options.max_iterations, "> 0");
+    require(options.max_iterations > 0, "contact", "maxiterations", options.max_iterations, "> 0");
     options.anderson_memory = static_cast<int>(a.integer("memory", options.anderson_memory));
-    burnish::require(options.anderson_memory >= 0, "contact", "memory", options.anderson_memory, ">= 0");
+    require(options.anderson_memory >= 0, "contact", "memory", options.anderson_memory, ">= 0");
     options.terms = terms_of(a.text("terms", "complete"));
     auto object = std::make_shared<ContactObject>();
-    object->friction = called("rcContact", [&] { return burnish::make_coulomb(a.real("friction", 0)); });
+    object->friction = called("rcContact", [&] { return make_coulomb(a.real("friction", 0)); });
     const auto surface = surface_of(space, labels, "contact");
     for (const long label : labels) object->edges[label] = surface_of(space, {label}, "contact");
     discretization.axisymmetric = a.boolean("axisymmetric", false);
@@ -73,14 +73,14 @@ basicAC_F0::name_and_type Construct::names[] = {
     {"axisymmetric", &typeid(bool)}};
 
 // Edges of the labels that a tool may touch; empty: all.
-std::vector<burnish::SurfaceEdge> reach_of(const Named& a, const ContactObject& contact) {
-  std::vector<burnish::SurfaceEdge> reach;
+std::vector<SurfaceEdge> reach_of(const Named& a, const ContactObject& contact) {
+  std::vector<SurfaceEdge> reach;
   for (const long label : labels_of(a)) {
     const auto found = contact.edges.find(label);
     std::string known;
     for (const auto& entry : contact.edges) known += " " + std::to_string(entry.first);
-    burnish::require(found != contact.edges.end(), "contact.add", "label", label,
-                     ("a label of the contact:" + known).c_str());
+    require(found != contact.edges.end(), "contact.add", "label", label,
+            ("a label of the contact:" + known).c_str());
     reach.insert(reach.end(), found->second.begin(), found->second.end());
   }
   return reach;
@@ -106,7 +106,7 @@ basicAC_F0::name_and_type AddTool::names[] = {
 struct ParameterTag {};
 double parameter(const Method<ContactHandle, ParameterTag>& m, string* const& name, const double& value) {
   return guarded([&] {
-    burnish::check_formula_names("contact.parameter", {{"p"}, {{*name, value}}});
+    check_formula_names("contact.parameter", {{"p"}, {{*name, value}}});
     return m->get().parameters[*name] = value;
   });
 }
@@ -129,8 +129,7 @@ double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& 
     for (std::size_t t = 0; t < tools.size(); ++t)
       if (tools[t] == tool->get().tool) index = static_cast<int>(t);
     if (index < 0)
-      burnish::fail("contact.approach",
-                    "tool \"" + tool->get().tool->name() + "\" was not added, call add first");
+      fail("contact.approach", "tool \"" + tool->get().tool->name() + "\" was not added, call add first");
     return session.approach(index, *coordinate,
                             to_dofs(u, session.discretization().num_dofs(), "contact.approach", "u"));
   });
@@ -138,11 +137,11 @@ double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& 
 
 } // namespace
 
-burnish::GeometricTerms terms_of(const std::string& name) {
-  if (name == "complete") return burnish::GeometricTerms::COMPLETE;
-  if (name == "article") return burnish::GeometricTerms::ARTICLE;
-  if (name == "none") return burnish::GeometricTerms::NONE;
-  burnish::fail("contact", "unknown terms \"" + name + "\", expected \"complete\", \"article\" or \"none\"");
+GeometricTerms terms_of(const std::string& name) {
+  if (name == "complete") return GeometricTerms::COMPLETE;
+  if (name == "article") return GeometricTerms::ARTICLE;
+  if (name == "none") return GeometricTerms::NONE;
+  fail("contact", "unknown terms \"" + name + "\", expected \"complete\", \"article\" or \"none\"");
 }
 
 void register_contact() {
@@ -163,4 +162,4 @@ void register_contact() {
   });
 }
 
-} // namespace rigidcontact
+} // namespace burnish

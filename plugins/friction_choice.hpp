@@ -4,7 +4,7 @@
 #include "named.hpp"
 #include <map>
 
-namespace rigidcontact {
+namespace burnish {
 
 /// Law of exactly one kind of named parameters, or `otherwise` if there is none of them:
 ///   friction=mu                   Coulomb: traction mu p
@@ -15,8 +15,8 @@ namespace rigidcontact {
 /// @param parameters numbers by name for the formula
 /// @throws std::invalid_argument "contact.add: ..." for two kinds, a shear limit alone, a number out of
 /// range, a wrong formula (quotes it)
-std::shared_ptr<const burnish::FrictionLaw>
-friction_choice(const Named& a, const std::shared_ptr<const burnish::FrictionLaw>& otherwise,
-                const std::map<std::string, double>& parameters);
+std::shared_ptr<const FrictionLaw> friction_choice(const Named& a,
+                                                   const std::shared_ptr<const FrictionLaw>& otherwise,
+                                                   const std::map<std::string, double>& parameters);
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -4,16 +4,16 @@
 //   M.stress(i)         Kirchhoff stress xx, yy, zz, xy for i = 0..3 [stress]
 //   M.F(i), M.piola(i)  deformation gradient [-] and first Piola stress [stress]: xx, xy, yx, yy, zz
 //   M.moduli(i, j)      their symmetrized tangent dP_i/dF_j [stress]
-//   M.plasticstrain, M.stresseq, M.yieldexcess (q/sigma_y - 1)
+//   M.plasticstraineq, M.stresseq, M.yieldexcess (q/sigma_y - 1)
 //   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
 #include "base/error.hpp"
 #include "types.hpp"
 #include "workpiece/nodal_average.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
-constexpr int GRADIENT = burnish::num_gradient<2>;
+constexpr int GRADIENT = num_gradient<2>;
 
 struct NodalTag {};
 struct StressTag {};
@@ -23,14 +23,14 @@ struct ModuliTag {};
 
 KN_<double> nodal(Stack stack, const Method<MaterialHandle, NodalTag>& m, const KN_<double>& values) {
   return guarded([&] {
-    return new_array(stack, burnish::nodal_average(m->get().body->discretization(),
-                                                   to_vector(values, "material.nodal", "values")));
+    return new_array(
+        stack, nodal_average(m->get().body->discretization(), to_vector(values, "material.nodal", "values")));
   });
 }
 
 // Component i of a point-major array with n components.
 KN_<double> component(Stack stack, const std::vector<double>& all, long i, long n, const char* where) {
-  burnish::require(i >= 0 && i < n, where, "component", i, ("0.." + std::to_string(n - 1)).c_str());
+  require(i >= 0 && i < n, where, "component", i, ("0.." + std::to_string(n - 1)).c_str());
   const long points = static_cast<long>(all.size()) / n;
   auto* r = Add2StackOfPtr2FreeRC(stack, new KN<double>(points));
   for (long p = 0; p < points; ++p) (*r)[p] = all[p * n + i];
@@ -54,12 +54,11 @@ KN_<double> piola(Stack stack, const Method<MaterialHandle, PiolaTag>& m, const 
 KN_<double> moduli(Stack stack, const Method<MaterialHandle, ModuliTag>& m, const long& i, const long& j) {
   return guarded([&] {
     constexpr int n = GRADIENT;
-    burnish::require(i >= 0 && i < n && j >= 0 && j < n, "material.moduli", "index", i >= 0 && i < n ? j : i,
-                     "0..4");
+    require(i >= 0 && i < n && j >= 0 && j < n, "material.moduli", "index", i >= 0 && i < n ? j : i, "0..4");
     const auto& body = *m->get().body;
     std::vector<double> all(n * n * static_cast<std::size_t>(body.discretization().num_points()));
     for (int p = 0; p < body.discretization().num_points(); ++p)
-      body.point_moduli(p, burnish::TangentKind::CONSISTENT, 0, all.data() + n * n * p);
+      body.point_moduli(p, TangentKind::CONSISTENT, 0, all.data() + n * n * p);
     return component(stack, all, n * i + j, n * n, "material.moduli");
   });
 }
@@ -100,10 +99,10 @@ void register_material_data() {
                           [] { return new OneOperator2s_<KN_<double>, Method<H, PiolaTag>, long>(piola); });
   add_method<H, ModuliTag>(
       "moduli", [] { return new OneOperator3s_<KN_<double>, Method<H, ModuliTag>, long, long>(moduli); });
-  Add<H*>("plasticstrain", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain));
+  Add<H*>("plasticstraineq", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain));
   Add<H*>("stresseq", ".", new OneOperator1s_<KN_<double>, H*>(stress_eq));
   Add<H*>("yieldexcess", ".", new OneOperator1s_<KN_<double>, H*>(yield_excess));
   Add<H*>("points", ".", new OneOperator1_<long, H*>(number_of_points));
 }
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -13,7 +13,7 @@
 #include "base/error.hpp"
 #include "types.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
 using M = MaterialHandle;
@@ -26,16 +26,15 @@ struct LogTag {};
 
 double parameter(const Method<M, ParameterTag>& m, string* const& name, const double& value) {
   return guarded([&] {
-    burnish::check_formula_names("material.parameter", {burnish::point_event_variables(), {{*name, value}}});
+    check_formula_names("material.parameter", {point_event_variables(), {{*name, value}}});
     return m->get().parameters[*name] = value;
   });
 }
 bool event(const Method<M, EventTag>& m, string* const& name, string* const& formula) {
   return guarded([&] {
-    using burnish::EventKind;
     for (char kind = 0; kind <= static_cast<char>(EventKind::SCRIPT); ++kind)
-      if (*name == burnish::name_of(static_cast<EventKind>(kind)))
-        burnish::fail("material.event", "name \"" + *name + "\" is that of an event of its own kind");
+      if (*name == name_of(static_cast<EventKind>(kind)))
+        fail("material.event", "name \"" + *name + "\" is that of an event of its own kind");
     MaterialObject& object = m->get();
     called("material.event", [&] { object.own.add(*object.body, *name, *formula, object.parameters); });
     return true;
@@ -59,7 +58,7 @@ double earliest(const Method<M, EarliestTag>& m, const double& tolerance, const 
 long log_points(const Method<ContactHandle, LogTag>& c, M* const& material) {
   return guarded([&] {
     require_stage(c->get(), ContactObject::BEGUN, "contact.logpoints");
-    const burnish::CpuTimer timer(c->get().event_seconds);
+    const CpuTimer timer(c->get().event_seconds);
     const auto events = material->get().own.find(*material->get().body);
     c->get().session->log(events);
     return static_cast<long>(events.size());
@@ -85,4 +84,4 @@ void register_point_events() {
       "logpoints", [] { return new OneOperator2_<long, Method<ContactHandle, LogTag>, M*>(log_points); });
 }
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -7,7 +7,7 @@
 //   int st = M.update(u[], dt, it);   stress at u from the accepted state; 0, or 1 for an inverted element
 //   M.force(R);  M.accept();  M.revert();
 //   matrix K = M.tangent();           kind="consistent" | "rate" | "elastic", blend=0..1 (share of elastic moduli)
-//   M.stress(0), M.plasticstrain ...  fields at the points: material_data.cpp
+//   M.stress(0), M.plasticstraineq ...  fields at the points: material_data.cpp
 // Element events of the step that the last update made (first yield, unloading):
 //   real f = M.events(1e-3);          earliest fraction and all within the tolerance of it, 2 if there is none
 //   real f = M.events(1e-3, 1e-4);    without changes of q near the surface below 1e-4 sigma_y;
@@ -19,15 +19,14 @@
 #include "named.hpp"
 #include "types.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
-burnish::StressUpdate update_of(const std::string& name) {
-  if (name == "substepped") return burnish::StressUpdate::SUBSTEPPED;
-  if (name == "single") return burnish::StressUpdate::SINGLE;
-  if (name == "euler") return burnish::StressUpdate::FORWARD_EULER;
-  burnish::fail("material",
-                "unknown update \"" + name + "\", expected \"substepped\", \"single\" or \"euler\"");
+StressUpdate update_of(const std::string& name) {
+  if (name == "substepped") return StressUpdate::SUBSTEPPED;
+  if (name == "single") return StressUpdate::SINGLE;
+  if (name == "euler") return StressUpdate::FORWARD_EULER;
+  fail("material", "unknown update \"" + name + "\", expected \"substepped\", \"single\" or \"euler\"");
 }
 
 struct Construct {
@@ -36,15 +35,15 @@ struct Construct {
   static Made<MaterialObject> call(const Named& a, pfes* space) {
     for (const char* name : {"nu", "sigY", "H"})
       if (!a.has(name))
-        burnish::fail("material", std::string("parameter ") + name + " is missing: G= or E=, nu=, sigY=, H=");
+        fail("material", std::string("parameter ") + name + " is missing: G= or E=, nu=, sigY=, H=");
     if (a.has("G") == a.has("E"))
-      burnish::fail("material", "give exactly one of G= (shear modulus) and E= (Young's modulus)");
+      fail("material", "give exactly one of G= (shear modulus) and E= (Young's modulus)");
     const double nu = a.real("nu", 0), sigY = a.real("sigY", 0), H = a.real("H", 0);
     const auto parameters = called("rcMaterial", [&] {
-      return a.has("G") ? burnish::J2Parameters::from_shear(a.real("G", 0), nu, sigY, H)
-                        : burnish::J2Parameters::from_young(a.real("E", 0), nu, sigY, H);
+      return a.has("G") ? J2Parameters::from_shear(a.real("G", 0), nu, sigY, H)
+                        : J2Parameters::from_young(a.real("E", 0), nu, sigY, H);
     });
-    burnish::UpdateOptions options;
+    UpdateOptions options;
     options.update = update_of(a.text("update", "substepped"));
     options.path_limit = a.real("pathlimit", options.path_limit);
     auto object = std::make_shared<MaterialObject>();
@@ -68,13 +67,13 @@ struct TangentTag {};
 long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>& u, const double& dt,
             const long& it) {
   return guarded([&] {
-    const burnish::CpuTimer timer(m->get().update_seconds);
+    const CpuTimer timer(m->get().update_seconds);
     const auto result = called("material.update", [&] {
       Workpiece<2>& body = *m->get().body;
       return body.update(to_dofs(u, body.discretization().num_dofs(), "material.update", "u"), dt,
                          static_cast<int>(it));
     });
-    if (result.status == burnish::UpdateStatus::OK) return 0L;
+    if (result.status == UpdateStatus::OK) return 0L;
     std::ostringstream text;
     text << "inverted element: det F = " << result.value << " at quadrature point " << result.point;
     last_error() = text.str();
@@ -83,7 +82,7 @@ long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>
 }
 double force(Stack, const Method<MaterialHandle, ForceTag>& m, const KN_<double>& R) {
   return guarded([&] {
-    const burnish::CpuTimer timer(m->get().assembly_seconds);
+    const CpuTimer timer(m->get().assembly_seconds);
     const Eigen::VectorXd f = m->get().body->internal_force();
     to_array(f, R, "material.force");
     return f.cwiseAbs().maxCoeff();
@@ -106,10 +105,9 @@ double first_of(const MaterialObject& object) {
 double events_but_noise(const Method<MaterialHandle, EventsTag>& m, const double& tolerance,
                         const double& noise) {
   return guarded([&] {
-    burnish::require(tolerance >= 0, "material.events", "tolerance", tolerance, ">= 0");
-    burnish::require(noise >= 0, "material.events", "noise", noise, ">= 0");
-    m->get().pending =
-        burnish::earliest(burnish::element_events(*m->get().body, tolerance, noise), tolerance);
+    require(tolerance >= 0, "material.events", "tolerance", tolerance, ">= 0");
+    require(noise >= 0, "material.events", "noise", noise, ">= 0");
+    m->get().pending = earliest(element_events(*m->get().body, tolerance, noise), tolerance);
     return first_of(m->get());
   });
 }
@@ -118,7 +116,7 @@ double earliest_events(const Method<MaterialHandle, EventsTag>& m, const double&
 }
 double all_events(const Method<MaterialHandle, EventsTag>& m) {
   return guarded([&] {
-    m->get().pending = burnish::element_events(*m->get().body, 0);
+    m->get().pending = element_events(*m->get().body, 0);
     return first_of(m->get());
   });
 }
@@ -126,12 +124,12 @@ bool drop_events(const Method<MaterialHandle, DropTag>& m) {
   return guarded([&] { return m->get().pending.clear(), true; });
 }
 bool hold_points(const Method<MaterialHandle, HoldTag>& m, const double& noise) {
-  return guarded([&] { return burnish::hold_points(noise, *m->get().body), true; });
+  return guarded([&] { return hold_points(noise, *m->get().body), true; });
 }
 long switch_points(const Method<MaterialHandle, SwitchTag>& m) {
   return guarded([&] {
     MaterialObject& object = m->get();
-    burnish::switch_points(object.pending, *object.body);
+    switch_points(object.pending, *object.body);
     const long n = static_cast<long>(object.pending.size());
     object.pending.clear();
     return n;
@@ -143,7 +141,7 @@ double seconds(const Method<MaterialHandle, SecondsTag>& m, string* const& phase
   return guarded([&] {
     if (*phase == "update") return m->get().update_seconds;
     if (*phase == "assembly") return m->get().assembly_seconds;
-    burnish::fail("material.seconds", "unknown phase \"" + *phase + "\", expected update or assembly");
+    fail("material.seconds", "unknown phase \"" + *phase + "\", expected update or assembly");
   });
 }
 struct Tangent {
@@ -173,12 +171,11 @@ void register_material_events() {
 
 } // namespace
 
-burnish::TangentKind tangent_kind(const std::string& name) {
-  if (name == "consistent") return burnish::TangentKind::CONSISTENT;
-  if (name == "rate") return burnish::TangentKind::RATE;
-  if (name == "elastic") return burnish::TangentKind::ELASTIC;
-  burnish::fail("material.tangent",
-                "unknown kind \"" + name + "\", expected \"consistent\", \"rate\" or \"elastic\"");
+TangentKind tangent_kind(const std::string& name) {
+  if (name == "consistent") return TangentKind::CONSISTENT;
+  if (name == "rate") return TangentKind::RATE;
+  if (name == "elastic") return TangentKind::ELASTIC;
+  fail("material.tangent", "unknown kind \"" + name + "\", expected \"consistent\", \"rate\" or \"elastic\"");
 }
 
 void register_material() {
@@ -203,4 +200,4 @@ void register_material() {
       "seconds", [] { return new OneOperator2_<double, Method<H, SecondsTag>, string*>(seconds); });
 }
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -1,18 +1,17 @@
 #include "matrix.hpp"
 #include "base/error.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 
-burnish::TripletView view_of(Matrice_Creuse<double>* matrix, long n, const char* where) {
+TripletView view_of(Matrice_Creuse<double>* matrix, long n, const char* where) {
   HashMatrix<int, double>* A = matrix ? matrix->pHM() : nullptr;
-  if (!A || A->n != A->m) burnish::fail(where, "K is empty or not square");
-  burnish::require(A->n == n, where, "size of K", A->n,
-                   (std::to_string(n) + ", the number of degrees of freedom").c_str());
+  if (!A || A->n != A->m) fail(where, "K is empty or not square");
+  require(A->n == n, where, "size of K", A->n,
+          (std::to_string(n) + ", the number of degrees of freedom").c_str());
   return {A->n, A->nnz, A->i, A->j, A->aij, A->half != 0};
 }
 
-newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::CondensedSystem& system,
-                                      const std::string& solver) {
+newpMatrice_Creuse<double> to_freefem(Stack stack, const CondensedSystem& system, const std::string& solver) {
   const int nnz = static_cast<int>(system.col.size());
   auto* A = new HashMatrix<int, double>(system.n, system.n, nnz, system.half ? 1 : 0);
   for (int row = 0; row < system.n; ++row)
@@ -33,8 +32,8 @@ newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::CondensedSyste
   return newpMatrice_Creuse<double>(stack, A);
 }
 
-newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::NodeBlockMatrix<2>& K) {
-  burnish::CondensedSystem lower;
+newpMatrice_Creuse<double> to_freefem(Stack stack, const NodeBlockMatrix<2>& K) {
+  CondensedSystem lower;
   lower.n = K.size();
   lower.half = true;
   lower.row_start.push_back(0);
@@ -49,4 +48,4 @@ newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::NodeBlockMatri
   return to_freefem(stack, lower);
 }
 
-} // namespace rigidcontact
+} // namespace burnish

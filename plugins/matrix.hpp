@@ -4,18 +4,18 @@
 #include "plugin.hpp"
 #include "workpiece/workpiece.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 
-burnish::TangentKind tangent_kind(const std::string& name);
+TangentKind tangent_kind(const std::string& name);
 /// View of an n x n FreeFEM matrix. @throws std::invalid_argument if it is empty, not square or of another
 /// size
-burnish::TripletView view_of(Matrice_Creuse<double>* matrix, long n, const char* where);
+TripletView view_of(Matrice_Creuse<double>* matrix, long n, const char* where);
 /// The name in capitals. @throws std::invalid_argument listing the solvers loaded if it is none of them
 std::string known_solver(const std::string& name, const char* where);
 /// New FreeFEM matrix with a solver attached, so that K^-1*b works without set().
-newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::CondensedSystem& system,
+newpMatrice_Creuse<double> to_freefem(Stack stack, const CondensedSystem& system,
                                       const std::string& solver = "BURNISH");
 /// The same from the symmetric tangent: lower triangle.
-newpMatrice_Creuse<double> to_freefem(Stack stack, const burnish::NodeBlockMatrix<2>& K);
+newpMatrice_Creuse<double> to_freefem(Stack stack, const NodeBlockMatrix<2>& K);
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -2,7 +2,7 @@
 // Operators with named parameters in few lines: positional arguments by type, named ones through an accessor.
 #include "number_list.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 
 /// Values of the named parameters of one call.
 class Named {
@@ -81,4 +81,4 @@ public:
   E_F0* code(const basicAC_F0& args) const override { return new Op(args, this->t); }
 };
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -1,6 +1,6 @@
 #include "number_list.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
 class InlineArray : public E_F0mps {
@@ -42,4 +42,4 @@ void register_number_list() {
       new OneOperator1s_<NumberList*, KN_<long>>(from_array<long>));
 }
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -2,7 +2,7 @@
 // A named parameter that takes numbers either way: inline, [1, 2, 3], or as real[int] or int[int].
 #include "plugin.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 
 /// FreeFEM itself casts no inline array to real[int]. In names[]: &typeid(NumberList*); see Named::numbers.
 struct NumberList {
@@ -11,4 +11,4 @@ struct NumberList {
 
 void register_number_list();
 
-} // namespace rigidcontact
+} // namespace burnish

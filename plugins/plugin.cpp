@@ -1,9 +1,9 @@
-// load "rigidcontact": registers all types and functions.
+// load "burnish": registers all types and functions.
 #include "plugin.hpp"
 #include "base/error.hpp"
 #include "number_list.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 
 std::string& last_error() {
   static std::string text;
@@ -17,20 +17,20 @@ Eigen::VectorXd to_vector(const KN_<double>& a, const char* where, const char* n
     if (std::isfinite(v[i])) continue;
     std::ostringstream text;
     text << name << "[" << i << "] = " << v[i] << ", expected a finite number";
-    burnish::fail(where, text.str());
+    fail(where, text.str());
   }
   return v;
 }
 
 Eigen::VectorXd to_dofs(const KN_<double>& a, long n, const char* where, const char* name) {
-  burnish::require(a.N() == n, where, (std::string("size of ") + name).c_str(), a.N(),
-                   (std::to_string(n) + ", the number of degrees of freedom").c_str());
+  require(a.N() == n, where, (std::string("size of ") + name).c_str(), a.N(),
+          (std::to_string(n) + ", the number of degrees of freedom").c_str());
   return to_vector(a, where, name);
 }
 
 void to_array(const Eigen::VectorXd& v, KN_<double> a, const char* where) {
-  burnish::require(a.N() == v.size(), where, "size of the array", a.N(),
-                   ("an array of " + std::to_string(v.size())).c_str());
+  require(a.N() == v.size(), where, "size of the array", a.N(),
+          ("an array of " + std::to_string(v.size())).c_str());
   for (long i = 0; i < a.N(); ++i) a[i] = v[i];
 }
 
@@ -60,6 +60,6 @@ static void init() {
   register_tools_of_the_trade();
 }
 
-} // namespace rigidcontact
+} // namespace burnish
 
-LOADFUNC(rigidcontact::init)
+LOADFUNC(burnish::init)

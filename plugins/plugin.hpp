@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace rigidcontact {
+namespace burnish {
 
 /// Text of the last error, until rcLastError() takes it.
 std::string& last_error();
@@ -124,4 +124,4 @@ void register_contact_tools();
 void register_solver();
 void register_tools_of_the_trade();
 
-} // namespace rigidcontact
+} // namespace burnish

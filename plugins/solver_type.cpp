@@ -10,7 +10,7 @@
 #include "solver/unsymmetric_solver.hpp"
 #include <algorithm>
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
 // Compressed rows of a FreeFEM matrix, whatever the order of its entries.
@@ -32,15 +32,13 @@ struct Rows {
       }
     }
   }
-  burnish::SparseView view(int n, bool half) const {
-    return {n, row_start.data(), col.data(), value.data(), half};
-  }
+  SparseView view(int n, bool half) const { return {n, row_start.data(), col.data(), value.data(), half}; }
 };
 
 // Solvers with their analysis outlive FreeFEM's objects, which are made anew at every set(): a small pool.
 struct Pair {
-  burnish::BorderedSolver bordered;
-  burnish::UnsymmetricSolver general;
+  BorderedSolver bordered;
+  UnsymmetricSolver general;
 };
 std::vector<std::unique_ptr<Pair>>& pool() {
   static std::vector<std::unique_ptr<Pair>> solvers;
@@ -67,8 +65,8 @@ public:
     guarded([&] {
       const Rows rows(m_A);
       const auto view = rows.view(m_A.n, m_A.half != 0);
-      m_bordered = m_pair->bordered.factorize(view) == burnish::FactorStatus::OK;
-      if (!m_bordered && m_pair->general.factorize(view) != burnish::FactorStatus::OK)
+      m_bordered = m_pair->bordered.factorize(view) == FactorStatus::OK;
+      if (!m_bordered && m_pair->general.factorize(view) != FactorStatus::OK)
         throw std::runtime_error("solver BURNISH: the matrix is singular");
     });
     m_done = true;
@@ -105,8 +103,8 @@ std::string known_solver(const std::string& name, const char* where) {
     if (solver.first == upper) return upper;
     list += (list.empty() ? "" : ", ") + solver.first;
   }
-  burnish::fail(where, "unknown solver \"" + name + "\", expected one of " + list +
-                           " (others after load, such as \"MUMPS_seq\")");
+  fail(where, "unknown solver \"" + name + "\", expected one of " + list +
+                  " (others after load, such as \"MUMPS_seq\")");
 }
 
 void register_solver() {
@@ -114,4 +112,4 @@ void register_solver() {
   Global.Add("rcSolver", "(", new OneOperator1s_<string*, string*>(checked_solver));
 }
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -3,7 +3,7 @@
 #include "types.hpp"
 #include <algorithm>
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
 // Node numbers of element k: dof/2 of the first component, in FreeFEM's local order (vertices, then
@@ -11,15 +11,13 @@ namespace {
 std::vector<int> element_nodes(const FESpace& V, int k, const char* where) {
   const FElement K = V[k];
   const int dofs = K.NbDoF();
-  if (K.N != 2 || (dofs != 6 && dofs != 12))
-    burnish::fail(where, "the space must be [P1,P1] or [P2,P2] on a 2D mesh");
+  if (K.N != 2 || (dofs != 6 && dofs != 12)) fail(where, "the space must be [P1,P1] or [P2,P2] on a 2D mesh");
   std::vector<int> nodes;
   for (int a = 0; a < dofs / 2; ++a) {
     if (K.DFOnWhat(a) != a) // P1nc, discontinuous spaces and others have their nodes elsewhere
-      burnish::fail(where,
-                    "the space must be [P1,P1] or [P2,P2]: nodes at vertices and mid-edges, continuous");
+      fail(where, "the space must be [P1,P1] or [P2,P2]: nodes at vertices and mid-edges, continuous");
     if (K(a) % 2 != 0 || K(a + dofs / 2) != K(a) + 1)
-      burnish::fail(where, "the space must be [P1,P1] or [P2,P2]: the components of a node must be adjacent");
+      fail(where, "the space must be [P1,P1] or [P2,P2]: the components of a node must be adjacent");
     nodes.push_back(K(a) / 2);
   }
   return nodes;
@@ -27,13 +25,13 @@ std::vector<int> element_nodes(const FESpace& V, int k, const char* where) {
 
 const FESpace& space_of(pfes* const& space, const char* where) {
   const FESpace* V = static_cast<FESpace*>(**space);
-  if (!V) burnish::fail(where, "the fespace is empty");
+  if (!V) fail(where, "the fespace is empty");
   return *V;
 }
 
 } // namespace
 
-burnish::Discretization<2> discretization_of(pfes* const& space, const char* where, bool axisymmetric) {
+Discretization<2> discretization_of(pfes* const& space, const char* where, bool axisymmetric) {
   const FESpace& V = space_of(space, where);
   const Mesh& Th = V.Th;
   std::vector<double> X(V.NbOfDF);
@@ -52,23 +50,21 @@ burnish::Discretization<2> discretization_of(pfes* const& space, const char* whe
         std::ostringstream text;
         text << "node " << nodes[a] << " is at (" << x[0] << ", " << x[1] << ") and at (" << P.x << ", "
              << P.y << "), expected one place: periodic spaces are not supported";
-        burnish::fail(where, text.str());
+        fail(where, text.str());
       }
       placed[nodes[a]] = 1;
       x[0] = P.x;
       x[1] = P.y;
     }
   }
-  return called(where, [&] {
-    return burnish::triangles(per_element, std::move(X), std::move(connectivity), axisymmetric);
-  });
+  return called(where,
+                [&] { return triangles(per_element, std::move(X), std::move(connectivity), axisymmetric); });
 }
 
-std::vector<burnish::SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels,
-                                             const char* where) {
+std::vector<SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels, const char* where) {
   const FESpace& V = space_of(space, where);
   const Mesh& Th = V.Th;
-  std::vector<burnish::SurfaceEdge> edges;
+  std::vector<SurfaceEdge> edges;
   for (int b = 0; b < Th.neb; ++b) {
     if (std::find(labels.begin(), labels.end(), Th.be(b).lab) == labels.end()) continue;
     int e = 0;
@@ -86,9 +82,9 @@ std::vector<burnish::SurfaceEdge> surface_of(pfes* const& space, const std::vect
       if (std::find(known.begin(), known.end(), Th.be(b).lab) == known.end()) known.push_back(Th.be(b).lab);
     std::sort(known.begin(), known.end());
     for (const long l : known) text << " " << l;
-    burnish::fail(where, text.str());
+    fail(where, text.str());
   }
   return edges;
 }
 
-} // namespace rigidcontact
+} // namespace burnish

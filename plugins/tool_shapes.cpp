@@ -17,54 +17,52 @@
 #include "kinematics/outline.hpp"
 #include "types.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
-using Shape = std::shared_ptr<const burnish::Profile<2>>;
+using Shape = std::shared_ptr<const Profile<2>>;
 
 Shape circle(const Named& named) {
-  return std::make_shared<burnish::Circle>(named.real("circle", 0), named.boolean("inside", false));
+  return std::make_shared<Circle>(named.real("circle", 0), named.boolean("inside", false));
 }
 
 Shape line(const Named& named) {
   const std::vector<double> p = named.numbers("line");
-  burnish::require(p.size() == 4, "tool", "number of values in line", p.size(), "4: [x0,y0,x1,y1]");
-  return std::make_shared<burnish::Segment>(burnish::Vector<2>(p[0], p[1]), burnish::Vector<2>(p[2], p[3]));
+  require(p.size() == 4, "tool", "number of values in line", p.size(), "4: [x0,y0,x1,y1]");
+  return std::make_shared<Segment>(Vector<2>(p[0], p[1]), Vector<2>(p[2], p[3]));
 }
 
 Shape chain(const Named& named) {
   const std::vector<double> p = named.numbers("chain");
-  burnish::require(p.size() % 3 == 0 && !p.empty(), "tool", "number of values in chain", p.size(),
-                   "three per point: [x0,y0,r0, x1,y1,r1, ...]");
-  std::vector<burnish::Vector<2>> points;
+  require(p.size() % 3 == 0 && !p.empty(), "tool", "number of values in chain", p.size(),
+          "three per point: [x0,y0,r0, x1,y1,r1, ...]");
+  std::vector<Vector<2>> points;
   std::vector<double> radii;
   for (std::size_t i = 0; i < p.size(); i += 3) {
     points.emplace_back(p[i], p[i + 1]);
     radii.push_back(p[i + 2]);
   }
   return called("tool", [&] {
-    return std::make_shared<burnish::ArcChain>(points, radii, named.boolean("closed", false),
-                                               named.boolean("inside", false));
+    return std::make_shared<ArcChain>(points, radii, named.boolean("closed", false),
+                                      named.boolean("inside", false));
   });
 }
 
 Shape cad(const Named& named) {
-  burnish::CadSelection selection;
+  CadSelection selection;
   selection.file = named.text("cad", "");
   if (named.has("curves")) {
     const std::vector<double> tags = named.numbers("curves");
-    if (tags.empty())
-      burnish::fail("tool", "curves is an empty array: name curves, or leave it out to take all");
+    if (tags.empty()) fail("tool", "curves is an empty array: name curves, or leave it out to take all");
     for (const double tag : tags) {
-      burnish::require(tag == std::round(tag) && std::abs(tag) < 1e9, "tool", "tag in curves", tag,
-                       "an integer");
+      require(tag == std::round(tag) && std::abs(tag) < 1e9, "tool", "tag in curves", tag, "an integer");
       selection.curves.push_back(static_cast<int>(tag));
     }
   }
   selection.scale = named.real("scale", 1);
   selection.numbers = named.text("geo", "");
   selection.inside = named.boolean("inside", false);
-  return called("tool", [&] { return std::make_shared<burnish::CadCurve>(selection); });
+  return called("tool", [&] { return std::make_shared<CadCurve>(selection); });
 }
 
 struct Kind {
@@ -81,8 +79,8 @@ struct OutlineXTag {};
 struct OutlineYTag {};
 KN_<double> outline_of(Stack stack, ToolHandle* handle, long n, int component) {
   return guarded([&] {
-    burnish::DrivenTool<2>& tool = *handle->get().tool;
-    const auto points = called("tool.outline", [&] { return burnish::outline(tool.tool(), tool.q(), n); });
+    DrivenTool<2>& tool = *handle->get().tool;
+    const auto points = called("tool.outline", [&] { return outline(tool.tool(), tool.q(), n); });
     std::vector<double> values;
     for (const auto& x : points) values.push_back(x[component]);
     return new_array(stack, values);
@@ -109,14 +107,13 @@ Shape shape_of(const Named& named) {
       ++count;
     }
   if (count != 1)
-    burnish::fail("tool",
-                  "give exactly one profile: circle=R, line=[x0,y0,x1,y1], chain=[x0,y0,r0, x1,y1,r1, "
-                  "...] or cad=\"file\"");
+    fail("tool", "give exactly one profile: circle=R, line=[x0,y0,x1,y1], chain=[x0,y0,r0, x1,y1,r1, "
+                 "...] or cad=\"file\"");
   for (const char* option : {"closed", "curves", "scale", "geo", "inside"})
     if (named.has(option) &&
         std::find(chosen->takes.begin(), chosen->takes.end(), option) == chosen->takes.end())
-      burnish::fail("tool", std::string(chosen->name) + "= takes no " + option + "=" +
-                                (chosen->make == line ? "; swap the ends of a line to turn it" : ""));
+      fail("tool", std::string(chosen->name) + "= takes no " + option + "=" +
+                       (chosen->make == line ? "; swap the ends of a line to turn it" : ""));
   return chosen->make(named);
 }
 
@@ -130,4 +127,4 @@ void register_tool_shapes() {
   Add<ToolHandle*>("tightestradius", ".", new OneOperator1_<double, ToolHandle*>(tightest_radius));
 }
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -3,10 +3,10 @@
 #include "geometry/profile.hpp"
 #include "named.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 
 /// The entries of names[] for shape_of().
-#define RIGIDCONTACT_SHAPE_NAMES                                                                             \
+#define BURNISH_SHAPE_NAMES                                                                                  \
   {"circle", &typeid(double)}, {"line", &typeid(NumberList*)}, {"chain", &typeid(NumberList*)},              \
       {"closed", &typeid(bool)}, {"cad", &typeid(string*)}, {"curves", &typeid(NumberList*)},                \
       {"scale", &typeid(double)}, {"geo", &typeid(string*)}, {                                               \
@@ -18,6 +18,6 @@ constexpr int SHAPE_NAMES = 9;
 /// curves=[1,2], scale=1e-3, geo="R=10e-3; H=2e-3"; inside=true for all but a line.
 /// @throws std::invalid_argument for none or several of them, for a parameter of another one, and what the
 /// core's profiles refuse
-std::shared_ptr<const burnish::Profile<2>> shape_of(const Named& named);
+std::shared_ptr<const Profile<2>> shape_of(const Named& named);
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -4,8 +4,8 @@
 //   roller.coordinates("polar", pivot=[x0,y0]);       or "cartesian"
 //   crank.parameter("e", 1e-2);                       a number that formulas call by name
 //   crank.coordinates("beta", x="e*cos(beta)", y="e*sin(beta)", angle="0");   names, separated by commas
-//   roller.place("r", r0);  roller.move("phi", v);  roller.force("r", Q);      (load is a keyword of FreeFEM)
-//   roller.value("r") present coordinate, roller.drive("r") generalized force received from the drive,
+//   roller.place("r", r0);  roller.move("phi", v);  roller.force("r", Q);      place; prescribe motion or force
+//   roller.value("r") present coordinate, roller.force("r") generalized force on it,
 //   roller.q and roller.Q all of them as arrays, roller.name
 #include "base/error.hpp"
 #include "kinematics/cartesian.hpp"
@@ -15,7 +15,7 @@
 #include "tool_shapes.hpp"
 #include "types.hpp"
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
 struct Construct {
@@ -27,96 +27,93 @@ struct Construct {
     const auto profile = shape_of(named);
     const std::string name = named.text("name", "tool " + std::to_string(++count));
     auto object = std::make_shared<ToolObject>();
-    object->tool = std::make_shared<burnish::DrivenTool<2>>(name, profile);
+    object->tool = std::make_shared<DrivenTool<2>>(name, profile);
     handle->set(std::move(object));
     return handle;
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {RIGIDCONTACT_SHAPE_NAMES, {"name", &typeid(string*)}};
+basicAC_F0::name_and_type Construct::names[] = {BURNISH_SHAPE_NAMES, {"name", &typeid(string*)}};
 
 struct CoordinatesTag {};
 using CoordinatesMethod = Method<ToolHandle, CoordinatesTag>;
-struct Coordinates {
+struct ChooseCoordinates {
   static const int n = 4;
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& named, CoordinatesMethod m, string* kind) {
     ToolObject& object = m->get();
-    const std::shared_ptr<const burnish::Coordinates<2>> coordinates = *kind == "polar" ? polar(named)
-                                                                       : *kind == "cartesian"
-                                                                           ? cartesian(named)
-                                                                           : by_formula(named, *kind, object);
+    const std::shared_ptr<const Coordinates<2>> coordinates = *kind == "polar" ? polar(named)
+                                                              : *kind == "cartesian"
+                                                                  ? cartesian(named)
+                                                                  : by_formula(named, *kind, object);
     if (object.added)
-      burnish::fail("tool.coordinates",
-                    "tool \"" + object.tool->name() +
-                        "\" belongs to a contact already: choose its coordinates before add");
+      fail("tool.coordinates", "tool \"" + object.tool->name() +
+                                   "\" belongs to a contact already: choose its coordinates before add");
     if (object.tool->shared_tool())
-      burnish::fail("tool.coordinates", "tool \"" + object.tool->name() + "\" has its coordinates already: " +
-                                            burnish::joined(object.tool->tool().coordinates().names()));
+      fail("tool.coordinates", "tool \"" + object.tool->name() + "\" has its coordinates already: " +
+                                   joined(object.tool->tool().coordinates().names()));
     object.tool->set_coordinates(coordinates);
     return true;
   }
 
 private:
-  using Made = std::shared_ptr<const burnish::Coordinates<2>>;
+  using Made = std::shared_ptr<const Coordinates<2>>;
   static void refuse_formulas(const Named& named, const std::string& kind, const std::string& takes) {
     for (const char* formula : {"x", "y", "angle"})
       if (named.has(formula))
-        burnish::fail("tool.coordinates", "\"" + kind + "\" takes " + takes + ", not " + formula +
-                                              "=, which is a formula of coordinates named by the script");
+        fail("tool.coordinates", "\"" + kind + "\" takes " + takes + ", not " + formula +
+                                     "=, which is a formula of coordinates named by the script");
   }
   static Made polar(const Named& named) {
     refuse_formulas(named, "polar", "pivot=[x0,y0]");
-    if (!named.has("pivot")) return std::make_shared<burnish::Polar>();
+    if (!named.has("pivot")) return std::make_shared<Polar>();
     const std::vector<double> p = named.list("pivot");
-    burnish::require(p.size() == 2, "tool.coordinates", "number of values in pivot", p.size(), "2: [x0,y0]");
-    return std::make_shared<burnish::Polar>(burnish::Vector<2>(p[0], p[1]));
+    require(p.size() == 2, "tool.coordinates", "number of values in pivot", p.size(), "2: [x0,y0]");
+    return std::make_shared<Polar>(Vector<2>(p[0], p[1]));
   }
   static void refuse_pivot(const Named& named, const std::string& kind) {
-    if (named.has("pivot"))
-      burnish::fail("tool.coordinates", "\"" + kind + "\" takes no pivot=, only \"polar\" does");
+    if (named.has("pivot")) fail("tool.coordinates", "\"" + kind + "\" takes no pivot=, only \"polar\" does");
   }
   static Made cartesian(const Named& named) {
     refuse_formulas(named, "cartesian", "no more parameters");
     refuse_pivot(named, "cartesian");
-    return std::make_shared<burnish::Cartesian>();
+    return std::make_shared<Cartesian>();
   }
   static Made by_formula(const Named& named, const std::string& list, const ToolObject& object) {
     if (!named.has("x") && !named.has("y") && !named.has("angle"))
-      burnish::fail(
-          "tool.coordinates",
-          "unknown kind \"" + list +
-              "\", expected \"polar\", \"cartesian\", or names of coordinates with their formulas x= "
-              "and y=");
+      fail("tool.coordinates",
+           "unknown kind \"" + list +
+               "\", expected \"polar\", \"cartesian\", or names of coordinates with their formulas x= "
+               "and y=");
     refuse_pivot(named, list);
     for (const char* formula : {"x", "y"})
       if (!named.has(formula))
-        burnish::fail("tool.coordinates", "coordinates \"" + list + "\" of tool \"" + object.tool->name() +
-                                              "\" lack the formula " + formula + "=");
-    const burnish::PlaneFormulas formulas{named.text("x", ""), named.text("y", ""), named.text("angle", "0")};
-    return std::make_shared<burnish::FormulaCoordinates>(object.tool->name(), burnish::coordinate_names(list),
-                                                         formulas, object.parameters);
+        fail("tool.coordinates", "coordinates \"" + list + "\" of tool \"" + object.tool->name() +
+                                     "\" lack the formula " + formula + "=");
+    const PlaneFormulas formulas{named.text("x", ""), named.text("y", ""), named.text("angle", "0")};
+    return std::make_shared<FormulaCoordinates>(object.tool->name(), coordinate_names(list), formulas,
+                                                object.parameters);
   }
 };
-basicAC_F0::name_and_type Coordinates::names[] = {{"pivot", &typeid(E_Array)},
-                                                  {"x", &typeid(string*)},
-                                                  {"y", &typeid(string*)},
-                                                  {"angle", &typeid(string*)}};
+basicAC_F0::name_and_type ChooseCoordinates::names[] = {{"pivot", &typeid(E_Array)},
+                                                        {"x", &typeid(string*)},
+                                                        {"y", &typeid(string*)},
+                                                        {"angle", &typeid(string*)}};
 
 struct ParameterTag {};
 double parameter(const Method<ToolHandle, ParameterTag>& m, string* const& name, const double& value) {
   return guarded([&] {
     ToolObject& object = m->get();
     const std::string where = "tool.parameter of \"" + object.tool->name() + "\"";
-    burnish::check_formula_names(where, {{}, {{*name, value}}});
+    check_formula_names(where, {{}, {{*name, value}}});
     if (object.tool->shared_tool())
-      burnish::fail(where, "\"" + *name + "\" comes too late: set parameters before coordinates(...)");
+      fail(where, "\"" + *name + "\" comes too late: set parameters before coordinates(...)");
     return object.parameters[*name] = value;
   });
 }
 
 struct PlaceTag {};
 struct MoveTag {};
-struct LoadTag {};
+struct ForceTag {};
 double place(const Method<ToolHandle, PlaceTag>& m, string* const& name, const double& value) {
   return guarded([&] {
     m->get().tool->place(*name, value);
@@ -125,30 +122,29 @@ double place(const Method<ToolHandle, PlaceTag>& m, string* const& name, const d
 }
 double move(const Method<ToolHandle, MoveTag>& m, string* const& name, const double& value) {
   return guarded([&] {
-    called("tool.move", [&] { m->get().tool->drive().move(*name, value); });
+    called("tool.move", [&] { m->get().tool->prescription().move(*name, value); });
     return value;
   });
 }
-double load(const Method<ToolHandle, LoadTag>& m, string* const& name, const double& value) {
+double prescribe_force(const Method<ToolHandle, ForceTag>& m, string* const& name, const double& value) {
   return guarded([&] {
-    called("tool.force", [&] { m->get().tool->drive().load(*name, value); });
+    called("tool.force", [&] { m->get().tool->prescription().force(*name, value); });
     return value;
   });
 }
 
 struct ValueTag {};
-struct ForceTag {};
 double value_of(const Method<ToolHandle, ValueTag>& m, string* const& name) {
   return guarded([&] { return m->get().tool->q()[m->get().tool->index(*name)]; });
 }
 double force_of(const Method<ToolHandle, ForceTag>& m, string* const& name) {
-  return guarded([&] { return m->get().tool->force()[m->get().tool->index(*name)]; });
+  return guarded([&] { return m->get().tool->generalized_force()[m->get().tool->index(*name)]; });
 }
 KN_<double> all_q(Stack stack, ToolHandle* const& h) {
   return guarded([&] { return new_array(stack, h->get().tool->q()); });
 }
 KN_<double> all_force(Stack stack, ToolHandle* const& h) {
-  return guarded([&] { return new_array(stack, h->get().tool->force()); });
+  return guarded([&] { return new_array(stack, h->get().tool->generalized_force()); });
 }
 string* name_of_tool(Stack stack, ToolHandle* const& h) { return new_string(stack, h->get().tool->name()); }
 
@@ -159,7 +155,7 @@ void register_tool() {
   zzzfff->Add("tool", atype<ToolHandle*>());
   TheOperators->Add("<-", new NamedOperator<Construct, ToolHandle*, ToolHandle*>);
   add_method<ToolHandle, CoordinatesTag>(
-      "coordinates", [] { return new NamedOperator<Coordinates, bool, CoordinatesMethod, string*>; });
+      "coordinates", [] { return new NamedOperator<ChooseCoordinates, bool, CoordinatesMethod, string*>; });
   add_method<ToolHandle, ParameterTag>("parameter", [] {
     return new OneOperator3_<double, Method<ToolHandle, ParameterTag>, string*, double>(parameter);
   });
@@ -168,15 +164,17 @@ void register_tool() {
   });
   add_method<ToolHandle, MoveTag>(
       "move", [] { return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, double>(move); });
-  add_method<ToolHandle, LoadTag>(
-      "force", [] { return new OneOperator3_<double, Method<ToolHandle, LoadTag>, string*, double>(load); });
+  add_method<ToolHandle, ForceTag>(
+      "force",
+      [] {
+        return new OneOperator3_<double, Method<ToolHandle, ForceTag>, string*, double>(prescribe_force);
+      },
+      [] { return new OneOperator2_<double, Method<ToolHandle, ForceTag>, string*>(force_of); });
   add_method<ToolHandle, ValueTag>(
       "value", [] { return new OneOperator2_<double, Method<ToolHandle, ValueTag>, string*>(value_of); });
-  add_method<ToolHandle, ForceTag>(
-      "drive", [] { return new OneOperator2_<double, Method<ToolHandle, ForceTag>, string*>(force_of); });
   Add<ToolHandle*>("q", ".", new OneOperator1s_<KN_<double>, ToolHandle*>(all_q));
   Add<ToolHandle*>("Q", ".", new OneOperator1s_<KN_<double>, ToolHandle*>(all_force));
   Add<ToolHandle*>("name", ".", new OneOperator1s_<string*, ToolHandle*>(name_of_tool));
 }
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -8,24 +8,21 @@
 
 #include <map>
 
-namespace rigidcontact {
-
-using burnish::Session;
-using burnish::Workpiece;
+namespace burnish {
 
 struct ToolObject {
   static constexpr const char* TYPE = "tool";
   bool added = false;                       // to a contact: the coordinates stay
   std::map<std::string, double> parameters; // of the formulas
-  std::shared_ptr<burnish::DrivenTool<2>> tool;
+  std::shared_ptr<DrivenTool<2>> tool;
 };
 struct MaterialObject {
   static constexpr const char* TYPE = "material";
   std::unique_ptr<Workpiece<2>> body;
-  burnish::NodeBlockMatrix<2> tangent;
-  std::vector<burnish::ElementEvent<2>> pending; // found by events(), used by switchpoints() and logevents()
-  burnish::PointEvents<2> own;                   // events by the script's formulas
-  std::map<std::string, double> parameters;      // numbers by name for them
+  NodeBlockMatrix<2> tangent;
+  std::vector<ElementEvent<2>> pending;     // found by events(), used by switchpoints() and logevents()
+  PointEvents<2> own;                       // events by the script's formulas
+  std::map<std::string, double> parameters; // numbers by name for them
   double update_seconds = 0, assembly_seconds = 0; // CPU
 };
 struct ContactObject {
@@ -33,11 +30,11 @@ struct ContactObject {
   /// What the step under way has seen: the order of calls is begin, check, correct..., accept or revert.
   enum Stage { NO_STEP, BEGUN, CHECKED } stage = NO_STEP;
   std::unique_ptr<Session<2>> session;
-  std::shared_ptr<const burnish::FrictionLaw> friction;    // default of add()
-  std::map<std::string, double> parameters;                // numbers by name for formulas of friction
-  std::map<long, std::vector<burnish::SurfaceEdge>> edges; // by boundary label
-  burnish::TripletReader<2> reader;
-  std::vector<burnish::ContactEvent<2>> pending;  // found by events(), applied by accept() or switchstates()
+  std::shared_ptr<const FrictionLaw> friction;    // default of add()
+  std::map<std::string, double> parameters;       // numbers by name for formulas of friction
+  std::map<long, std::vector<SurfaceEdge>> edges; // by boundary label
+  TripletReader<2> reader;
+  std::vector<ContactEvent<2>> pending;           // found by events(), applied by accept() or switchstates()
   std::vector<double> rhs;                        // of the last condensed matrix
   double event_seconds = 0, condense_seconds = 0; // CPU
 };
@@ -52,14 +49,12 @@ using ContactHandle = Handle<ContactObject>;
 /// Reference nodes and elements of a [P1,P1] or [P2,P2] space on a 2D mesh; the dofs of a node must be
 /// adjacent.
 /// @throws std::invalid_argument for any other space
-burnish::Discretization<2> discretization_of(pfes* const& space, const char* where,
-                                             bool axisymmetric = false);
+Discretization<2> discretization_of(pfes* const& space, const char* where, bool axisymmetric = false);
 /// Boundary edges with the given labels, as nodes of the space.
 /// @throws std::invalid_argument if no edge bears a label
-std::vector<burnish::SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels,
-                                             const char* where);
+std::vector<SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels, const char* where);
 
 /// "complete", "article" or "none". @throws std::invalid_argument for another name
-burnish::GeometricTerms terms_of(const std::string& name);
+GeometricTerms terms_of(const std::string& name);
 
-} // namespace rigidcontact
+} // namespace burnish

@@ -17,7 +17,7 @@
 #include <iomanip>
 #include <utility>
 
-namespace rigidcontact {
+namespace burnish {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -40,23 +40,23 @@ bool catch_interrupt(const long&) {
   return true;
 }
 bool was_interrupted(const long&) { return interrupted != 0; }
-string* blas(Stack stack, const long&) { return new_string(stack, burnish::blas_name()); }
+string* blas(Stack stack, const long&) { return new_string(stack, blas_name()); }
 // JSON object of the versions in use. FreeFEM's is a script's global.
 string* versions(Stack stack, const long&) {
   std::ostringstream text;
   text << "{\"burnish\": \"" << BURNISH_VERSION << "\", \"eigen\": \"" << EIGEN_WORLD_VERSION << "."
        << EIGEN_MAJOR_VERSION << "." << EIGEN_MINOR_VERSION << "\", \"sparse\": \""
-       << burnish::sparse_solver_versions() << "\", \"blas\": \"" << burnish::blas_name()
-       << "\", \"compiler\": \"" << __VERSION__ << "\"}";
+       << sparse_solver_versions() << "\", \"blas\": \"" << blas_name() << "\", \"compiler\": \""
+       << __VERSION__ << "\"}";
   return new_string(stack, text.str());
 }
-bool reference_blas(const long&) { return burnish::is_reference_blas(); }
+bool reference_blas(const long&) { return is_reference_blas(); }
 double number(string* const& name, string* const& text) {
   return guarded([&] {
     char* end = nullptr;
     const double value = std::strtod(text->c_str(), &end);
     if (text->empty() || *end != 0 || !std::isfinite(value))
-      burnish::fail("option", *name + " has the value \"" + *text + "\", expected a number");
+      fail("option", *name + " has the value \"" + *text + "\", expected a number");
     return value;
   });
 }
@@ -98,15 +98,14 @@ bool make_folder(string* const& path) {
       ok = true;
     }
     if (!ok)
-      burnish::fail("rcMakeFolder",
-                    "the output folder \"" + *path + "\" cannot be written: " + std::strerror(reason));
+      fail("rcMakeFolder", "the output folder \"" + *path + "\" cannot be written: " + std::strerror(reason));
     return true;
   });
 }
 
 struct ControlObject {
   static constexpr const char* TYPE = "stepcontrol";
-  std::unique_ptr<burnish::StepControl> control;
+  std::unique_ptr<StepControl> control;
 };
 using ControlHandle = Handle<ControlObject>;
 struct Construct {
@@ -114,12 +113,12 @@ struct Construct {
   static basicAC_F0::name_and_type names[n];
   static ControlHandle* call(const Named& a, ControlHandle* handle, double t_end) {
     handle->init();
-    burnish::StepControlOptions options;
+    StepControlOptions options;
     options.t_end = t_end;
     for (const char* name : {"dtmax", "dtmin"})
       if (a.has(name))
-        burnish::require(std::isfinite(a.real(name, 0)) && a.real(name, 0) > 0, "stepcontrol", name,
-                         a.real(name, 0), "a finite number > 0");
+        require(std::isfinite(a.real(name, 0)) && a.real(name, 0) > 0, "stepcontrol", name, a.real(name, 0),
+                "a finite number > 0");
     options.dt_max = a.real("dtmax", options.dt_max);
     options.dt_min = a.real("dtmin", options.dt_min);
     options.steps_per_width = a.real("stepsperwidth", options.steps_per_width);
@@ -128,7 +127,7 @@ struct Construct {
       options.output_times.assign(times.data(), times.data() + times.size());
     }
     auto object = std::make_shared<ControlObject>();
-    object->control = std::make_unique<burnish::StepControl>(0, options);
+    object->control = std::make_unique<StepControl>(0, options);
     handle->set(std::move(object));
     return handle;
   }
@@ -142,9 +141,9 @@ struct ProposeTag {};
 struct AcceptedTag {};
 struct RejectedTag {};
 struct CutTag {};
-burnish::StepControl& proposed(ControlHandle* handle, const char* where) {
-  burnish::StepControl& control = *handle->get().control;
-  if (control.dt() <= 0) burnish::fail(where, "there is no step yet, call propose first");
+StepControl& proposed(ControlHandle* handle, const char* where) {
+  StepControl& control = *handle->get().control;
+  if (control.dt() <= 0) fail(where, "there is no step yet, call propose first");
   return control;
 }
 double propose(const Method<ControlHandle, ProposeTag>& m, const double& width, const double& speed) {
@@ -158,7 +157,7 @@ bool rejected(const Method<ControlHandle, RejectedTag>& m) {
 }
 double cut(const Method<ControlHandle, CutTag>& m, const double& f) {
   return guarded([&] {
-    burnish::require(f > 0 && f <= 1, "stepcontrol.cut", "fraction", f, "0 < fraction <= 1");
+    require(f > 0 && f <= 1, "stepcontrol.cut", "fraction", f, "0 < fraction <= 1");
     proposed(m.object, "stepcontrol.cut").cut(f);
     return m->get().control->dt();
   });
@@ -200,4 +199,4 @@ void register_tools_of_the_trade() {
   Add<H*>("atoutput", ".", new OneOperator1_<bool, H*>(at_output));
 }
 
-} // namespace rigidcontact
+} // namespace burnish

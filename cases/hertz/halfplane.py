@@ -23,12 +23,12 @@ def stress_near(run, left, right, depth, outline, name):
     """Von Mises stress in the box from left to right, down to the depth [mm]; outline: (x, y) of the tool's lower side,
     name: its own."""
     run.tools = []
-    mesh, values = run.mesh, run.field.data["sigma_eq"]
+    mesh, values = run.mesh, run.field.data["stress_eq"]
     box = (left, right, -depth, 0.12 * (right - left))
     within = (mesh.x > left) & (mesh.x < right) & (mesh.y > -depth)
-    run.field.data["sigma_eq"] = np.where(within, values, np.minimum(values, values[within].max()))
+    run.field.data["stress_eq"] = np.where(within, values, np.minimum(values, values[within].max()))
     figure = fields.field_figure(run, fields.STRESS, "MPa", run.units.MPa, box)
-    run.field.data["sigma_eq"] = values
+    run.field.data["stress_eq"] = values
     axes, (x, y) = figure.axes[0], outline
     axes.fill_between(x, y, box[3] + 1, facecolor=FACE, edgecolor=GRAY, linewidth=1.2, zorder=3.5)
     axes.set_ylim(box[2:])

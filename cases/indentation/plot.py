@@ -68,7 +68,7 @@ def stress_under_load(run):
     loaded = at_largest_force(run)
     if loaded is None:
         return None
-    mesh, values = maps.deformed(loaded, run.units.mm), run.units.MPa * loaded.data["sigma_eq"]
+    mesh, values = maps.deformed(loaded, run.units.mm), run.units.MPa * loaded.data["stress_eq"]
     figure, axes = new_figure(8.0, 5.2)
     bands, _ = fields.draw_map(axes, mesh, values, fields.levels_to(values.max()), tools.at_time(run.tools, 1.0),
                                near_crater(run), fields.STRESS[2])

@@ -39,7 +39,7 @@ def isolines(run):
     figure, axes = new_figure(9.0, 6.0)
     maps.set_view(axes, VIEW)
     axes.grid(False)
-    handles = maps.draw_isolines(axes, run.mesh, run.field.data["sigma_eq"], LEVELS, VIEW)
+    handles = maps.draw_isolines(axes, run.mesh, run.field.data["stress_eq"], LEVELS, VIEW)
     maps.draw_outline(axes, run.mesh)
     draw_rollers(axes, run)
     axes.set_title(rf"Isolines of the von Mises stress at t = {run.t:.4g}, "

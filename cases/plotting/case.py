@@ -24,7 +24,7 @@ from plotting.tools import read_tools
 from plotting.units import SYSTEMS, describe
 from plotting.vtu import read_vtu
 
-FIELDS = ("displacement", "sigma_eq", "plastic_strain_eq")
+FIELDS = ("displacement", "stress_eq", "plastic_strain_eq")
 
 
 class CaseRun:

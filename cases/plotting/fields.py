@@ -6,7 +6,7 @@ from plotting import contact, maps, tools
 from plotting.figure import key_under_labels, new_figure, say_empty
 
 # field of the .vtu: label, color map; the unit comes from the case
-STRESS = ("sigma_eq", "von Mises stress", "viridis_r")
+STRESS = ("stress_eq", "von Mises stress", "viridis_r")
 STRAIN = ("plastic_strain_eq", "accumulated plastic strain", "magma_r")
 
 

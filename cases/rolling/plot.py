@@ -24,7 +24,7 @@ FILES = ("history.csv", "events.csv", "summary.json", "final.vtu", "surface.csv"
 HISTORY = ("t", "r", "phi", "theta", "Q_r", "Q_phi", "Q_theta", "contact_begin_deg", "contact_end_deg", "sticking",
            "sliding")
 SURFACE = ("X", "Y", "x", "y", "pressure", "traction_tangential", "pressure_fit", "traction_fit")
-FIELDS = ("displacement", "sigma_eq", "plastic_strain_eq")
+FIELDS = ("displacement", "stress_eq", "plastic_strain_eq")
 
 
 def read_run(folder):
@@ -98,7 +98,7 @@ def zone_view(run, zone, aspect):
 def isoline_figure(run, levels, box, title):
     figure, axes = new_figure(8.5, 6.0)
     maps.set_view(axes, box)
-    handles = maps.draw_isolines(axes, run.mesh, run.field.data["sigma_eq"], levels, box)
+    handles = maps.draw_isolines(axes, run.mesh, run.field.data["stress_eq"], levels, box)
     handles += draw_tool_and_contact(axes, run, 0.45 * (box[1] - box[0]))
     axes.set_title(f"{title}, {at_end(run)}")
     axes.grid(False)
@@ -112,7 +112,7 @@ def stress_below_yield(run):
 
 def stress_above_yield(run):
     far = np.hypot(*(np.column_stack([run.mesh.x, run.mesh.y]) - contact_place(run)).T)
-    zone = (run.field.data["sigma_eq"] > LEVELS_ABOVE[0]) & (far < 2.5 * contact_width(run))
+    zone = (run.field.data["stress_eq"] > LEVELS_ABOVE[0]) & (far < 2.5 * contact_width(run))
     box = zone_view(run, zone, (1.3, 1.9))
     return isoline_figure(run, LEVELS_ABOVE, box, "Von Mises stress above the initial yield stress")
 

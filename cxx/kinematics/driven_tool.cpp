@@ -16,7 +16,7 @@ DrivenTool<Dim>::DrivenTool(std::string name, std::shared_ptr<const Profile<Dim>
 template <int Dim>
 void DrivenTool<Dim>::set_coordinates(std::shared_ptr<const Coordinates<Dim>> coordinates) {
   m_tool = std::make_shared<Tool<Dim>>(m_name, m_profile, coordinates);
-  m_drive.emplace(m_name, coordinates->names());
+  m_prescription.emplace(m_name, coordinates->names());
   m_q = m_force = Eigen::VectorXd::Zero(coordinates->size());
 }
 
@@ -25,9 +25,9 @@ template <int Dim> const Tool<Dim>& DrivenTool<Dim>::tool() const {
   return *m_tool;
 }
 
-template <int Dim> Drive& DrivenTool<Dim>::drive() {
+template <int Dim> Prescription& DrivenTool<Dim>::prescription() {
   tool();
-  return *m_drive;
+  return *m_prescription;
 }
 
 template <int Dim> Eigen::VectorXd& DrivenTool<Dim>::q() {
@@ -35,7 +35,7 @@ template <int Dim> Eigen::VectorXd& DrivenTool<Dim>::q() {
   return m_q;
 }
 
-template <int Dim> Eigen::VectorXd& DrivenTool<Dim>::force() {
+template <int Dim> Eigen::VectorXd& DrivenTool<Dim>::generalized_force() {
   tool();
   return m_force;
 }

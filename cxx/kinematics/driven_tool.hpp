@@ -1,6 +1,6 @@
 #pragma once
 // A tool together with what the program prescribes for it and where it is: the object a script holds.
-#include "kinematics/drive.hpp"
+#include "kinematics/prescription.hpp"
 #include "kinematics/tool.hpp"
 #include <optional>
 
@@ -18,12 +18,12 @@ public:
   /// @throws std::invalid_argument if no coordinates were chosen yet
   const Tool<Dim>& tool() const;
   std::shared_ptr<const Tool<Dim>> shared_tool() const { return m_tool; }
-  Drive& drive();
+  Prescription& prescription();
   const std::string& name() const { return m_name; }
   /// Present coordinates, one per name; may be set before the first step.
   Eigen::VectorXd& q();
   /// Generalized forces that the tool receives from its drive at the accepted state [force, force length].
-  Eigen::VectorXd& force();
+  Eigen::VectorXd& generalized_force();
   /// Sets one coordinate by name. @throws std::invalid_argument for an unknown name or a value that is not
   /// finite
   void place(const std::string& coordinate, double value);
@@ -34,7 +34,7 @@ private:
   std::string m_name;
   std::shared_ptr<const Profile<Dim>> m_profile;
   std::shared_ptr<const Tool<Dim>> m_tool;
-  std::optional<Drive> m_drive;
+  std::optional<Prescription> m_prescription;
   Eigen::VectorXd m_q, m_force;
 };
 

@@ -49,7 +49,7 @@ void Corrector<Dim>::begin(const Program& program, const ContactState<Dim>& pred
   m_state = predicted;
   m_entry = std::move(entry);
   m_adapt = adapt;
-  m_iteration = m_halvings = m_step_factorizations = m_indefinite = 0;
+  m_iteration = m_backtracks = m_step_factorizations = m_indefinite = 0;
   m_last_residual = m_best_residual = -1;
   m_mixer = AndersonMixer(m_options.anderson_memory);
   m_fresh.assign(m_state.nodes.size(), 0);
@@ -118,15 +118,15 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
     return StepStatus::FAILED;
   }
   const bool slow = m_last_residual >= 0 && res > m_options.slow * m_last_residual;
-  if (slow && m_iteration >= 2 && m_halvings < m_options.max_halvings && m_u_before.size() == u.size()) {
-    ++m_halvings;
-    ++m_counts.halvings;
+  if (slow && m_iteration >= 2 && m_backtracks < m_options.max_backtracks && m_u_before.size() == u.size()) {
+    ++m_backtracks;
+    ++m_counts.backtracks;
     u = 0.5 * (u + m_u_before);
     m_state.q = 0.5 * (m_state.q + m_q_before);
     project(u, true);
     m_u_before.resize(0);
     m_mixer.clear();
-    return StepStatus::HALVED;
+    return StepStatus::BACKTRACKED;
   }
   m_last_residual = res;
   if (m_best_residual < 0 || res < m_best_residual) m_best_residual = res;

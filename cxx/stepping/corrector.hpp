@@ -8,7 +8,7 @@
 namespace burnish {
 
 struct CorrectorCounts {
-  long iterations = 0, factorizations = 0, solves = 0, analyses = 0, halvings = 0;
+  long iterations = 0, factorizations = 0, solves = 0, analyses = 0, backtracks = 0;
   double factorization_seconds = 0; ///< CPU: sparse factor
   double condensation_seconds = 0;  ///< CPU: flexibility of the window and dense contact blocks
   double solve_seconds = 0;         ///< CPU: back-substitutions
@@ -34,7 +34,7 @@ public:
   void begin(const Program& program, const ContactState<Dim>& predicted, std::vector<ContactNode<Dim>> entry,
              bool adapt, bool keep_factor = false);
   /// Convergence test at displacement u with residual force R (internal minus external nodal force).
-  /// May move u half way back (HALVED). @throws std::invalid_argument for wrong sizes or NaN in R
+  /// May move u half way back (BACKTRACKED). @throws std::invalid_argument for wrong sizes or NaN in R
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   /// Balance of (u, R) at the present states without the test, for steps that are not iterated:
   /// last_balance() and the load scale.
@@ -105,7 +105,7 @@ private:
   std::string m_reason;
   double m_rounding = 0; // residual that rounding leaves, of the last tangent [force]
   double m_load_scale = 0, m_last_residual = -1, m_best_residual = -1;
-  int m_iteration = 0, m_halvings = 0, m_step_factorizations = 0, m_indefinite = 0;
+  int m_iteration = 0, m_backtracks = 0, m_step_factorizations = 0, m_indefinite = 0;
   Eigen::VectorXd m_u_before, m_q_before; // iterate before the last correct(), for halving
   std::vector<char> m_fresh;
   std::vector<int> m_releases; // per candidate, in this step

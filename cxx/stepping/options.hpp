@@ -10,7 +10,7 @@ struct StepOptions {
   double gap_tolerance = 1e-6; ///< penetration and slip tolerance relative to the spacing of the candidates
   double offset_tolerance = 2e-4; ///< distance of a contact node from its tool, same scale
   int max_iterations = 25;        ///< bound on iterations of one step
-  int max_halvings = 3;           ///< steps back half way per step (algorithms.md 5.6)
+  int max_backtracks = 3;         ///< steps back half way per step (algorithms.md 5.6)
   int max_state_passes = 12;      ///< active-set passes on the dense block per iteration
   int anderson_memory = 8;        ///< 0: no mixing
   double slow = 2; ///< residual ratio from which the iterate goes back or the tangent is taken anew
@@ -24,7 +24,7 @@ enum class StepStatus {
   CONVERGED,   ///< residual and states within tolerance
   ITERATE,     ///< call correct()
   REFACTORIZE, ///< a new tangent is wanted, then correct()
-  HALVED,      ///< the iterate went half way back: evaluate the internal force again
+  BACKTRACKED, ///< the iterate went half way back: evaluate the internal force again
   FAILED,      ///< give the step up; reason() tells why
 };
 

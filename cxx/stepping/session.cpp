@@ -130,11 +130,11 @@ template <int Dim> Program Session<Dim>::read_program() {
   Program program;
   program.value.resize(m_model.num_coordinates());
   for (std::size_t t = 0; t < m_tools.size(); ++t) {
-    const Drive& drive = m_tools[t]->drive();
-    drive.check_complete();
-    for (int k = 0; k < drive.size(); ++k) {
-      program.is_motion.push_back(drive.is_motion(k));
-      program.value[m_model.first[t] + k] = drive.value(k);
+    const Prescription& prescription = m_tools[t]->prescription();
+    prescription.check_complete();
+    for (int k = 0; k < prescription.size(); ++k) {
+      program.is_motion.push_back(prescription.is_motion(k));
+      program.value[m_model.first[t] + k] = prescription.value(k);
     }
   }
   return program;
@@ -243,7 +243,8 @@ void Session<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
   ++m_steps_since_factor;
   for (std::size_t t = 0; t < m_tools.size(); ++t) {
     m_tools[t]->q() = m_model.tool_q(m_accepted.q, static_cast<int>(t));
-    m_tools[t]->force() = m_model.tool_q(m_corrector->last_balance().tool_force, static_cast<int>(t));
+    m_tools[t]->generalized_force() =
+        m_model.tool_q(m_corrector->last_balance().tool_force, static_cast<int>(t));
   }
 }
 

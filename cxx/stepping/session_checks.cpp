@@ -107,8 +107,8 @@ template <int Dim> void Session<Dim>::drop_unresisted(Program& program) {
     for (Eigen::Index k = 0; k < along.size(); ++k) {
       const int q = m_model.first[t] + static_cast<int>(k);
       if (program.is_motion[q] || along[k] > 1e-9 * size[k]) continue;
-      const std::string what =
-          "coordinate \"" + m_tools[t]->drive().names()[k] + "\" of tool \"" + m_tools[t]->name() + "\"";
+      const std::string what = "coordinate \"" + m_tools[t]->prescription().names()[k] + "\" of tool \"" +
+                               m_tools[t]->name() + "\"";
       if (program.value[q] != 0)
         fail("contact.begin",
              what + " has a force but without friction nothing resists it; give it a motion or friction");
@@ -129,7 +129,7 @@ template <int Dim> void Session<Dim>::check_support(const Program& program) cons
     for (int k = 0; k < m_tools[t]->q().size(); ++k)
       if (!program.is_motion[m_model.first[t] + k])
         fail("contact.begin",
-             "coordinate \"" + m_tools[t]->drive().names()[k] + "\" of tool \"" + m_tools[t]->name() +
+             "coordinate \"" + m_tools[t]->prescription().names()[k] + "\" of tool \"" + m_tools[t]->name() +
                  "\" is under force but the tool touches nothing, so it has no support; bring the tool "
                  "into contact by motion or with approach first, or give the coordinate a motion");
   }
@@ -149,7 +149,7 @@ template <int Dim> void Session<Dim>::check_independent(const Program& program) 
           lever * Eigen::Map<const Eigen::VectorXd>(poses[t].R_q[k].data(), Dim * Dim);
       if (motion.norm() == 0) continue;
       motions.push_back(motion.normalized());
-      names += (names.empty() ? "\"" : ", \"") + m_tools[t]->drive().names()[k] + "\"";
+      names += (names.empty() ? "\"" : ", \"") + m_tools[t]->prescription().names()[k] + "\"";
     }
     Eigen::MatrixXd columns(Dim + Dim * Dim, motions.size());
     for (std::size_t i = 0; i < motions.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = motions[i];

@@ -13,7 +13,8 @@ template <int Dim> void Session<Dim>::match_old_program() {
     for (int q = m_model.first[t]; q < m_model.first[t + 1]; ++q) {
       if (old.is_motion[q]) continue;
       const bool was_force = known && !m_program_old.is_motion[q];
-      old.value[q] = was_force ? m_program_old.value[q] : m_tools[t]->force()[q - m_model.first[t]];
+      old.value[q] =
+          was_force ? m_program_old.value[q] : m_tools[t]->generalized_force()[q - m_model.first[t]];
     }
   m_program_old = std::move(old);
 }

@@ -64,7 +64,7 @@ def main():
         close(f'distance of node {node["node"]} from the roller\'s center', distance, radius, 1e-4 * spacing)
 
     # the fields show the same displacements (single precision)
-    field = read_vtu(folder / "final.vtu", ["displacement", "sigma_eq", "plastic_strain_eq"])
+    field = read_vtu(folder / "final.vtu", ["displacement", "stress_eq", "plastic_strain_eq"])
     points = {(round(x, 6), round(y, 6)): k for k, (x, y) in enumerate(field.points[:, :2])}
     found = 0
     for node in surface:

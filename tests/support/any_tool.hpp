@@ -57,7 +57,7 @@ inline void check_duality(const AnyTool& tool, const std::vector<int>& loaded, d
           std::max(unbalanced, (summed_forces(driven->scene) - moved->force[k - 2]).cwiseAbs().maxCoeff());
     driven->move(tool.path(k));
     if (k == 1) return;
-    for (const int c : loaded) driven->scene.tool->drive().load(names[c], moved->force[k - 1][c]);
+    for (const int c : loaded) driven->scene.tool->prescription().force(names[c], moved->force[k - 1][c]);
   });
   if (testing::Test::HasFatalFailure()) return;
   double worst = 0, travel = 0;

@@ -36,14 +36,16 @@ struct RolledBlock {
       accept(scene, {});
       u.push_back(scene.u);
       q.push_back(scene.tool->q());
-      force.push_back(scene.tool->force());
+      force.push_back(scene.tool->generalized_force());
     }
   }
   void move(const Eigen::VectorXd& to) {
-    for (int k = 0; k < to.size(); ++k) scene.tool->drive().move(scene.tool->drive().names()[k], to[k]);
+    for (int k = 0; k < to.size(); ++k)
+      scene.tool->prescription().move(scene.tool->prescription().names()[k], to[k]);
   }
   void load(const Eigen::VectorXd& with) {
-    for (int k = 0; k < with.size(); ++k) scene.tool->drive().load(scene.tool->drive().names()[k], with[k]);
+    for (int k = 0; k < with.size(); ++k)
+      scene.tool->prescription().force(scene.tool->prescription().names()[k], with[k]);
   }
 };
 

@@ -17,9 +17,9 @@ struct Rolling {
   }
   ProgramAt program() {
     return [this](double t) {
-      scene.tool->drive().move("phi", M_PI / 2 + M_PI / 32 - t * M_PI / 16);
-      scene.tool->drive().load("r", -force * t);
-      scene.tool->drive().load("theta", moment * t);
+      scene.tool->prescription().move("phi", M_PI / 2 + M_PI / 32 - t * M_PI / 16);
+      scene.tool->prescription().force("r", -force * t);
+      scene.tool->prescription().force("theta", moment * t);
     };
   }
   /// @param t_end end of the run, 1: the whole program

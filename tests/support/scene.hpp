@@ -28,7 +28,7 @@ struct Scene {
     session.add_tool(tool, make_coulomb(mu));
   }
   void place(const std::vector<double>& q) {
-    for (std::size_t k = 0; k < q.size(); ++k) tool->place(tool->drive().names()[k], q[k]);
+    for (std::size_t k = 0; k < q.size(); ++k) tool->place(tool->prescription().names()[k], q[k]);
   }
 };
 

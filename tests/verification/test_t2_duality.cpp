@@ -36,7 +36,7 @@ void check_duality(std::shared_ptr<const Profile<2>> profile,
   driven.run([&](int k) {
     driven.move(path(k));
     if (k == 1) return;
-    for (const int c : loaded) driven.scene.tool->drive().load(names[c], moved.force[k - 1][c]);
+    for (const int c : loaded) driven.scene.tool->prescription().force(names[c], moved.force[k - 1][c]);
   });
   if (testing::Test::HasFatalFailure()) return;
   double worst = 0;

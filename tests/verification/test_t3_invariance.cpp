@@ -78,12 +78,12 @@ TEST(T3Invariance, UnderForce) {
     auto block = std::make_unique<RolledBlock>(circle(), std::move(coordinates), MU);
     block->scene.place({start[0], start[1], start[2]});
     block->scene.session.approach(0, down, block->scene.u);
-    auto& drive = block->scene.tool->drive();
+    auto& prescription = block->scene.tool->prescription();
     const std::string other = down == "y" ? "x" : "phi", spin = down == "y" ? "angle" : "theta";
     block->run([&](int k) {
-      drive.load(down, -0.015 * k);
-      drive.load(spin, 0.01 * k * MU);
-      drive.move(other, start[down == "y" ? 0 : 1]);
+      prescription.force(down, -0.015 * k);
+      prescription.force(spin, 0.01 * k * MU);
+      prescription.move(other, start[down == "y" ? 0 : 1]);
     });
     return block;
   };

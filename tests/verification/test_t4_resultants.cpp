@@ -20,7 +20,7 @@ public:
     const double allowed = m_tolerance * m_largest_load;
     expect(std::abs(force[0] + m_rolling.force * t), allowed, "Q_r", t);
     expect(std::abs(force[2] - m_rolling.moment * t) / 15e-3, allowed, "Q_theta / R", t);
-    const Vector<3> told = m_rolling.scene.tool->force();
+    const Vector<3> told = m_rolling.scene.tool->generalized_force();
     EXPECT_LE((told - force).norm(), 1e-9 * force.norm()) << "the force that the tool reports";
     ++m_steps;
   }

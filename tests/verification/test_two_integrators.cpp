@@ -22,7 +22,7 @@ Eigen::MatrixXd history(Stepping stepping, double dt) {
     const int i = static_cast<int>(std::lround(10 * now)) - 1;
     if (i < 0 || std::abs(now - options.output_times[i]) > 1e-9) return;
     auto& tool = *rolling.scene.tool;
-    rows.row(i) << tool.q()[0] - start, tool.q()[2], tool.force()[1];
+    rows.row(i) << tool.q()[0] - start, tool.q()[2], tool.generalized_force()[1];
   });
   return rows;
 }

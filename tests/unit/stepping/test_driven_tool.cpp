@@ -11,17 +11,17 @@ TEST(DrivenTool, PlaceDriveAndForce) {
   DrivenTool<2> roller("roller", std::make_shared<Circle>(2.));
   roller.set_coordinates(std::make_shared<Polar>());
   EXPECT_EQ(roller.q(), Eigen::VectorXd::Zero(3));
-  EXPECT_EQ(roller.force(), Eigen::VectorXd::Zero(3));
+  EXPECT_EQ(roller.generalized_force(), Eigen::VectorXd::Zero(3));
   EXPECT_EQ(roller.index("r"), 0);
   EXPECT_EQ(roller.index("theta"), 2);
   roller.place("phi", 0.4);
   EXPECT_EQ(roller.q()[1], 0.4);
-  roller.drive().load("r", -3);
-  EXPECT_EQ(roller.drive().value(0), -3);
+  roller.prescription().force("r", -3);
+  EXPECT_EQ(roller.prescription().value(0), -3);
   EXPECT_EQ(roller.shared_tool()->name(), "roller");
   roller.set_coordinates(std::make_shared<Polar>(Vector<2>(1, 0))); // forgets place and program
   EXPECT_EQ(roller.q()[1], 0);
-  EXPECT_FALSE(roller.drive().is_set(0));
+  EXPECT_FALSE(roller.prescription().is_set(0));
 }
 
 TEST(DrivenTool, BadInput) {
@@ -31,9 +31,9 @@ TEST(DrivenTool, BadInput) {
   DrivenTool<2> roller("roller", circle);
   const std::string early = "tool: \"roller\" has no coordinates yet: call coordinates(...) first";
   expect_invalid([&] { roller.tool(); }, early);
-  expect_invalid([&] { roller.drive(); }, early);
+  expect_invalid([&] { roller.prescription(); }, early);
   expect_invalid([&] { roller.q(); }, early);
-  expect_invalid([&] { roller.force(); }, early);
+  expect_invalid([&] { roller.generalized_force(); }, early);
   expect_invalid([&] { roller.place("r", 1); }, early);
   roller.set_coordinates(std::make_shared<Polar>());
   expect_invalid([&] { roller.index("x"); },

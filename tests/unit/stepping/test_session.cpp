@@ -16,9 +16,9 @@ struct Block : Scene {
     place({1.7, 4.9, 0});
   }
   void drive(double x, double y, double angle) {
-    tool->drive().move("x", x);
-    tool->drive().move("y", y);
-    tool->drive().move("angle", angle);
+    tool->prescription().move("x", x);
+    tool->prescription().move("y", y);
+    tool->prescription().move("angle", angle);
   }
   void step(double dt = 1, Stepping stepping = Stepping::IMPLICIT) {
     ASSERT_EQ(converge(*this, 0, dt, stepping), StepStatus::CONVERGED) << session.corrector().reason();
@@ -78,8 +78,8 @@ TEST(Session, AcceptUpdatesToolStateAndLog) {
   block.step();
   const auto& state = block.session.accepted();
   EXPECT_NEAR(block.tool->q()[1], 4.45, 1e-15);
-  EXPECT_LE(block.tool->force()[1], -1e-3) << "the drive presses";
-  EXPECT_EQ(block.tool->force(), block.session.corrector().last_balance().tool_force);
+  EXPECT_LE(block.tool->generalized_force()[1], -1e-3) << "the drive presses";
+  EXPECT_EQ(block.tool->generalized_force(), block.session.corrector().last_balance().tool_force);
   const int contact = block.count(NodeState::STICKING) + block.count(NodeState::SLIDING);
   EXPECT_GE(contact, 3);
   EXPECT_EQ(static_cast<int>(block.session.log().size()), contact) << "one touch for each";
@@ -169,10 +169,10 @@ TEST(Session, CoordinatesThatNothingResistsAreLeftOut) {
   Block block(0);
   block.session.approach(0, "y", block.u);
   block.drive(1.7, 4.45, 0);
-  block.tool->drive().load("angle", 0);
+  block.tool->prescription().force("angle", 0);
   block.step();
   block.drive(1.7, 4.44, 0);
-  block.tool->drive().load("angle", 0);
+  block.tool->prescription().force("angle", 0);
   block.step();
   ASSERT_EQ(block.session.left_out().size(), 1u) << "named once";
   EXPECT_EQ(block.session.left_out()[0], "coordinate \"angle\" of tool \"tool\"");
@@ -186,10 +186,10 @@ TEST(Session, ControlMayChangeFromMotionToForce) {
     block.drive(1.7, y, 0);
     block.step();
   }
-  const double target = 1.2 * block.tool->force()[1];
-  block.tool->drive().load("y", target);
+  const double target = 1.2 * block.tool->generalized_force()[1];
+  block.tool->prescription().force("y", target);
   block.step();
-  EXPECT_NEAR(block.tool->force()[1], target, 1e-4 * std::abs(target));
+  EXPECT_NEAR(block.tool->generalized_force()[1], target, 1e-4 * std::abs(target));
   EXPECT_LE(block.tool->q()[1], 4.445);
   block.drive(1.7, 4.46, 0);
   block.step();
@@ -207,7 +207,7 @@ TEST(Session, ToolsMayBePlacedUntilTheFirstStep) {
   second->place("x", 3);
   second->place("y", 2.2); // inside
   block.drive(1.7, 4.45, 0);
-  for (const char* name : {"x", "y", "angle"}) second->drive().move(name, 5);
+  for (const char* name : {"x", "y", "angle"}) second->prescription().move(name, 5);
   expect_invalid([&] { block.session.begin(block.u, 0, 1, Stepping::IMPLICIT); },
                  "tool \"second\" starts inside the workpiece");
 }

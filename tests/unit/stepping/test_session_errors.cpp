@@ -22,9 +22,9 @@ struct Block : Scene {
     drive(4.45);
   }
   void drive(double y) {
-    tool->drive().move("x", 2);
-    tool->drive().move("y", y);
-    tool->drive().move("angle", 0);
+    tool->prescription().move("x", 2);
+    tool->prescription().move("y", y);
+    tool->prescription().move("angle", 0);
   }
   void begin(double dt = 1) { session.begin(u, 0, dt, Stepping::IMPLICIT); }
 };
@@ -89,7 +89,7 @@ TEST(SessionErrors, Begin) {
                  "contact.begin: size of u = 5, expected number of dofs");
   block.u[4] = std::nan("");
   expect_invalid([&] { block.begin(); }, "contact.begin: the displacement holds NaN or Inf");
-  expect_invalid([&] { block.tool->drive().move("z", 1); },
+  expect_invalid([&] { block.tool->prescription().move("z", 1); },
                  "tool \"tool\" has no coordinate \"z\", expected one of x, y, angle");
 }
 
@@ -97,10 +97,10 @@ TEST(SessionErrors, UndrivenCoordinate) {
   Scene scene(block_mesh(4, 2, 2, 4, 1.5), elastic_material());
   scene.add_tool(std::make_shared<Circle>(3.), std::make_shared<Cartesian>(), 0.3);
   scene.place({2, 5, 0});
-  scene.tool->drive().move("x", 2);
+  scene.tool->prescription().move("x", 2);
   expect_invalid(
       [&] { scene.session.begin(scene.u, 0, 1, Stepping::IMPLICIT); },
-      "Drive: coordinate \"y\" of tool \"tool\" has neither motion nor force; coordinate \"angle\"");
+      "Prescription: coordinate \"y\" of tool \"tool\" has neither motion nor force; coordinate \"angle\"");
 }
 
 TEST(SessionErrors, ToolInsideTheBody) {
@@ -112,7 +112,7 @@ TEST(SessionErrors, ToolInsideTheBody) {
 
 TEST(SessionErrors, ForceWithoutContact) {
   Block block;
-  block.tool->drive().load("y", -1);
+  block.tool->prescription().force("y", -1);
   expect_invalid(
       [&] { block.begin(); },
       "contact.begin: coordinate \"y\" of tool \"tool\" is under force but the tool touches nothing, so "
@@ -125,7 +125,7 @@ TEST(SessionErrors, ForceWithoutContact) {
 TEST(SessionErrors, ForceThatNothingResists) {
   Block block(0);
   block.session.approach(0, "y", block.u);
-  block.tool->drive().load("angle", 0.1);
+  block.tool->prescription().force("angle", 0.1);
   expect_invalid(
       [&] { block.begin(); },
       "contact.begin: coordinate \"angle\" of tool \"tool\" has a force but without friction nothing "

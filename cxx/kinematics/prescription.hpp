@@ -8,12 +8,12 @@ namespace burnish {
 
 /// One prescription per generalized coordinate, set by name; plain value data. A later call for the same
 /// coordinate wins, so control may change from motion to force during a program.
-class Drive {
+class Prescription {
 public:
   /// @param tool   name of the tool, for messages
   /// @param names  names of its coordinates, in the order of q
   /// @throws std::invalid_argument if names is empty or has an empty or repeated name
-  Drive(std::string tool, std::vector<std::string> names);
+  Prescription(std::string tool, std::vector<std::string> names);
 
   const std::string& tool() const { return m_tool; }
   const std::vector<std::string>& names() const { return m_names; }
@@ -25,7 +25,7 @@ public:
   /// Prescribes the conjugate force Q_k ON the tool at the end of the step, positive along growing q^k
   /// [force, or force length for an angle]; equilibrium is sum_n X_k . F_n = Q_k.
   /// @throws std::invalid_argument if the name is unknown (lists the names) or the value is not finite
-  void load(const std::string& name, double value);
+  void force(const std::string& name, double value);
 
   /// True if coordinate k (0 <= k < size()) has a motion or a force.
   /// @throws std::invalid_argument if k is out of range
@@ -42,18 +42,18 @@ public:
 
 private:
   enum class Kind { NONE, MOTION, FORCE };
-  struct Prescription {
+  struct Entry {
     Kind kind = Kind::NONE;
     double value = 0;
   };
   void set(const char* where, const std::string& name, Kind kind, double value);
-  const Prescription& at(const char* where, int k) const;
-  const Prescription& prescribed(const char* where, int k) const;
+  const Entry& at(const char* where, int k) const;
+  const Entry& prescribed(const char* where, int k) const;
   std::string missing(std::size_t k) const;
 
   std::string m_tool;
   std::vector<std::string> m_names;
-  std::vector<Prescription> m_prescriptions;
+  std::vector<Entry> m_entries;
 };
 
 } // namespace burnish
