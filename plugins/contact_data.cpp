@@ -45,7 +45,7 @@ Array nodes(Stack stack, H* const& h) {
 template <int axis, bool reference> Array place(Stack stack, H* const& h) {
   return per_candidate(stack, h, [](const auto& s, std::size_t i) {
     const int dof = 2 * s.candidates()[i] + axis;
-    return s.discretization().X[dof] + (reference ? 0 : s.accepted_displacement()[dof]);
+    return s.mesh().X[dof] + (reference ? 0 : s.accepted_displacement()[dof]);
   });
 }
 Array states(Stack stack, H* const& h) {

@@ -26,7 +26,7 @@ struct Condense {
     for (const char* name : {"CHOLMOD", "CHOLESKY", "CROUT", "CG", "SPARSESOLVERSYM"})
       if (!symmetric && solver == name) // it would read one triangle only and answer wrongly
         fail("contact.condense", "solver \"" + solver + "\" needs symmetric=true");
-    const long n = contact.session->discretization().num_dofs();
+    const long n = contact.session->mesh().num_dofs();
     const CpuTimer timer(contact.condense_seconds);
     const auto& blocks = contact.reader.read(view_of(K, n, "contact.condense"));
     const auto right = a.boolean("rates", false) ? RightHandSide::RATES : RightHandSide::TOTAL;
@@ -53,7 +53,7 @@ double expand(Stack, const Method<ContactHandle, ExpandTag>& m, const KN_<double
   return guarded([&] {
     ContactObject& contact = m->get();
     require_stage(contact, ContactObject::BEGUN, "contact.expand");
-    Eigen::VectorXd v = to_dofs(u, contact.session->discretization().num_dofs(), "contact.expand", "u");
+    Eigen::VectorXd v = to_dofs(u, contact.session->mesh().num_dofs(), "contact.expand", "u");
     const Eigen::VectorXd solution = to_vector(z, "contact.expand", "z");
     const double largest = called("contact.expand", [&] { return contact.session->expand(solution, v); });
     to_array(v, u, "contact.expand");
@@ -66,7 +66,7 @@ bool cut(Stack, const Method<ContactHandle, CutTag>& m, const KN_<double>& u, co
   return guarded([&] {
     ContactObject& contact = m->get();
     require_stage(contact, ContactObject::BEGUN, "contact.cut");
-    Eigen::VectorXd v = to_dofs(u, contact.session->discretization().num_dofs(), "contact.cut", "u");
+    Eigen::VectorXd v = to_dofs(u, contact.session->mesh().num_dofs(), "contact.cut", "u");
     contact.session->cut(v, fraction);
     to_array(v, u, "contact.cut");
     return true;

@@ -19,7 +19,7 @@ namespace {
 
 Eigen::VectorXd dofs(const ContactObject& contact, const KN_<double>& a, const char* where,
                      const char* name) {
-  return to_dofs(a, contact.session->discretization().num_dofs(), where, name);
+  return to_dofs(a, contact.session->mesh().num_dofs(), where, name);
 }
 
 struct BeginTag {};
@@ -81,10 +81,10 @@ bool factorize_material(const Method<ContactHandle, FactorizeTag>& m, MaterialHa
     MaterialObject& object = material->get();
     require_stage(m->get(), ContactObject::BEGUN, "contact.factorize");
     const Eigen::VectorXd v = dofs(m->get(), u, "contact.factorize", "u");
-    const int size = object.body->discretization().num_dofs(), expected = session.discretization().num_dofs();
+    const int size = object.body->discretization().num_dofs(), expected = session.mesh().num_dofs();
     require(size == expected, "contact.factorize", "degrees of freedom of the material", size,
             (std::to_string(expected) + " as the contact's space").c_str());
-    if (object.body->discretization().axisymmetric != session.discretization().axisymmetric)
+    if (object.body->discretization().axisymmetric != session.mesh().axisymmetric)
       fail("contact.factorize",
            "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
     do {
@@ -103,7 +103,7 @@ bool factorize_matrix(const Method<ContactHandle, FactorizeTag>& m, Matrice_Creu
     ContactObject& contact = m->get();
     require_stage(contact, ContactObject::BEGUN, "contact.factorize");
     const auto& blocks =
-        contact.reader.read(view_of(K, contact.session->discretization().num_dofs(), "contact.factorize"));
+        contact.reader.read(view_of(K, contact.session->mesh().num_dofs(), "contact.factorize"));
     return contact.session->factorize(blocks, dofs(contact, u, "contact.factorize", "u")) == FactorStatus::OK;
   });
 }

@@ -38,8 +38,8 @@ struct Construct {
   static Made<ContactObject> call(const Named& a, pfes* space) {
     const std::vector<long> labels = labels_of(a);
     if (labels.empty()) fail("contact", "the contact surface is missing: label=... or labels=...");
-    auto discretization = discretization_of(space, "contact");
-    std::vector<char> fixed(discretization.num_dofs(), 0);
+    auto mesh = mesh_of(space, "contact", a.boolean("axisymmetric", false));
+    std::vector<char> fixed(mesh.num_dofs(), 0);
     if (a.has("fixed")) {
       const Eigen::VectorXd flags =
           to_dofs(a.array("fixed"), static_cast<long>(fixed.size()), "contact", "fixed");
@@ -59,10 +59,9 @@ struct Construct {
     options.terms = terms_of(a.text("terms", "complete"));
     auto object = std::make_shared<ContactObject>();
     object->friction = called("rcContact", [&] { return make_coulomb(a.real("friction", 0)); });
-    const auto surface = surface_of(space, labels, "contact");
-    for (const long label : labels) object->edges[label] = surface_of(space, {label}, "contact");
-    discretization.axisymmetric = a.boolean("axisymmetric", false);
-    object->session = std::make_unique<Session<2>>(std::move(discretization), surface, fixed, options);
+    const auto surface = facets_with(mesh, labels, "contact");
+    for (const long label : labels) object->edges[label] = facets_with(mesh, {label}, "contact");
+    object->session = std::make_unique<Session<2>>(std::move(mesh), surface, fixed, options);
     return made(std::move(object));
   }
 };
@@ -73,8 +72,8 @@ basicAC_F0::name_and_type Construct::names[] = {
     {"axisymmetric", &typeid(bool)}};
 
 // Edges of the labels that a tool may touch; empty: all.
-std::vector<SurfaceEdge> reach_of(const Named& a, const ContactObject& contact) {
-  std::vector<SurfaceEdge> reach;
+std::vector<Facet<2>> reach_of(const Named& a, const ContactObject& contact) {
+  std::vector<Facet<2>> reach;
   for (const long label : labels_of(a)) {
     const auto found = contact.edges.find(label);
     std::string known;
@@ -131,7 +130,7 @@ double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& 
     if (index < 0)
       fail("contact.approach", "tool \"" + tool->get().tool->name() + "\" was not added, call add first");
     return session.approach(index, *coordinate,
-                            to_dofs(u, session.discretization().num_dofs(), "contact.approach", "u"));
+                            to_dofs(u, session.mesh().num_dofs(), "contact.approach", "u"));
   });
 }
 

@@ -48,7 +48,9 @@ struct Construct {
     options.path_limit = a.real("pathlimit", options.path_limit);
     auto object = std::make_shared<MaterialObject>();
     object->body = std::make_unique<Workpiece<2>>(
-        discretization_of(space, "material", a.boolean("axisymmetric", false)), parameters, options);
+        called("material",
+               [&] { return triangles(mesh_of(space, "material", a.boolean("axisymmetric", false))); }),
+        parameters, options);
     object->tangent = object->body->pattern();
     return made(std::move(object));
   }

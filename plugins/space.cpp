@@ -1,7 +1,6 @@
 // From a FreeFEM space to plain arrays.
 #include "base/error.hpp"
 #include "types.hpp"
-#include <algorithm>
 
 namespace burnish {
 namespace {
@@ -29,22 +28,40 @@ const FESpace& space_of(pfes* const& space, const char* where) {
   return *V;
 }
 
+// All boundary edges of the space's mesh, as nodes of the space.
+std::vector<Facet<2>> edges_of(const FESpace& V, const char* where) {
+  std::vector<Facet<2>> edges;
+  for (int b = 0; b < V.Th.neb; ++b) {
+    int e = 0;
+    Facet<2> edge;
+    edge.element = V.Th.BoundaryElement(b, e);
+    edge.label = V.Th.be(b).lab;
+    const std::vector<int> nodes = element_nodes(V, edge.element, where);
+    edge.vertex = {nodes[(e + 1) % 3], nodes[(e + 2) % 3]};
+    edge.middle = {nodes.size() == 6 ? nodes[3 + e] : -1};
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
 } // namespace
 
-Discretization<2> discretization_of(pfes* const& space, const char* where, bool axisymmetric) {
+burnish::Mesh<2> mesh_of(pfes* const& space, const char* where, bool axisymmetric) {
   const FESpace& V = space_of(space, where);
-  const Mesh& Th = V.Th;
-  std::vector<double> X(V.NbOfDF);
-  std::vector<char> placed(V.NbOfDF / 2, 0);
-  std::vector<int> connectivity;
-  int per_element = 0;
+  const ::Mesh& Th = V.Th;
+  burnish::Mesh<2> mesh;
+  mesh.axisymmetric = axisymmetric;
+  mesh.num_nodes = V.NbOfDF / 2;
+  mesh.num_elements = Th.nt;
+  mesh.X.resize(V.NbOfDF);
+  std::vector<char> placed(mesh.num_nodes, 0);
   for (int k = 0; k < Th.nt; ++k) {
     const std::vector<int> nodes = element_nodes(V, k, where);
-    per_element = static_cast<int>(nodes.size());
-    connectivity.insert(connectivity.end(), nodes.begin(), nodes.end());
-    for (int a = 0; a < per_element; ++a) {
+    mesh.nodes_per_element = static_cast<int>(nodes.size());
+    mesh.connectivity.insert(mesh.connectivity.end(), nodes.begin(), nodes.end());
+    for (int a = 0; a < mesh.nodes_per_element; ++a) {
       const R2 P = a < 3 ? R2(Th[k][a]) : 0.5 * (R2(Th[k][(a - 2) % 3]) + R2(Th[k][(a - 1) % 3]));
-      double* x = &X[2 * nodes[a]];
+      double* x = &mesh.X[2 * nodes[a]];
       if (placed[nodes[a]] &&
           (x[0] - P.x) * (x[0] - P.x) + (x[1] - P.y) * (x[1] - P.y) > 1e-12 * Th[k].area) {
         std::ostringstream text;
@@ -57,34 +74,8 @@ Discretization<2> discretization_of(pfes* const& space, const char* where, bool 
       x[1] = P.y;
     }
   }
-  return called(where,
-                [&] { return triangles(per_element, std::move(X), std::move(connectivity), axisymmetric); });
-}
-
-std::vector<SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels, const char* where) {
-  const FESpace& V = space_of(space, where);
-  const Mesh& Th = V.Th;
-  std::vector<SurfaceEdge> edges;
-  for (int b = 0; b < Th.neb; ++b) {
-    if (std::find(labels.begin(), labels.end(), Th.be(b).lab) == labels.end()) continue;
-    int e = 0;
-    const int k = Th.BoundaryElement(b, e);
-    const std::vector<int> nodes = element_nodes(V, k, where);
-    edges.push_back({nodes[(e + 1) % 3], nodes[(e + 2) % 3], nodes.size() == 6 ? nodes[3 + e] : -1});
-  }
-  if (edges.empty()) {
-    std::ostringstream text;
-    text << "no boundary edge bears the label";
-    for (const long l : labels) text << " " << l;
-    text << "; the mesh has the labels";
-    std::vector<long> known;
-    for (int b = 0; b < Th.neb; ++b)
-      if (std::find(known.begin(), known.end(), Th.be(b).lab) == known.end()) known.push_back(Th.be(b).lab);
-    std::sort(known.begin(), known.end());
-    for (const long l : known) text << " " << l;
-    fail(where, text.str());
-  }
-  return edges;
+  mesh.facets = edges_of(V, where);
+  return mesh;
 }
 
 } // namespace burnish

@@ -30,9 +30,9 @@ struct ContactObject {
   /// What the step under way has seen: the order of calls is begin, check, correct..., accept or revert.
   enum Stage { NO_STEP, BEGUN, CHECKED } stage = NO_STEP;
   std::unique_ptr<Session<2>> session;
-  std::shared_ptr<const FrictionLaw> friction;    // default of add()
-  std::map<std::string, double> parameters;       // numbers by name for formulas of friction
-  std::map<long, std::vector<SurfaceEdge>> edges; // by boundary label
+  std::shared_ptr<const FrictionLaw> friction; // default of add()
+  std::map<std::string, double> parameters;    // numbers by name for formulas of friction
+  std::map<long, std::vector<Facet<2>>> edges; // by boundary label
   TripletReader<2> reader;
   std::vector<ContactEvent<2>> pending;           // found by events(), applied by accept() or switchstates()
   std::vector<double> rhs;                        // of the last condensed matrix
@@ -46,13 +46,10 @@ using ToolHandle = Handle<ToolObject>;
 using MaterialHandle = Handle<MaterialObject>;
 using ContactHandle = Handle<ContactObject>;
 
-/// Reference nodes and elements of a [P1,P1] or [P2,P2] space on a 2D mesh; the dofs of a node must be
+/// Reference nodes, elements and boundary edges of a [P1,P1] or [P2,P2] space on a 2D mesh; the dofs of a node must be
 /// adjacent.
 /// @throws std::invalid_argument for any other space
-Discretization<2> discretization_of(pfes* const& space, const char* where, bool axisymmetric = false);
-/// Boundary edges with the given labels, as nodes of the space.
-/// @throws std::invalid_argument if no edge bears a label
-std::vector<SurfaceEdge> surface_of(pfes* const& space, const std::vector<long>& labels, const char* where);
+burnish::Mesh<2> mesh_of(pfes* const& space, const char* where, bool axisymmetric);
 
 /// "complete", "article" or "none". @throws std::invalid_argument for another name
 GeometricTerms terms_of(const std::string& name);

@@ -2,41 +2,8 @@
 #include "contact/surface_share.hpp"
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace burnish {
-
-std::vector<int> nodes_along(const std::vector<SurfaceEdge>& edges) {
-  std::map<int, std::vector<std::size_t>> at; // edges of each end node
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    at[edges[e].a].push_back(e);
-    at[edges[e].b].push_back(e);
-  }
-  std::vector<int> order;
-  std::set<int> seen;
-  std::vector<char> used(edges.size(), 0);
-  const auto add = [&](int node) {
-    if (node >= 0 && seen.insert(node).second) order.push_back(node);
-  };
-  const auto walk = [&](int node) {
-    for (bool more = true; more;) {
-      add(node);
-      more = false;
-      for (const std::size_t e : at[node]) {
-        if (used[e]) continue;
-        used[e] = 1;
-        add(edges[e].middle);
-        node = edges[e].a == node ? edges[e].b : edges[e].a;
-        more = true;
-        break;
-      }
-    }
-  };
-  for (const auto& [node, list] : at)
-    if (list.size() == 1 && !used[list[0]]) walk(node);
-  for (const auto& edge : edges) walk(edge.a); // closed chains
-  return order;
-}
 
 namespace {
 
@@ -45,7 +12,7 @@ namespace {
 template <int Dim> class EdgeFit {
 public:
   EdgeFit(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-          const std::vector<SurfaceEdge>& edges, const Eigen::VectorXd& u) {
+          const std::vector<Facet<2>>& edges, const Eigen::VectorXd& u) {
     std::map<int, int> candidate;
     for (std::size_t i = 0; i < model.candidates.size(); ++i)
       candidate[model.candidates[i]] = static_cast<int>(i);
@@ -53,8 +20,8 @@ public:
       const auto it = candidate.find(node);
       return it == candidate.end() ? -1 : it->second;
     };
-    for (const SurfaceEdge& edge : edges) {
-      const int a = of(edge.a), b = of(edge.b), m = of(edge.middle);
+    for (const Facet<2>& edge : edges) {
+      const int a = of(edge.vertex[0]), b = of(edge.vertex[1]), m = of(edge.middle[0]);
       if (a < 0 || b < 0 || m < 0) continue;
       if (!in_contact(state.nodes[a].state) && !in_contact(state.nodes[b].state) &&
           !in_contact(state.nodes[m].state))
@@ -100,7 +67,7 @@ private:
 
 template <int Dim>
 SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                                  const ContactState<Dim>& state, const std::vector<SurfaceEdge>& edges,
+                                  const ContactState<Dim>& state, const std::vector<Facet<2>>& edges,
                                   const Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   SurfaceReport<Dim> report;
   const Eigen::Index n = static_cast<Eigen::Index>(model.candidates.size());
@@ -135,7 +102,7 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
 }
 
 template SurfaceReport<2> surface_report<2>(const ContactModel<2>&, const BodyView<2>&,
-                                            const ContactState<2>&, const std::vector<SurfaceEdge>&,
+                                            const ContactState<2>&, const std::vector<Facet<2>>&,
                                             const Eigen::VectorXd&, const Eigen::VectorXd&);
 
 } // namespace burnish

@@ -4,9 +4,6 @@
 
 namespace burnish {
 
-/// Nodes of the edges, each once, neighbors after one another along every chain of edges.
-std::vector<int> nodes_along(const std::vector<SurfaceEdge>& edges);
-
 /// State of the candidates, one entry each. Pressure and traction are nodal forces over the node's share of
 /// the surface in the present configuration (surface_share.hpp).
 template <int Dim> struct SurfaceReport {
@@ -25,7 +22,7 @@ template <int Dim> struct SurfaceReport {
 /// @param R internal minus external nodal force [force]; @param u displacement
 template <int Dim>
 SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                                  const ContactState<Dim>& state, const std::vector<SurfaceEdge>& edges,
+                                  const ContactState<Dim>& state, const std::vector<Facet<2>>& edges,
                                   const Eigen::VectorXd& u, const Eigen::VectorXd& R);
 
 } // namespace burnish

@@ -4,10 +4,10 @@
 
 namespace burnish {
 
-EdgeMasses edge_masses(const BodyView<2>& body, const SurfaceEdge& edge, const Eigen::VectorXd& u) {
-  const bool quadratic = edge.middle >= 0;
-  const Vector<2> a = body.position(u, edge.a), b = body.position(u, edge.b);
-  const Vector<2> m = quadratic ? body.position(u, edge.middle) : Vector<2>(0.5 * (a + b));
+EdgeMasses edge_masses(const BodyView<2>& body, const Facet<2>& edge, const Eigen::VectorXd& u) {
+  const bool quadratic = edge.middle[0] >= 0;
+  const Vector<2> a = body.position(u, edge.vertex[0]), b = body.position(u, edge.vertex[1]);
+  const Vector<2> m = quadratic ? body.position(u, edge.middle[0]) : Vector<2>(0.5 * (a + b));
   const double length = (m - a).norm() + (b - m).norm();
   const double point[] = {0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15)},
                weight[] = {5. / 18, 4. / 9, 5. / 18};
@@ -25,13 +25,13 @@ EdgeMasses edge_masses(const BodyView<2>& body, const SurfaceEdge& edge, const E
 
 template <int Dim>
 Eigen::VectorXd surface_shares(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                               const std::vector<SurfaceEdge>& edges, const Eigen::VectorXd& u) {
+                               const std::vector<Facet<2>>& edges, const Eigen::VectorXd& u) {
   std::map<int, int> index;
   for (std::size_t i = 0; i < model.candidates.size(); ++i) index[model.candidates[i]] = static_cast<int>(i);
   Eigen::VectorXd area = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.candidates.size()));
-  for (const SurfaceEdge& edge : edges) {
+  for (const Facet<2>& edge : edges) {
     const Eigen::Vector3d share = edge_masses(body, edge, u).rowwise().sum();
-    const int nodes[] = {edge.a, edge.b, edge.middle};
+    const int nodes[] = {edge.vertex[0], edge.vertex[1], edge.middle[0]};
     for (int i = 0; i < 3; ++i) {
       const auto it = index.find(nodes[i]);
       if (it != index.end()) area[it->second] += share[i];
@@ -41,6 +41,6 @@ Eigen::VectorXd surface_shares(const ContactModel<Dim>& model, const BodyView<Di
 }
 
 template Eigen::VectorXd surface_shares<2>(const ContactModel<2>&, const BodyView<2>&,
-                                           const std::vector<SurfaceEdge>&, const Eigen::VectorXd&);
+                                           const std::vector<Facet<2>>&, const Eigen::VectorXd&);
 
 } // namespace burnish

@@ -41,7 +41,7 @@ Shift<Dim> shift_of(const ContactModel<Dim>& model, int tool, const Eigen::Vecto
 template <int Dim>
 Eigen::VectorXd
 carry_increment(const ContactModel<Dim>& model, const BodyView<Dim>& body, const MeshLocator<Dim>& locator,
-                const Discretization<Dim>& d, const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                const Mesh<Dim>& d, const ContactState<Dim>& state, const Eigen::VectorXd& u,
                 const StepHistory<Dim>& history, const std::vector<Shift<Dim>>& shifts, double ratio) {
   Eigen::VectorXd result = u;
   const auto poses = model.poses(state.q);
@@ -148,8 +148,8 @@ void place_contact_nodes(const ContactModel<Dim>& model, const BodyView<Dim>& bo
 
 template <int Dim>
 Prediction<Dim> predict(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                        const MeshLocator<Dim>& locator, const Discretization<Dim>& discretization,
-                        const Program& program, const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                        const MeshLocator<Dim>& locator, const Mesh<Dim>& mesh, const Program& program,
+                        const ContactState<Dim>& state, const Eigen::VectorXd& u,
                         const StepHistory<Dim>& history, double dt, bool carry) {
   Prediction<Dim> result;
   const bool known = history.dt > 0 && history.du.size() == u.size();
@@ -164,7 +164,7 @@ Prediction<Dim> predict(const ContactModel<Dim>& model, const BodyView<Dim>& bod
     std::vector<Shift<Dim>> shifts;
     for (std::size_t t = 0; t < model.tools.size(); ++t)
       shifts.push_back(shift_of(model, static_cast<int>(t), history.q_old, state.q, result.state.q));
-    result.u = carry_increment(model, body, locator, discretization, state, u, history, shifts, ratio);
+    result.u = carry_increment(model, body, locator, mesh, state, u, history, shifts, ratio);
     carry_states(model, body, state, shifts, result.state);
   } else if (known) {
     for (Eigen::Index d = 0; d < u.size(); ++d)
@@ -177,7 +177,7 @@ Prediction<Dim> predict(const ContactModel<Dim>& model, const BodyView<Dim>& bod
 }
 
 template Prediction<2> predict<2>(const ContactModel<2>&, const BodyView<2>&, const MeshLocator<2>&,
-                                  const Discretization<2>&, const Program&, const ContactState<2>&,
+                                  const Mesh<2>&, const Program&, const ContactState<2>&,
                                   const Eigen::VectorXd&, const StepHistory<2>&, double, bool);
 
 } // namespace burnish

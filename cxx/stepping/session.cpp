@@ -7,12 +7,12 @@
 namespace burnish {
 
 template <int Dim>
-Session<Dim>::Session(Discretization<Dim> discretization, std::vector<SurfaceEdge> surface,
-                      std::vector<char> fixed, StepOptions options)
-    : m_discretization(std::make_shared<const Discretization<Dim>>(std::move(discretization))),
-      m_surface(std::move(surface)), m_fixed(std::move(fixed)), m_options(options) {
-  require(static_cast<int>(m_fixed.size()) == m_discretization->num_dofs(), "contact",
-          "number of fixed flags", m_fixed.size(), "one per degree of freedom");
+Session<Dim>::Session(Mesh<Dim> mesh, std::vector<Facet<2>> surface, std::vector<char> fixed,
+                      StepOptions options)
+    : m_mesh(std::make_shared<const Mesh<Dim>>(std::move(mesh))), m_surface(std::move(surface)),
+      m_fixed(std::move(fixed)), m_options(options) {
+  require(static_cast<int>(m_fixed.size()) == m_mesh->num_dofs(), "contact", "number of fixed flags",
+          m_fixed.size(), "one per degree of freedom");
   for (const int node : nodes_along(m_surface)) {
     bool held = true;
     for (int c = 0; c < Dim; ++c) held = held && m_fixed[Dim * node + c];
@@ -20,13 +20,12 @@ Session<Dim>::Session(Discretization<Dim> discretization, std::vector<SurfaceEdg
   }
   require(!m_candidates.empty(), "contact", "number of candidate nodes", 0,
           "at least one node on the labels that is not fixed");
-  m_u = m_R = Eigen::VectorXd::Zero(m_discretization->num_dofs());
+  m_u = m_R = Eigen::VectorXd::Zero(m_mesh->num_dofs());
 }
 
 template <int Dim>
 void Session<Dim>::add_tool(std::shared_ptr<DrivenTool<Dim>> tool,
-                            std::shared_ptr<const FrictionLaw> friction,
-                            const std::vector<SurfaceEdge>& reach) {
+                            std::shared_ptr<const FrictionLaw> friction, const std::vector<Facet<2>>& reach) {
   if (m_corrector) fail("contact.add", "tools must be added before the first step");
   tool->tool();
   for (const auto& other : m_tools)
@@ -52,11 +51,11 @@ template <int Dim> void Session<Dim>::start() {
     m_model.tools.push_back(tool->shared_tool());
     m_model.first.push_back(m_model.first.back() + static_cast<int>(tool->q().size()));
   }
-  const auto& X = m_discretization->X;
+  const auto& X = m_mesh->X;
   m_corrector = std::make_unique<Corrector<Dim>>(
       m_model, Eigen::Map<const Eigen::VectorXd>(X.data(), static_cast<Eigen::Index>(X.size())), m_fixed,
-      m_options, m_discretization->axisymmetric);
-  m_locator = std::make_unique<MeshLocator<Dim>>(*m_discretization);
+      m_options, m_mesh->axisymmetric);
+  m_locator = std::make_unique<MeshLocator<Dim>>(*m_mesh);
   m_condensation = std::make_unique<Condensation<Dim>>(m_corrector->model(), m_corrector->body());
   m_accepted = m_corrector->state();
   for (std::size_t t = 0; t < m_tools.size(); ++t)
@@ -143,8 +142,8 @@ template <int Dim> Program Session<Dim>::read_program() {
 // A coordinate under force goes on as in the last step, or stays where it is if its formulas end there.
 template <int Dim> Prediction<Dim> Session<Dim>::predicted(const Eigen::VectorXd& u) {
   const auto with = [&](const StepHistory<Dim>& history) {
-    return predict(m_model, m_corrector->body(), *m_locator, *m_discretization, m_program, m_accepted, u,
-                   history, m_dt, m_stepping == Stepping::IMPLICIT);
+    return predict(m_model, m_corrector->body(), *m_locator, *m_mesh, m_program, m_accepted, u, history, m_dt,
+                   m_stepping == Stepping::IMPLICIT);
   };
   try {
     return with(m_history);

@@ -22,13 +22,12 @@ public:
   /// @param surface edges of the contact surface; its nodes without given displacement are the candidates
   /// @param fixed per dof: displacement is given
   /// @throws std::invalid_argument for an empty contact set or wrong sizes
-  Session(Discretization<Dim> discretization, std::vector<SurfaceEdge> surface, std::vector<char> fixed,
-          StepOptions options = {});
+  Session(Mesh<Dim> mesh, std::vector<Facet<2>> surface, std::vector<char> fixed, StepOptions options = {});
 
   /// @throws std::invalid_argument after the first step began
   /// @param reach edges that the tool may touch; empty: the whole contact surface
   void add_tool(std::shared_ptr<DrivenTool<Dim>> tool, std::shared_ptr<const FrictionLaw> friction,
-                const std::vector<SurfaceEdge>& reach = {});
+                const std::vector<Facet<2>>& reach = {});
   /// Moves one coordinate until the tool just touches the body and puts the touching nodes in contact.
   /// @returns the coordinate's value. @throws std::invalid_argument if it cannot touch by this coordinate
   /// alone, or would touch it from inside
@@ -79,10 +78,10 @@ public:
   const ContactModel<Dim>& model() const { return m_corrector->model(); }
   const ContactState<Dim>& accepted() const { return m_accepted; }
   bool started() const { return m_corrector != nullptr; }
-  const Discretization<Dim>& discretization() const { return *m_discretization; }
+  const Mesh<Dim>& mesh() const { return *m_mesh; }
   const std::vector<std::shared_ptr<DrivenTool<Dim>>>& tools() const { return m_tools; }
   const std::vector<int>& candidates() const { return m_candidates; }
-  const std::vector<SurfaceEdge>& surface() const { return m_surface; }
+  const std::vector<Facet<2>>& surface() const { return m_surface; }
   const Eigen::VectorXd& accepted_displacement() const { return m_u; }
   const Eigen::VectorXd& accepted_force() const { return m_R; }
   const std::vector<ContactEvent<Dim>>& log() const { return m_log; }
@@ -129,8 +128,8 @@ private:
   void note_conflicts(const ContactState<Dim>& state, const Eigen::VectorXd& u);
   void note_ends(const ContactState<Dim>& state, const Eigen::VectorXd& u);
 
-  std::shared_ptr<const Discretization<Dim>> m_discretization;
-  std::vector<SurfaceEdge> m_surface;
+  std::shared_ptr<const Mesh<Dim>> m_mesh;
+  std::vector<Facet<2>> m_surface;
   std::vector<char> m_fixed;
   std::vector<int> m_candidates;
   StepOptions m_options;

@@ -58,15 +58,17 @@ template <int Dim> void Session<Dim>::check_not_inside(const Eigen::VectorXd& u)
 // Mean normal out of the workpiece of the surface edges at a node; zero if there is none.
 template <int Dim> Vector<Dim> Session<Dim>::outward(int node, const Eigen::VectorXd& u) const {
   Vector<Dim> sum = Vector<Dim>::Zero();
-  for (const SurfaceEdge& edge : m_surface) {
-    if (edge.a != node && edge.b != node && edge.middle != node) continue;
-    for (int e = 0; e < m_discretization->num_elements; ++e) {
-      const int *vertex = m_discretization->element(e), *end = vertex + Dim + 1;
-      if (std::find(vertex, end, edge.a) == end || std::find(vertex, end, edge.b) == end) continue;
+  for (const Facet<2>& edge : m_surface) {
+    if (edge.vertex[0] != node && edge.vertex[1] != node && edge.middle[0] != node) continue;
+    for (int e = 0; e < m_mesh->num_elements; ++e) {
+      const int *vertex = m_mesh->element(e), *end = vertex + Dim + 1;
+      if (std::find(vertex, end, edge.vertex[0]) == end || std::find(vertex, end, edge.vertex[1]) == end)
+        continue;
       const auto& body = m_corrector->body();
-      const int opposite = *std::find_if(vertex, end, [&](int v) { return v != edge.a && v != edge.b; });
-      const Vector<Dim> a = body.position(u, edge.a), away = a - body.position(u, opposite);
-      const Vector<Dim> along = (body.position(u, edge.b) - a).normalized();
+      const int opposite =
+          *std::find_if(vertex, end, [&](int v) { return v != edge.vertex[0] && v != edge.vertex[1]; });
+      const Vector<Dim> a = body.position(u, edge.vertex[0]), away = a - body.position(u, opposite);
+      const Vector<Dim> along = (body.position(u, edge.vertex[1]) - a).normalized();
       sum += (away - along.dot(away) * along).normalized();
     }
   }
@@ -194,7 +196,7 @@ void Session<Dim>::note_conflicts(const ContactState<Dim>& state, const Eigen::V
   if (m_tools.size() < 2) return;
   const auto& body = m_corrector->body();
   const auto poses = m_model.poses(state.q);
-  std::vector<int> touched(static_cast<std::size_t>(m_discretization->num_nodes), -1);
+  std::vector<int> touched(static_cast<std::size_t>(m_mesh->num_nodes), -1);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const auto& node = state.nodes[i];
     if (!in_contact(node.state)) continue;
@@ -212,10 +214,10 @@ void Session<Dim>::note_conflicts(const ContactState<Dim>& state, const Eigen::V
       warn("node " + a + " " + b, text.str());
     }
   }
-  for (int e = 0; e < m_discretization->num_elements; ++e) {
+  for (int e = 0; e < m_mesh->num_elements; ++e) {
     int first = -1;
-    for (int a = 0; a < m_discretization->nodes_per_element; ++a) {
-      const int node = m_discretization->element(e)[a], tool = touched[node];
+    for (int a = 0; a < m_mesh->nodes_per_element; ++a) {
+      const int node = m_mesh->element(e)[a], tool = touched[node];
       if (tool < 0) continue;
       if (first < 0) first = tool;
       if (tool == first) continue;

@@ -11,8 +11,8 @@ namespace burnish::test {
 /// A mesh with what a contact problem needs to know of its boundary.
 struct ContactMesh {
   Discretization<2> space;
-  std::vector<SurfaceEdge> surface; ///< upper side, from left to right in grid coordinates
-  std::vector<char> fixed;          ///< lower side clamped
+  std::vector<Facet<2>> surface; ///< upper side, from left to right in grid coordinates
+  std::vector<char> fixed;       ///< lower side clamped
 };
 
 namespace detail {
@@ -70,7 +70,7 @@ template <class Position> ContactMesh structured_mesh(int nx, int ny, int order,
   const auto hold = [&](int node) { mesh.fixed[2 * node] = mesh.fixed[2 * node + 1] = 1; };
   const std::vector<int> bottom = detail::grid_line(nx, 0), top = detail::grid_line(nx, ny);
   for (int i = 0; i < nx; ++i) {
-    mesh.surface.push_back({top[i], top[i + 1], order == 2 ? middle.at({top[i], top[i + 1]}) : -1});
+    mesh.surface.push_back({{top[i], top[i + 1]}, {order == 2 ? middle.at({top[i], top[i + 1]}) : -1}});
     if (order == 2) hold(middle.at({bottom[i], bottom[i + 1]}));
   }
   for (const int node : bottom) hold(node);

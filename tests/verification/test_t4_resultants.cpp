@@ -44,7 +44,7 @@ private:
       if (!pressed(session.accepted().nodes[i].state)) continue;
       const int node = session.candidates()[i];
       const Vector<2> F = session.accepted_force().segment<2>(2 * node);
-      const Vector<2> x = session.discretization().node(node) + m_rolling.scene.u.segment<2>(2 * node);
+      const Vector<2> x = session.mesh().node(node) + m_rolling.scene.u.segment<2>(2 * node);
       sum += Vector<3>(e.dot(F), q[0] * left_of(e).dot(F), left_of(x - q[0] * e).dot(F));
       m_load += F.norm();
     }

@@ -8,15 +8,16 @@ using namespace burnish;
 using namespace burnish::test;
 
 TEST(NodesAlong, OpenChainFromItsEnd) {
-  EXPECT_EQ(nodes_along({{7, 3}, {9, 7}, {3, 5}}), (std::vector<int>{5, 3, 7, 9}));
-  EXPECT_EQ(nodes_along({{7, 3, 20}, {9, 7, 21}, {3, 5, 22}}), (std::vector<int>{5, 22, 3, 20, 7, 21, 9}));
+  EXPECT_EQ(nodes_along<2>({{{7, 3}, {-1}}, {{9, 7}, {-1}}, {{3, 5}, {-1}}}), (std::vector<int>{5, 3, 7, 9}));
+  EXPECT_EQ(nodes_along<2>({{{7, 3}, {20}}, {{9, 7}, {21}}, {{3, 5}, {22}}}),
+            (std::vector<int>{5, 22, 3, 20, 7, 21, 9}));
 }
 
 TEST(NodesAlong, ClosedChainAndTwoChains) {
-  EXPECT_EQ(nodes_along({{0, 1}, {2, 0}, {1, 2}}).size(), 3u);
-  const auto two = nodes_along({{10, 11}, {1, 2}, {11, 12}, {2, 3}});
+  EXPECT_EQ(nodes_along<2>({{{0, 1}, {-1}}, {{2, 0}, {-1}}, {{1, 2}, {-1}}}).size(), 3u);
+  const auto two = nodes_along<2>({{{10, 11}, {-1}}, {{1, 2}, {-1}}, {{11, 12}, {-1}}, {{2, 3}, {-1}}});
   EXPECT_EQ(two, (std::vector<int>{1, 2, 3, 10, 11, 12}));
-  EXPECT_TRUE(nodes_along({}).empty());
+  EXPECT_TRUE(nodes_along<2>({}).empty());
 }
 
 namespace {
@@ -27,7 +28,7 @@ struct Surface {
   ContactModel<2> model;
   BodyView<2> body;
   ContactState<2> state;
-  std::vector<SurfaceEdge> edges;
+  std::vector<Facet<2>> edges;
   Eigen::VectorXd u;
   Vector<2> along = Vector<2>(0.8, 0.6), normal = Vector<2>(0.6, -0.8); // tool's normal, into the body
 
@@ -59,14 +60,15 @@ struct Surface {
   Eigen::VectorXd loads(double p0, double p1) const {
     Eigen::VectorXd R = Eigen::VectorXd::Zero(body.X.size());
     const Vector<2> pull = normal - 0.2 * along;
-    for (const SurfaceEdge& e : edges) {
-      const double length = 2 * (body.X.segment<2>(2 * e.b) - body.X.segment<2>(2 * e.a)).norm();
-      const double a = p0 + p1 * body.X.segment<2>(2 * e.a).norm(),
-                   b = p0 + p1 * body.X.segment<2>(2 * e.b).norm();
-      const bool linear = e.middle < 0;
-      R.segment<2>(2 * e.a) += length * (linear ? a / 3 + b / 6 : a / 6) * pull;
-      R.segment<2>(2 * e.b) += length * (linear ? b / 3 + a / 6 : b / 6) * pull;
-      if (!linear) R.segment<2>(2 * e.middle) += length * (a + b) / 3 * pull;
+    for (const Facet<2>& e : edges) {
+      const double length =
+          2 * (body.X.segment<2>(2 * e.vertex[1]) - body.X.segment<2>(2 * e.vertex[0])).norm();
+      const double a = p0 + p1 * body.X.segment<2>(2 * e.vertex[0]).norm(),
+                   b = p0 + p1 * body.X.segment<2>(2 * e.vertex[1]).norm();
+      const bool linear = e.middle[0] < 0;
+      R.segment<2>(2 * e.vertex[0]) += length * (linear ? a / 3 + b / 6 : a / 6) * pull;
+      R.segment<2>(2 * e.vertex[1]) += length * (linear ? b / 3 + a / 6 : b / 6) * pull;
+      if (!linear) R.segment<2>(2 * e.middle[0]) += length * (a + b) / 3 * pull;
     }
     return R;
   }

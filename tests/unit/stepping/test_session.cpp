@@ -36,12 +36,12 @@ struct Block : Scene {
 TEST(Session, CandidatesAreTheFreeNodesOfTheSurface) {
   const auto mesh = block_mesh(3, 2, 2, 3, 1);
   auto fixed = mesh.fixed;
-  const int left = mesh.surface[0].a, right = mesh.surface[2].b;
+  const int left = mesh.surface[0].vertex[0], right = mesh.surface[2].vertex[1];
   fixed[2 * left] = fixed[2 * left + 1] = 1;
   fixed[2 * right] = 1; // held in one direction only: still a candidate
   const Session<2> session(mesh.space, mesh.surface, fixed);
   EXPECT_EQ(session.candidates().size(), 6u);
-  EXPECT_EQ(session.candidates().front(), mesh.surface[0].middle);
+  EXPECT_EQ(session.candidates().front(), mesh.surface[0].middle[0]);
   EXPECT_EQ(session.candidates().back(), right);
 }
 

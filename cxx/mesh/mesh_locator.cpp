@@ -1,11 +1,11 @@
-#include "stepping/predictor.hpp"
+#include "mesh/mesh_locator.hpp"
 #include <algorithm>
 #include <array>
 #include <map>
 
 namespace burnish {
 
-template <int Dim> MeshLocator<Dim>::MeshLocator(const Discretization<Dim>& d) : m_d(&d) {
+template <int Dim> MeshLocator<Dim>::MeshLocator(const Mesh<Dim>& d) : m_mesh(&d) {
   m_neighbor.assign(static_cast<std::size_t>(d.num_elements) * (Dim + 1), -1);
   m_any_element.assign(d.num_nodes, -1);
   std::map<std::array<int, Dim>, int> open; // face vertices, sorted -> element * (Dim+1) + opposite vertex
@@ -27,13 +27,12 @@ template <int Dim> MeshLocator<Dim>::MeshLocator(const Discretization<Dim>& d) :
   }
 }
 
-template <int Dim>
-Eigen::Matrix<double, Dim + 1, 1> MeshLocator<Dim>::barycentric(int element, const Vector<Dim>& P) const {
-  const int* nodes = m_d->element(element);
+template <int Dim> Barycentric<Dim> MeshLocator<Dim>::barycentric(int element, const Vector<Dim>& P) const {
+  const int* nodes = m_mesh->element(element);
   Tensor<Dim> edges;
-  for (int c = 0; c < Dim; ++c) edges.col(c) = m_d->node(nodes[c + 1]) - m_d->node(nodes[0]);
-  const Vector<Dim> l = edges.inverse() * (P - m_d->node(nodes[0]));
-  Eigen::Matrix<double, Dim + 1, 1> result;
+  for (int c = 0; c < Dim; ++c) edges.col(c) = m_mesh->node(nodes[c + 1]) - m_mesh->node(nodes[0]);
+  const Vector<Dim> l = edges.inverse() * (P - m_mesh->node(nodes[0]));
+  Barycentric<Dim> result;
   result[0] = 1 - l.sum();
   result.template tail<Dim>() = l;
   return result;
@@ -41,8 +40,8 @@ Eigen::Matrix<double, Dim + 1, 1> MeshLocator<Dim>::barycentric(int element, con
 
 template <int Dim> int MeshLocator<Dim>::find(const Vector<Dim>& P, int near, double slack) const {
   int element = m_any_element[near];
-  for (int walk = 0; element >= 0 && walk < m_d->num_elements; ++walk) {
-    Eigen::Matrix<double, Dim + 1, 1> l = barycentric(element, P);
+  for (int walk = 0; element >= 0 && walk < m_mesh->num_elements; ++walk) {
+    Barycentric<Dim> l = barycentric(element, P);
     int next = -1;
     for (int tried = 0; tried <= Dim && next < 0;
          ++tried) { // leave through the most negative face that has a neighbor
@@ -61,16 +60,10 @@ template <int Dim> int MeshLocator<Dim>::find(const Vector<Dim>& P, int near, do
 }
 
 template <int Dim> void MeshLocator<Dim>::shape(int element, const Vector<Dim>& P, double* N) const {
-  const auto l = barycentric(element, P);
-  if (m_d->nodes_per_element == Dim + 1) {
-    for (int a = 0; a <= Dim; ++a) N[a] = l[a];
-    return;
-  }
-  for (int a = 0; a <= Dim; ++a) N[a] = l[a] * (2 * l[a] - 1);
-  if constexpr (Dim == 2) // mid-edge node opposite vertex v
-    for (int v = 0; v < 3; ++v) N[3 + v] = 4 * l[(v + 1) % 3] * l[(v + 2) % 3];
+  shape_functions<Dim>(m_mesh->nodes_per_element, barycentric(element, P), N);
 }
 
 template class MeshLocator<2>;
+template class MeshLocator<3>;
 
 } // namespace burnish

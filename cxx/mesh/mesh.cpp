@@ -1,0 +1,136 @@
+#include "mesh/mesh.hpp"
+#include "base/error.hpp"
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace burnish {
+namespace {
+
+template <int Dim> void check_nodes(const Mesh<Dim>& mesh, const char* where) {
+  require(mesh.X.size() == static_cast<std::size_t>(Dim) * mesh.num_nodes, where, "size of X", mesh.X.size(),
+          "num_nodes x Dim");
+  for (std::size_t k = 0; k < mesh.X.size(); ++k) {
+    if (std::isfinite(mesh.X[k])) continue;
+    std::ostringstream what;
+    what << "X of node " << k / Dim << ", component " << k % Dim << " = " << mesh.X[k]
+         << ", expected a finite number";
+    fail(where, what.str());
+  }
+}
+
+template <int Dim> void check_elements(const Mesh<Dim>& mesh, const char* where) {
+  require(!mesh.connectivity.empty() && mesh.connectivity.size() % mesh.nodes_per_element == 0, where,
+          "size of connectivity", mesh.connectivity.size(), "a positive multiple of nodes_per_element");
+  require(mesh.connectivity.size() == static_cast<std::size_t>(mesh.num_elements) * mesh.nodes_per_element,
+          where, "num_elements", mesh.num_elements, "size of connectivity over nodes_per_element");
+  for (std::size_t k = 0; k < mesh.connectivity.size(); ++k) {
+    const int node = mesh.connectivity[k];
+    if (node >= 0 && node < mesh.num_nodes) continue;
+    std::ostringstream what;
+    what << "node of element " << k / mesh.nodes_per_element << " = " << node << ", expected 0 <= node < "
+         << mesh.num_nodes;
+    fail(where, what.str());
+  }
+  for (const Facet<Dim>& facet : mesh.facets)
+    for (const int node : nodes_of(facet))
+      require(node >= 0 && node < mesh.num_nodes, where, "node of a facet", node, "0 <= node < num_nodes");
+}
+
+template <int Dim> void check_radii(const Mesh<Dim>& mesh, const char* where) {
+  double size = 0;
+  for (const double x : mesh.X) size = std::max(size, std::abs(x));
+  for (int a = 0; a < mesh.num_nodes; ++a) {
+    if (mesh.node(a)[0] >= -1e-12 * size) continue;
+    std::ostringstream what;
+    what << "x of node " << a << " = " << mesh.node(a)[0]
+         << ", expected a radius >= 0 (axisymmetric: the axis is x = 0)";
+    fail(where, what.str());
+  }
+}
+
+/// Order of the nodes along chains of edges: from the free ends first, then closed chains.
+class ChainWalk {
+public:
+  explicit ChainWalk(const std::vector<Facet<2>>& edges) : m_edges(edges), m_used(edges.size(), 0) {
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      for (const int end : edges[e].vertex) m_at[end].push_back(e);
+  }
+  std::vector<int> order() {
+    for (const auto& [node, list] : m_at)
+      if (list.size() == 1 && !m_used[list[0]]) walk(node);
+    for (const auto& edge : m_edges) walk(edge.vertex[0]); // closed chains
+    return m_order;
+  }
+
+private:
+  void add(int node) {
+    if (node >= 0 && m_seen.insert(node).second) m_order.push_back(node);
+  }
+  void walk(int node) {
+    for (bool more = true; more;) {
+      add(node);
+      more = false;
+      for (const std::size_t e : m_at[node]) {
+        if (m_used[e]) continue;
+        m_used[e] = 1;
+        add(m_edges[e].middle[0]);
+        node = m_edges[e].vertex[0] == node ? m_edges[e].vertex[1] : m_edges[e].vertex[0];
+        more = true;
+        break;
+      }
+    }
+  }
+  const std::vector<Facet<2>>& m_edges;
+  std::vector<char> m_used;
+  std::map<int, std::vector<std::size_t>> m_at; // edges of each end
+  std::vector<int> m_order;
+  std::set<int> m_seen;
+};
+
+} // namespace
+
+template <int Dim> void require_valid(const Mesh<Dim>& mesh, const char* where) {
+  check_nodes(mesh, where);
+  check_elements(mesh, where);
+  if (mesh.axisymmetric) check_radii(mesh, where);
+}
+
+template <int Dim>
+std::vector<Facet<Dim>> facets_with(const Mesh<Dim>& mesh, const std::vector<long>& labels,
+                                    const char* where) {
+  std::vector<Facet<Dim>> found;
+  std::set<long> known;
+  for (const Facet<Dim>& facet : mesh.facets) {
+    known.insert(facet.label);
+    if (std::find(labels.begin(), labels.end(), facet.label) != labels.end()) found.push_back(facet);
+  }
+  if (!found.empty()) return found;
+  std::ostringstream text;
+  text << "no boundary edge bears the label";
+  for (const long label : labels) text << " " << label;
+  text << "; the mesh has the labels";
+  for (const long label : known) text << " " << label;
+  fail(where, text.str());
+}
+
+template <int Dim> std::vector<int> nodes_along(const std::vector<Facet<Dim>>& facets) {
+  std::vector<int> order;
+  std::set<int> seen;
+  for (const Facet<Dim>& facet : facets)
+    for (const int node : nodes_of(facet))
+      if (seen.insert(node).second) order.push_back(node);
+  return order;
+}
+template <> std::vector<int> nodes_along<2>(const std::vector<Facet<2>>& facets) {
+  return ChainWalk(facets).order();
+}
+
+template void require_valid<2>(const Mesh<2>&, const char*);
+template void require_valid<3>(const Mesh<3>&, const char*);
+template std::vector<Facet<2>> facets_with<2>(const Mesh<2>&, const std::vector<long>&, const char*);
+template std::vector<Facet<3>> facets_with<3>(const Mesh<3>&, const std::vector<long>&, const char*);
+template std::vector<int> nodes_along<3>(const std::vector<Facet<3>>&);
+
+} // namespace burnish
