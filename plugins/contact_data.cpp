@@ -11,6 +11,7 @@
 //   Event log as a table, i = 0 .. C.eventnumber-1: C.eventtime(i), C.eventkind(i), C.eventnode(i), C.eventtool(i),
 //     C.eventx(i), C.eventy(i)
 #include "base/error.hpp"
+#include "contact/surface_report.hpp"
 #include "contact/tool_report.hpp"
 #include "named.hpp"
 #include "types.hpp"
@@ -21,80 +22,88 @@ namespace {
 using H = ContactHandle;
 using Array = KN_<double>;
 
-SurfaceReport<2> report(const Session<2>& s) {
-  if (!s.started()) fail("contact", "no state yet: call approach or begin first");
-  return surface_report(s.model(), s.corrector().body(), s.accepted(), s.surface(), s.accepted_displacement(),
-                        s.accepted_force());
+SurfaceReport<2> report(const ContactRun<2>& run) {
+  const auto& state = run.accepted();
+  return surface_report(run.model(), run.body(), state.contact, run.setup().surface(), state.u, state.R);
 }
 template <Eigen::VectorXd SurfaceReport<2>::*member> Array from_report(Stack stack, H* const& h) {
-  return guarded([&] { return new_array(stack, report(*h->get().session).*member); });
+  return guarded([&] { return new_array(stack, report(h->get().running("contact")).*member); });
+}
+template <Eigen::MatrixXd SurfaceReport<2>::*member> Array along_tangent(Stack stack, H* const& h) {
+  return guarded([&] {
+    return new_array(stack, Eigen::VectorXd((report(h->get().running("contact")).*member).row(0)));
+  });
 }
 // One number per candidate.
 template <class F> Array per_candidate(Stack stack, H* const& h, F value) {
   return guarded([&] {
-    const Session<2>& s = *h->get().session;
+    ContactObject& contact = h->get();
     std::vector<double> v;
-    for (std::size_t i = 0; i < s.candidates().size(); ++i) v.push_back(value(s, i));
+    for (std::size_t i = 0; i < contact.setup->candidates().size(); ++i) v.push_back(value(contact, i));
     return new_array(stack, v);
   });
 }
 Array nodes(Stack stack, H* const& h) {
-  return per_candidate(stack, h,
-                       [](const auto& s, std::size_t i) { return static_cast<double>(s.candidates()[i]); });
+  return per_candidate(stack, h, [](const auto& contact, std::size_t i) {
+    return static_cast<double>(contact.setup->candidates()[i]);
+  });
 }
 template <int axis, bool reference> Array place(Stack stack, H* const& h) {
-  return per_candidate(stack, h, [](const auto& s, std::size_t i) {
-    const int dof = 2 * s.candidates()[i] + axis;
-    return s.mesh().X[dof] + (reference ? 0 : s.accepted_displacement()[dof]);
+  return per_candidate(stack, h, [](auto& contact, std::size_t i) {
+    const int dof = 2 * contact.setup->candidates()[i] + axis;
+    const double moved = reference || !contact.started() ? 0 : contact.run().accepted().u[dof];
+    return contact.setup->mesh().X[dof] + moved;
   });
 }
 Array states(Stack stack, H* const& h) {
-  return per_candidate(stack, h, [](const auto& s, std::size_t i) {
-    return s.started() ? static_cast<double>(s.accepted().nodes[i].state) : 0.;
+  return per_candidate(stack, h, [](auto& contact, std::size_t i) {
+    return contact.started() ? static_cast<double>(contact.run().accepted().contact.nodes[i].state) : 0.;
   });
 }
 Array parameters(Stack stack, H* const& h) {
-  return per_candidate(
-      stack, h, [](const auto& s, std::size_t i) { return s.started() ? s.accepted().nodes[i].s[0] : 0.; });
+  return per_candidate(stack, h, [](auto& contact, std::size_t i) {
+    return contact.started() ? contact.run().accepted().contact.nodes[i].place.hint[0] : 0.;
+  });
 }
 double width(H* const& h) {
-  return guarded([&] { return h->get().session->contact_width(); });
+  return guarded([&] { return h->get().started() ? h->get().run().contact_width() : 0.; });
 }
 double speed(H* const& h) {
-  return guarded([&] { return h->get().session->contact_speed(); });
+  return guarded([&] { return h->get().started() ? h->get().run().contact_speed() : 0.; });
 }
 double spacing(H* const& h) {
   return guarded([&] {
-    h->get().session->start();
-    return h->get().session->corrector().body().spacing;
+    return h->get().run().body().spacing;
   });
 }
 double residual(H* const& h) {
   return guarded([&] {
-    return h->get().session->started() ? h->get().session->corrector().last_balance().residual : 0.;
+    return h->get().started() ? h->get().run().corrector().last_balance().residual : 0.;
   });
 }
 double load_scale(H* const& h) {
   return guarded(
-      [&] { return h->get().session->started() ? h->get().session->corrector().load_scale() : 0.; });
+      [&] { return h->get().started() ? h->get().run().corrector().load_scale() : 0.; });
 }
 
 struct CountTag {};
 long count(const Method<H, CountTag>& m, string* const& state) {
-  return guarded([&] { return count_nodes(m->get().session->accepted(), *state, "contact.count"); });
+  return guarded([&] {
+    const ContactState<2> none;
+    return count_nodes(m->get().started() ? m->get().run().accepted().contact : none, *state, "contact.count");
+  });
 }
 
 struct StatisticTag {};
 long statistic(const Method<H, StatisticTag>& m, string* const& name) {
   return guarded([&] {
-    const Session<2>& s = *m->get().session;
-    const CorrectorCounts counts = s.started() ? s.corrector().counts() : CorrectorCounts{};
+    const CorrectorCounts counts = m->get().started() ? m->get().run().corrector().counts() : CorrectorCounts{};
     if (*name == "iterations") return counts.iterations;
     if (*name == "factorizations") return counts.factorizations;
     if (*name == "solves") return counts.solves;
     if (*name == "analyses") return counts.analyses;
     if (*name == "backtracks") return counts.backtracks;
-    if (*name == "condensations") return s.condensations();
+    if (*name == "condensations") return counts.condensations;
     fail("contact.statistic",
          "unknown name \"" + *name +
              "\", expected iterations, factorizations, solves, analyses, backtracks or condensations");
@@ -104,9 +113,8 @@ long statistic(const Method<H, StatisticTag>& m, string* const& name) {
 struct SecondsTag {};
 double seconds(const Method<H, SecondsTag>& m, string* const& phase) {
   return guarded([&] {
-    const ContactObject& contact = m->get();
-    const auto counts =
-        contact.session->started() ? contact.session->corrector().counts() : CorrectorCounts{};
+    ContactObject& contact = m->get();
+    const auto counts = contact.started() ? contact.run().corrector().counts() : CorrectorCounts{};
     if (*phase == "condensation") return counts.condensation_seconds + contact.condense_seconds;
     if (*phase == "factorization") return counts.factorization_seconds;
     if (*phase == "solve") return counts.solve_seconds;
@@ -116,8 +124,12 @@ double seconds(const Method<H, SecondsTag>& m, string* const& phase) {
   });
 }
 
+const std::vector<ContactEvent<2>>& log_of(ContactObject& contact) {
+  static const std::vector<ContactEvent<2>> none;
+  return contact.started() ? contact.run().accepted().log.events : none;
+}
 const ContactEvent<2>& event(H* h, long i) {
-  const auto& log = h->get().session->log();
+  const auto& log = log_of(h->get());
   require(i >= 0 && i < static_cast<long>(log.size()), "contact.event", "index", i, "less than eventnumber");
   return log[static_cast<std::size_t>(i)];
 }
@@ -139,7 +151,7 @@ long event_node(const Method<H, NodeTag>& m, const long& i) {
 string* event_tool(Stack stack, const Method<H, ToolTag>& m, const long& i) {
   return guarded([&] {
     const int t = event(m.object, i).tool;
-    return new_string(stack, t < 0 ? "" : m->get().session->tools()[t]->name());
+    return new_string(stack, t < 0 ? "" : m->get().setup->tools()[t]->name());
   });
 }
 double event_x(const Method<H, XTag>& m, const long& i) {
@@ -149,12 +161,13 @@ double event_y(const Method<H, YTag>& m, const long& i) {
   return guarded([&] { return event(m.object, i).x[1]; });
 }
 long event_number(H* const& h) {
-  return guarded([&] { return static_cast<long>(h->get().session->log().size()); });
+  return guarded([&] { return static_cast<long>(log_of(h->get()).size()); });
 }
 string* left_out(Stack stack, H* const& h) {
   return guarded([&] {
     std::string text;
-    for (const auto& what : h->get().session->left_out()) text += (text.empty() ? "" : "; ") + what;
+    if (!h->get().started()) return new_string(stack, text);
+    for (const auto& what : h->get().run().accepted().left_out) text += (text.empty() ? "" : "; ") + what;
     return new_string(stack, text);
   });
 }
@@ -189,11 +202,11 @@ void register_contact_data() {
   array("s", parameters);
   array("gap", from_report<&Report::gap>);
   array("pressure", from_report<&Report::pressure>);
-  array("traction", from_report<&Report::traction_tangential>);
+  array("traction", along_tangent<&Report::traction_tangential>);
   array("pressurefit", from_report<&Report::pressure_fit>);
-  array("tractionfit", from_report<&Report::traction_fit>);
+  array("tractionfit", along_tangent<&Report::traction_fit>);
   array("normalforce", from_report<&Report::normal_force>);
-  array("tangentialforce", from_report<&Report::tangential_force>);
+  array("tangentialforce", along_tangent<&Report::tangential_force>);
   const auto number = [](const char* name, double (*f)(H* const&)) {
     Add<H*>(name, ".", new OneOperator1_<double, H*>(f));
   };

@@ -20,18 +20,17 @@ struct Condense {
   static newpMatrice_Creuse<double> call(const Named& a, Method<ContactHandle, CondenseTag> m,
                                          Matrice_Creuse<double>* K, KN_<double> u, KN_<double> R) {
     ContactObject& contact = m->get();
-    require_stage(contact, ContactObject::BEGUN, "contact.condense");
     const std::string solver = known_solver(a.text("solver", "BURNISH"), "contact.condense");
     const bool symmetric = a.boolean("symmetric", false);
     for (const char* name : {"CHOLMOD", "CHOLESKY", "CROUT", "CG", "SPARSESOLVERSYM"})
       if (!symmetric && solver == name) // it would read one triangle only and answer wrongly
         fail("contact.condense", "solver \"" + solver + "\" needs symmetric=true");
-    const long n = contact.session->mesh().num_dofs();
+    const long n = contact.setup->mesh().num_dofs();
     const CpuTimer timer(contact.condense_seconds);
     const auto& blocks = contact.reader.read(view_of(K, n, "contact.condense"));
     const auto right = a.boolean("rates", false) ? RightHandSide::RATES : RightHandSide::TOTAL;
     const auto& system = called("contact.condense", [&]() -> const CondensedSystem& {
-      return contact.session->condense(blocks, to_dofs(u, n, "contact.condense", "u"),
+      return contact.run().condense(blocks, to_dofs(u, n, "contact.condense", "u"),
                                        to_dofs(R, n, "contact.condense", "R"),
                                        terms_of(a.text("terms", "complete")), right, symmetric);
     });
@@ -52,10 +51,9 @@ struct ExpandTag {};
 double expand(Stack, const Method<ContactHandle, ExpandTag>& m, const KN_<double>& z, const KN_<double>& u) {
   return guarded([&] {
     ContactObject& contact = m->get();
-    require_stage(contact, ContactObject::BEGUN, "contact.expand");
-    Eigen::VectorXd v = to_dofs(u, contact.session->mesh().num_dofs(), "contact.expand", "u");
+    Eigen::VectorXd v = to_dofs(u, contact.setup->mesh().num_dofs(), "contact.expand", "u");
     const Eigen::VectorXd solution = to_vector(z, "contact.expand", "z");
-    const double largest = called("contact.expand", [&] { return contact.session->expand(solution, v); });
+    const double largest = called("contact.expand", [&] { return contact.run().expand(solution, v); });
     to_array(v, u, "contact.expand");
     return largest;
   });
@@ -65,9 +63,8 @@ struct CutTag {};
 bool cut(Stack, const Method<ContactHandle, CutTag>& m, const KN_<double>& u, const double& fraction) {
   return guarded([&] {
     ContactObject& contact = m->get();
-    require_stage(contact, ContactObject::BEGUN, "contact.cut");
-    Eigen::VectorXd v = to_dofs(u, contact.session->mesh().num_dofs(), "contact.cut", "u");
-    contact.session->cut(v, fraction);
+    Eigen::VectorXd v = to_dofs(u, contact.setup->mesh().num_dofs(), "contact.cut", "u");
+    contact.run().cut(v, fraction);
     to_array(v, u, "contact.cut");
     return true;
   });

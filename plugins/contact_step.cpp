@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
+#include "stepping/workpiece_tangent.hpp"
 #include "types.hpp"
 
 namespace burnish {
@@ -19,7 +20,7 @@ namespace {
 
 Eigen::VectorXd dofs(const ContactObject& contact, const KN_<double>& a, const char* where,
                      const char* name) {
-  return to_dofs(a, contact.session->mesh().num_dofs(), where, name);
+  return to_dofs(a, contact.setup->mesh().num_dofs(), where, name);
 }
 
 struct BeginTag {};
@@ -34,12 +35,8 @@ struct Begin {
     ContactObject& contact = m->get();
     require(std::isfinite(t), "contact.begin", "t", t, "a finite number");
     Eigen::VectorXd v = dofs(contact, u, "contact.begin", "u");
-    const auto kind = stepping(a);
-    contact.stage = ContactObject::NO_STEP;
-    called("contact.begin", [&] { contact.session->begin(v, t, dt, kind); });
-    // a step of pure rates is solved once and not checked
-    contact.stage = kind == Stepping::RATES ? ContactObject::CHECKED : ContactObject::BEGUN;
     contact.pending.clear();
+    called("contact.begin", [&] { contact.run().begin(v, t, dt, stepping(a)); });
     to_array(v, u, "contact.begin");
     return true;
   }
@@ -48,14 +45,11 @@ basicAC_F0::name_and_type Begin::names[] = {{"events", &typeid(bool)}, {"rates",
 
 // Check and correct move u; the status is the number of the enumerator.
 template <class Verb>
-long step_verb(ContactHandle* handle, const KN_<double>& u, const KN_<double>& R, const char* where,
-               ContactObject::Stage stage, Verb verb) {
+long step_verb(ContactHandle* handle, const KN_<double>& u, const KN_<double>& R, const char* where, Verb verb) {
   return guarded([&] {
     ContactObject& contact = handle->get();
-    require_stage(contact, stage, where);
     Eigen::VectorXd v = dofs(contact, u, where, "u");
-    const auto status = verb(*contact.session, v, dofs(contact, R, where, "R"));
-    contact.stage = ContactObject::CHECKED;
+    const auto status = verb(contact.run(), v, dofs(contact, R, where, "R"));
     to_array(v, u, where);
     return static_cast<long>(status);
   });
@@ -64,47 +58,29 @@ long step_verb(ContactHandle* handle, const KN_<double>& u, const KN_<double>& R
 struct CheckTag {};
 struct CorrectTag {};
 long check(Stack, const Method<ContactHandle, CheckTag>& m, const KN_<double>& u, const KN_<double>& R) {
-  return step_verb(m.object, u, R, "contact.check", ContactObject::BEGUN,
-                   [](auto& s, auto& v, const auto& r) { return s.check(v, r); });
+  return step_verb(m.object, u, R, "contact.check",
+                   [](auto& run, auto& v, const auto& r) { return run.check(v, r); });
 }
 long correct(Stack, const Method<ContactHandle, CorrectTag>& m, const KN_<double>& u, const KN_<double>& R) {
-  return step_verb(m.object, u, R, "contact.correct", ContactObject::CHECKED,
-                   [](auto& s, auto& v, const auto& r) { return s.correct(v, r); });
+  return step_verb(m.object, u, R, "contact.correct",
+                   [](auto& run, auto& v, const auto& r) { return run.correct(v, r); });
 }
 
 struct FactorizeTag {};
-// Mixes in elastic moduli until the tangent is positive definite; false: it stays indefinite.
 bool factorize_material(const Method<ContactHandle, FactorizeTag>& m, MaterialHandle* const& material,
                         const KN_<double>& u) {
   return guarded([&] {
-    Session<2>& session = *m->get().session;
     MaterialObject& object = material->get();
-    require_stage(m->get(), ContactObject::BEGUN, "contact.factorize");
-    const Eigen::VectorXd v = dofs(m->get(), u, "contact.factorize", "u");
-    const int size = object.body->discretization().num_dofs(), expected = session.mesh().num_dofs();
-    require(size == expected, "contact.factorize", "degrees of freedom of the material", size,
-            (std::to_string(expected) + " as the contact's space").c_str());
-    if (object.body->discretization().axisymmetric != session.mesh().axisymmetric)
-      fail("contact.factorize",
-           "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
-    do {
-      {
-        const CpuTimer timer(object.assembly_seconds);
-        object.body->tangent(object.tangent, TangentKind::CONSISTENT, session.corrector().elastic_blend());
-      }
-      if (session.factorize(object.tangent, v) == FactorStatus::OK) return true;
-    } while (!session.corrector().blend_exhausted());
-    return false;
+    return factorize_tangent(m->get().run(), object.workpiece(), object.tangent,
+                             dofs(m->get(), u, "contact.factorize", "u"));
   });
 }
 bool factorize_matrix(const Method<ContactHandle, FactorizeTag>& m, Matrice_Creuse<double>* const& K,
                       const KN_<double>& u) {
   return guarded([&] {
     ContactObject& contact = m->get();
-    require_stage(contact, ContactObject::BEGUN, "contact.factorize");
-    const auto& blocks =
-        contact.reader.read(view_of(K, contact.session->mesh().num_dofs(), "contact.factorize"));
-    return contact.session->factorize(blocks, dofs(contact, u, "contact.factorize", "u")) == FactorStatus::OK;
+    const auto& blocks = contact.reader.read(view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"));
+    return contact.run().factorize(blocks, dofs(contact, u, "contact.factorize", "u")) == FactorStatus::OK;
   });
 }
 
@@ -114,11 +90,10 @@ struct Events {
   static basicAC_F0::name_and_type names[n];
   static double call(const Named& a, Method<ContactHandle, EventsTag> m, KN_<double> u, KN_<double> R) {
     ContactObject& contact = m->get();
-    require_stage(contact, ContactObject::BEGUN, "contact.events");
     const CpuTimer timer(contact.event_seconds);
-    contact.pending = contact.session->events(dofs(contact, u, "contact.events", "u"),
-                                              dofs(contact, R, "contact.events", "R"),
-                                              a.real("tolerance", 1e-3), a.real("until", 1));
+    contact.pending = contact.run().events(dofs(contact, u, "contact.events", "u"),
+                                           dofs(contact, R, "contact.events", "R"), a.real("tolerance", 1e-3),
+                                           a.real("until", 1));
     double first = 2;
     for (const auto& event : contact.pending) first = std::min(first, event.fraction);
     return first;
@@ -129,9 +104,9 @@ basicAC_F0::name_and_type Events::names[] = {{"tolerance", &typeid(double)}, {"u
 struct LogTag {};
 long log_events(const Method<ContactHandle, LogTag>& m, MaterialHandle* const& material) {
   return guarded([&] {
-    require_stage(m->get(), ContactObject::BEGUN, "contact.logevents");
-    const auto& events = material->get().pending;
-    m->get().session->log(events);
+    m->get().run().require_begun("contact.logevents");
+    const auto& events = material->get().body->pending();
+    m->get().run().log_elements(events);
     return static_cast<long>(events.size());
   });
 }
@@ -140,8 +115,7 @@ struct SwitchTag {};
 long switch_states(const Method<ContactHandle, SwitchTag>& m) {
   return guarded([&] {
     ContactObject& contact = m->get();
-    require_stage(contact, ContactObject::BEGUN, "contact.switchstates");
-    contact.session->switch_states(contact.pending);
+    contact.run().accept_events(contact.pending);
     const long n = static_cast<long>(contact.pending.size());
     contact.pending.clear();
     return n;
@@ -153,34 +127,25 @@ struct RevertTag {};
 bool accept(Stack, const Method<ContactHandle, AcceptTag>& m, const KN_<double>& u, const KN_<double>& R) {
   return guarded([&] {
     ContactObject& contact = m->get();
-    require_stage(contact, ContactObject::CHECKED, "contact.accept");
     const CpuTimer timer(contact.event_seconds);
-    contact.session->accept(dofs(contact, u, "contact.accept", "u"), dofs(contact, R, "contact.accept", "R"),
-                            contact.pending);
-    contact.stage = ContactObject::NO_STEP;
+    contact.run().accept(dofs(contact, u, "contact.accept", "u"), dofs(contact, R, "contact.accept", "R"),
+                         contact.pending);
     contact.pending.clear();
     return true;
   });
 }
 bool revert(const Method<ContactHandle, RevertTag>& m) {
   return guarded([&] {
-    m->get().session->revert();
-    m->get().stage = ContactObject::NO_STEP;
+    if (m->get().started()) m->get().run().revert();
     m->get().pending.clear();
     return true;
   });
 }
 string* reason(Stack stack, ContactHandle* const& h) {
-  return guarded([&] { return new_string(stack, h->get().session->reason()); });
+  return guarded([&] { return new_string(stack, h->get().started() ? h->get().run().reason() : ""); });
 }
 
 } // namespace
-
-void require_stage(const ContactObject& contact, ContactObject::Stage stage, const char* where) {
-  if (contact.stage >= stage) return;
-  fail(where, contact.stage == ContactObject::NO_STEP ? "no step is under way, call begin first"
-                                                      : "this step has not been checked, call check first");
-}
 
 void register_contact_step() {
   using H = ContactHandle;

@@ -1,7 +1,7 @@
 // What a script reads of the tools of a contact, i = 0 .. C.toolnumber-1 in the order of C.add, accepted state.
 //   C.toolnumber, C.toolname(i)
 //   C.coordinates                 "x,y,angle"; with several tools "upper.x,upper.y,...,lower.x,..."
-//   C.q, C.Q                      arrays over them: coordinates; generalized forces received from the drives
+//   C.q, C.Q                      arrays over them: coordinates; generalized forces on them
 //   C.countof("contact", i)       nodes of tool i in a state, see C.count
 //   C.toolforcex(i), C.toolforcey(i)   resultant of the contact forces on tool i [force]
 //   C.outlinex(i, n), C.outliney(i, n)   outline of tool i, n points and its joints [length]
@@ -17,23 +17,23 @@ namespace {
 
 using H = ContactHandle;
 
-int tool_index(const Session<2>& s, long i, const char* where) {
+int tool_index(const ContactSetup<2>& s, long i, const char* where) {
   const long n = static_cast<long>(s.tools().size());
   require(i >= 0 && i < n, where, "tool", i, ("0 to toolnumber-1 = " + std::to_string(n - 1)).c_str());
   return static_cast<int>(i);
 }
-std::vector<std::shared_ptr<const Tool<2>>> tools_of(const Session<2>& s) {
+std::vector<std::shared_ptr<const Tool<2>>> tools_of(const ContactSetup<2>& s) {
   std::vector<std::shared_ptr<const Tool<2>>> tools;
   for (const auto& tool : s.tools()) tools.push_back(tool->shared_tool());
   return tools;
 }
 long tool_number(H* const& h) {
-  return guarded([&] { return static_cast<long>(h->get().session->tools().size()); });
+  return guarded([&] { return static_cast<long>(h->get().setup->tools().size()); });
 }
 string* coordinates(Stack stack, H* const& h) {
   return guarded([&] {
     std::string text;
-    for (const std::string& name : coordinate_names<2>(tools_of(*h->get().session)))
+    for (const std::string& name : coordinate_names<2>(tools_of(*h->get().setup)))
       text += (text.empty() ? "" : ",") + name;
     return new_string(stack, text);
   });
@@ -41,17 +41,16 @@ string* coordinates(Stack stack, H* const& h) {
 template <Eigen::VectorXd& (DrivenTool<2>::*member)()> KN_<double> all_tools(Stack stack, H* const& h) {
   return guarded([&] {
     std::vector<double> values;
-    for (const auto& tool : h->get().session->tools())
+    for (const auto& tool : h->get().setup->tools())
       for (const double v : (tool.get()->*member)()) values.push_back(v);
     return new_array(stack, values);
   });
 }
 KN_<double> node_tools(Stack stack, H* const& h) {
   return guarded([&] {
-    const Session<2>& s = *h->get().session;
-    std::vector<double> values(s.candidates().size(), -1.);
-    if (s.started())
-      for (std::size_t i = 0; i < values.size(); ++i) values[i] = s.accepted().nodes[i].tool;
+    std::vector<double> values(h->get().setup->candidates().size(), -1.);
+    if (h->get().started())
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] = h->get().run().accepted().contact.nodes[i].tool;
     return new_array(stack, values);
   });
 }
@@ -59,32 +58,32 @@ KN_<double> node_tools(Stack stack, H* const& h) {
 struct NameTag {};
 string* tool_name(Stack stack, const Method<H, NameTag>& m, const long& i) {
   return guarded([&] {
-    const Session<2>& s = *m->get().session;
+    const ContactSetup<2>& s = *m->get().setup;
     return new_string(stack, s.tools()[tool_index(s, i, "contact.toolname")]->name());
   });
 }
 struct CountOfTag {};
 long count_of(const Method<H, CountOfTag>& m, string* const& state, const long& i) {
   return guarded([&] {
-    const Session<2>& s = *m->get().session;
-    const int tool = tool_index(s, i, "contact.countof");
-    return count_nodes(s.accepted(), *state, "contact.countof", tool);
+    const int tool = tool_index(*m->get().setup, i, "contact.countof");
+    const ContactState<2> none;
+    return count_nodes(m->get().started() ? m->get().run().accepted().contact : none, *state, "contact.countof", tool);
   });
 }
 template <int axis> struct ForceTag {};
 template <int axis> double tool_force(const Method<H, ForceTag<axis>>& m, const long& i) {
   return guarded([&] {
-    const Session<2>& s = *m->get().session;
-    const int tool = tool_index(s, i, axis == 0 ? "contact.toolforcex" : "contact.toolforcey");
-    if (!s.started()) return 0.;
-    return tool_resultant(s.model(), s.accepted(), s.accepted_force(), tool)[axis];
+    const int tool = tool_index(*m->get().setup, i, axis == 0 ? "contact.toolforcex" : "contact.toolforcey");
+    if (!m->get().started()) return 0.;
+    const ContactRun<2>& run = m->get().run();
+    return tool_resultant(run.model(), run.accepted().contact, run.accepted().R, tool)[axis];
   });
 }
 template <int axis> struct OutlineTag {};
 template <int axis>
 KN_<double> outline_of(Stack stack, const Method<H, OutlineTag<axis>>& m, const long& i, const long& n) {
   return guarded([&] {
-    const Session<2>& s = *m->get().session;
+    const ContactSetup<2>& s = *m->get().setup;
     DrivenTool<2>& tool = *s.tools()[tool_index(s, i, "contact.outline")];
     std::vector<double> values;
     for (const auto& x : called("contact.outline", [&] { return outline(tool.tool(), tool.q(), n); }))

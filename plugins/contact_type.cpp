@@ -18,6 +18,8 @@
 #include "friction_choice.hpp"
 #include "named.hpp"
 #include "types.hpp"
+#include <algorithm>
+#include <set>
 
 namespace burnish {
 namespace {
@@ -59,9 +61,11 @@ struct Construct {
     options.terms = terms_of(a.text("terms", "complete"));
     auto object = std::make_shared<ContactObject>();
     object->friction = called("rcContact", [&] { return make_coulomb(a.real("friction", 0)); });
-    const auto surface = facets_with(mesh, labels, "contact");
-    for (const long label : labels) object->edges[label] = facets_with(mesh, {label}, "contact");
-    object->session = std::make_unique<Session<2>>(std::move(mesh), surface, fixed, options);
+    for (const long label : labels) facets_with(mesh, {label}, "contact"); // each must be there
+    auto surface = facets_with(mesh, labels, "contact");
+    auto measure = std::make_shared<EdgeMeasure>(mesh.axisymmetric);
+    object->setup = std::make_shared<ContactSetup<2>>(std::move(mesh), std::move(surface), std::move(fixed),
+                                                      std::move(measure), options);
     return made(std::move(object));
   }
 };
@@ -73,14 +77,18 @@ basicAC_F0::name_and_type Construct::names[] = {
 
 // Edges of the labels that a tool may touch; empty: all.
 std::vector<Facet<2>> reach_of(const Named& a, const ContactObject& contact) {
+  const std::vector<long> labels = labels_of(a);
+  const auto& surface = contact.setup->surface();
   std::vector<Facet<2>> reach;
-  for (const long label : labels_of(a)) {
-    const auto found = contact.edges.find(label);
-    std::string known;
-    for (const auto& entry : contact.edges) known += " " + std::to_string(entry.first);
-    require(found != contact.edges.end(), "contact.add", "label", label,
-            ("a label of the contact:" + known).c_str());
-    reach.insert(reach.end(), found->second.begin(), found->second.end());
+  for (const long label : labels) {
+    const std::size_t before = reach.size();
+    std::copy_if(surface.begin(), surface.end(), std::back_inserter(reach),
+                 [label](const Facet<2>& edge) { return edge.label == label; });
+    std::set<long> known;
+    for (const Facet<2>& edge : surface) known.insert(edge.label);
+    std::string list;
+    for (const long one : known) list += " " + std::to_string(one);
+    require(reach.size() > before, "contact.add", "label", label, ("a label of the contact:" + list).c_str());
   }
   return reach;
 }
@@ -92,7 +100,7 @@ struct AddTool {
   static bool call(const Named& a, Method<ContactHandle, AddTag> m, ToolHandle* tool) {
     ContactObject& contact = m->get();
     const auto friction = friction_choice(a, contact.friction, contact.parameters);
-    contact.session->add_tool(tool->get().tool, friction, reach_of(a, contact));
+    contact.setup->add_tool(tool->get().tool, friction, reach_of(a, contact));
     tool->get().added = true;
     return true;
   }
@@ -113,7 +121,8 @@ double parameter(const Method<ContactHandle, ParameterTag>& m, string* const& na
 string* warnings(Stack stack, ContactHandle* const& h) {
   return guarded([&] {
     std::string text;
-    for (const auto& warning : h->get().session->warnings()) text += warning.second + "\n";
+    if (!h->get().started()) return new_string(stack, "");
+    for (const auto& warning : h->get().run().accepted().warnings.list()) text += warning.text + "\n";
     return new_string(stack, text);
   });
 }
@@ -122,19 +131,27 @@ struct ApproachTag {};
 double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& tool,
                 string* const& coordinate, const KN_<double>& u) {
   return guarded([&] {
-    Session<2>& session = *m->get().session;
-    const auto& tools = session.tools();
-    int index = -1;
-    for (std::size_t t = 0; t < tools.size(); ++t)
-      if (tools[t] == tool->get().tool) index = static_cast<int>(t);
-    if (index < 0)
+    const auto& tools = m->get().setup->tools();
+    const auto at = std::find(tools.begin(), tools.end(), tool->get().tool);
+    if (at == tools.end())
       fail("contact.approach", "tool \"" + tool->get().tool->name() + "\" was not added, call add first");
-    return session.approach(index, *coordinate,
-                            to_dofs(u, session.mesh().num_dofs(), "contact.approach", "u"));
+    const long n = m->get().setup->mesh().num_dofs();
+    return m->get().run().approach(static_cast<int>(at - tools.begin()), *coordinate,
+                                   to_dofs(u, n, "contact.approach", "u"));
   });
 }
 
 } // namespace
+
+ContactRun<2>& ContactObject::run() {
+  if (!m_run) m_run = std::make_unique<ContactRun<2>>(setup);
+  return *m_run;
+}
+
+const ContactRun<2>& ContactObject::running(const char* where) const {
+  if (!m_run) fail(where, "no state yet: call approach or begin first");
+  return *m_run;
+}
 
 GeometricTerms terms_of(const std::string& name) {
   if (name == "complete") return GeometricTerms::COMPLETE;

@@ -24,7 +24,7 @@ struct ModuliTag {};
 KN_<double> nodal(Stack stack, const Method<MaterialHandle, NodalTag>& m, const KN_<double>& values) {
   return guarded([&] {
     return new_array(
-        stack, nodal_average(m->get().body->discretization(), to_vector(values, "material.nodal", "values")));
+        stack, nodal_average(m->get().workpiece().discretization(), to_vector(values, "material.nodal", "values")));
   });
 }
 
@@ -37,14 +37,14 @@ KN_<double> component(Stack stack, const std::vector<double>& all, long i, long 
   return *r;
 }
 KN_<double> stress(Stack stack, const Method<MaterialHandle, StressTag>& m, const long& i) {
-  return guarded([&] { return component(stack, m->get().body->state().stress, i, 4, "material.stress"); });
+  return guarded([&] { return component(stack, m->get().workpiece().state().stress, i, 4, "material.stress"); });
 }
 KN_<double> gradient(Stack stack, const Method<MaterialHandle, GradientTag>& m, const long& i) {
-  return guarded([&] { return component(stack, m->get().body->state().F, i, GRADIENT, "material.F"); });
+  return guarded([&] { return component(stack, m->get().workpiece().state().F, i, GRADIENT, "material.F"); });
 }
 KN_<double> piola(Stack stack, const Method<MaterialHandle, PiolaTag>& m, const long& i) {
   return guarded([&] {
-    const auto& body = *m->get().body;
+    const auto& body = m->get().workpiece();
     std::vector<double> all(GRADIENT * static_cast<std::size_t>(body.discretization().num_points()));
     for (int p = 0; p < body.discretization().num_points(); ++p)
       body.point_piola(p, all.data() + GRADIENT * p);
@@ -55,7 +55,7 @@ KN_<double> moduli(Stack stack, const Method<MaterialHandle, ModuliTag>& m, cons
   return guarded([&] {
     constexpr int n = GRADIENT;
     require(i >= 0 && i < n && j >= 0 && j < n, "material.moduli", "index", i >= 0 && i < n ? j : i, "0..4");
-    const auto& body = *m->get().body;
+    const auto& body = m->get().workpiece();
     std::vector<double> all(n * n * static_cast<std::size_t>(body.discretization().num_points()));
     for (int p = 0; p < body.discretization().num_points(); ++p)
       body.point_moduli(p, TangentKind::CONSISTENT, 0, all.data() + n * n * p);
@@ -63,11 +63,11 @@ KN_<double> moduli(Stack stack, const Method<MaterialHandle, ModuliTag>& m, cons
   });
 }
 KN_<double> plastic_strain(Stack stack, MaterialHandle* const& h) {
-  return guarded([&] { return new_array(stack, h->get().body->state().plastic_strain_eq); });
+  return guarded([&] { return new_array(stack, h->get().workpiece().state().plastic_strain_eq); });
 }
 KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
   return guarded([&] {
-    const auto& body = *h->get().body;
+    const auto& body = h->get().workpiece();
     Eigen::VectorXd q(body.discretization().num_points());
     for (int p = 0; p < q.size(); ++p) q[p] = body.stress_eq(p);
     return new_array(stack, q);
@@ -75,14 +75,14 @@ KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
 }
 KN_<double> yield_excess(Stack stack, MaterialHandle* const& h) {
   return guarded([&] {
-    const auto& body = *h->get().body;
+    const auto& body = h->get().workpiece();
     Eigen::VectorXd excess(body.discretization().num_points());
     for (int p = 0; p < excess.size(); ++p) excess[p] = body.yield_excess(p);
     return new_array(stack, excess);
   });
 }
 long number_of_points(MaterialHandle* const& h) {
-  return guarded([&] { return static_cast<long>(h->get().body->discretization().num_points()); });
+  return guarded([&] { return static_cast<long>(h->get().workpiece().discretization().num_points()); });
 }
 
 } // namespace

@@ -32,35 +32,35 @@ double parameter(const Method<M, ParameterTag>& m, string* const& name, const do
 }
 bool event(const Method<M, EventTag>& m, string* const& name, string* const& formula) {
   return guarded([&] {
-    for (char kind = 0; kind <= static_cast<char>(EventKind::SCRIPT); ++kind)
+    for (char kind = 0; kind <= static_cast<char>(EventKind::USER); ++kind)
       if (*name == name_of(static_cast<EventKind>(kind)))
         fail("material.event", "name \"" + *name + "\" is that of an event of its own kind");
     MaterialObject& object = m->get();
-    called("material.event", [&] { object.own.add(*object.body, *name, *formula, object.parameters); });
+    called("material.event", [&] { object.body->user().add(object.workpiece(), *name, *formula, object.parameters); });
     return true;
   });
 }
 KN_<double> points(Stack stack, const Method<M, PointsTag>& m, string* const& name) {
   return guarded([&] {
-    const auto counts = called("material.eventpoints", [&] { return m->get().own.counts(*name); });
+    const auto counts = called("material.eventpoints", [&] { return m->get().body->user().counts(*name); });
     return new_array(stack, std::vector<double>(counts.begin(), counts.end()));
   });
 }
 long number(const Method<M, NumberTag>& m, string* const& name) {
-  return guarded([&] { return called("material.eventnumber", [&] { return m->get().own.number(*name); }); });
+  return guarded([&] { return called("material.eventnumber", [&] { return m->get().body->user().number(*name); }); });
 }
 double earliest(const Method<M, EarliestTag>& m, const double& tolerance, const double& least) {
   return guarded([&] {
     return called("material.pointevents",
-                  [&] { return m->get().own.earliest(*m->get().body, tolerance, least); });
+                  [&] { return m->get().body->find_earliest_user(tolerance, least); });
   });
 }
 long log_points(const Method<ContactHandle, LogTag>& c, M* const& material) {
   return guarded([&] {
-    require_stage(c->get(), ContactObject::BEGUN, "contact.logpoints");
+    c->get().run().require_begun("contact.logpoints");
     const CpuTimer timer(c->get().event_seconds);
-    const auto events = material->get().own.find(*material->get().body);
-    c->get().session->log(events);
+    const auto events = material->get().body->user_events();
+    c->get().run().log_elements(events);
     return static_cast<long>(events.size());
   });
 }

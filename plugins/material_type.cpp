@@ -47,11 +47,12 @@ struct Construct {
     options.update = update_of(a.text("update", "substepped"));
     options.path_limit = a.real("pathlimit", options.path_limit);
     auto object = std::make_shared<MaterialObject>();
-    object->body = std::make_unique<Workpiece<2>>(
+    auto workpiece = std::make_unique<Workpiece<2>>(
         called("material",
                [&] { return triangles(mesh_of(space, "material", a.boolean("axisymmetric", false))); }),
         parameters, options);
-    object->tangent = object->body->pattern();
+    object->tangent = workpiece->pattern();
+    object->body = std::make_unique<WorkpieceBody<2>>(std::move(workpiece));
     return made(std::move(object));
   }
 };
@@ -71,7 +72,7 @@ long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>
   return guarded([&] {
     const CpuTimer timer(m->get().update_seconds);
     const auto result = called("material.update", [&] {
-      Workpiece<2>& body = *m->get().body;
+      Workpiece<2>& body = m->get().workpiece();
       return body.update(to_dofs(u, body.discretization().num_dofs(), "material.update", "u"), dt,
                          static_cast<int>(it));
     });
@@ -85,32 +86,28 @@ long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>
 double force(Stack, const Method<MaterialHandle, ForceTag>& m, const KN_<double>& R) {
   return guarded([&] {
     const CpuTimer timer(m->get().assembly_seconds);
-    const Eigen::VectorXd f = m->get().body->internal_force();
+    const Eigen::VectorXd f = m->get().workpiece().internal_force();
     to_array(f, R, "material.force");
     return f.cwiseAbs().maxCoeff();
   });
 }
 bool accept(const Method<MaterialHandle, AcceptTag>& m) {
-  return guarded([&] { return m->get().own.accept(*m->get().body), m->get().body->accept(), true; });
+  return guarded([&] { return m->get().body->accept(), true; });
 }
 bool revert(const Method<MaterialHandle, RevertTag>& m) {
-  return guarded([&] { return m->get().own.revert(), m->get().body->revert(), true; });
+  return guarded([&] { return m->get().body->revert(), true; });
 }
 
 struct EventsTag {};
 struct SwitchTag {};
 struct DropTag {};
 struct HoldTag {};
-double first_of(const MaterialObject& object) {
-  return object.pending.empty() ? 2 : object.pending.front().fraction;
-}
 double events_but_noise(const Method<MaterialHandle, EventsTag>& m, const double& tolerance,
                         const double& noise) {
   return guarded([&] {
     require(tolerance >= 0, "material.events", "tolerance", tolerance, ">= 0");
     require(noise >= 0, "material.events", "noise", noise, ">= 0");
-    m->get().pending = earliest(element_events(*m->get().body, tolerance, noise), tolerance);
-    return first_of(m->get());
+    return m->get().body->find_earliest(tolerance, noise);
   });
 }
 double earliest_events(const Method<MaterialHandle, EventsTag>& m, const double& tolerance) {
@@ -118,24 +115,19 @@ double earliest_events(const Method<MaterialHandle, EventsTag>& m, const double&
 }
 double all_events(const Method<MaterialHandle, EventsTag>& m) {
   return guarded([&] {
-    m->get().pending = element_events(*m->get().body, 0);
-    return first_of(m->get());
+    m->get().body->find_all();
+    const auto& pending = m->get().body->pending();
+    return pending.empty() ? 2 : pending.front().fraction;
   });
 }
 bool drop_events(const Method<MaterialHandle, DropTag>& m) {
-  return guarded([&] { return m->get().pending.clear(), true; });
+  return guarded([&] { return m->get().body->drop_events(), true; });
 }
 bool hold_points(const Method<MaterialHandle, HoldTag>& m, const double& noise) {
-  return guarded([&] { return hold_points(noise, *m->get().body), true; });
+  return guarded([&] { return m->get().body->keep_plastic(noise), true; });
 }
 long switch_points(const Method<MaterialHandle, SwitchTag>& m) {
-  return guarded([&] {
-    MaterialObject& object = m->get();
-    switch_points(object.pending, *object.body);
-    const long n = static_cast<long>(object.pending.size());
-    object.pending.clear();
-    return n;
-  });
+  return guarded([&] { return m->get().body->accept_events(); });
 }
 
 struct SecondsTag {};
@@ -151,7 +143,7 @@ struct Tangent {
   static basicAC_F0::name_and_type names[n];
   static newpMatrice_Creuse<double> call(const Named& a, Method<MaterialHandle, TangentTag> m) {
     MaterialObject& object = m->get();
-    object.body->tangent(object.tangent, tangent_kind(a.text("kind", "consistent")), a.real("blend", 0));
+    object.workpiece().tangent(object.tangent, tangent_kind(a.text("kind", "consistent")), a.real("blend", 0));
     return to_freefem(a.stack(), object.tangent);
   }
 };

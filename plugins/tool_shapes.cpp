@@ -93,7 +93,7 @@ KN_<double> outline_y(Stack stack, const Method<ToolHandle, OutlineYTag>& m, con
   return outline_of(stack, m.object, n, 1);
 }
 double tightest_radius(ToolHandle* const& handle) {
-  return guarded([&] { return handle->get().tool->tool().profile().tightest_radius(); });
+  return guarded([&] { return handle->get().tool->tool().surface().tightest_radius(); });
 }
 
 } // namespace

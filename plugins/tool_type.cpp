@@ -8,6 +8,7 @@
 //   roller.value("r") present coordinate, roller.force("r") generalized force on it,
 //   roller.q and roller.Q all of them as arrays, roller.name
 #include "base/error.hpp"
+#include "geometry/profile_surface.hpp"
 #include "kinematics/cartesian.hpp"
 #include "kinematics/formula_coordinates.hpp"
 #include "kinematics/polar.hpp"
@@ -24,10 +25,10 @@ struct Construct {
   static ToolHandle* call(const Named& named, ToolHandle* handle) {
     static int count = 0;
     handle->init();
-    const auto profile = shape_of(named);
+    auto surface = std::make_shared<ProfileSurface>(shape_of(named));
     const std::string name = named.text("name", "tool " + std::to_string(++count));
     auto object = std::make_shared<ToolObject>();
-    object->tool = std::make_shared<DrivenTool<2>>(name, profile);
+    object->tool = std::make_shared<DrivenTool<2>>(name, std::move(surface));
     handle->set(std::move(object));
     return handle;
   }

@@ -1,10 +1,10 @@
 #pragma once
-// The three script types and what they hold.
+// The script types and what they hold.
 #include "base/cpu_time.hpp"
 #include "kinematics/driven_tool.hpp"
 #include "plugin.hpp"
-#include "stepping/session.hpp"
-#include "workpiece/point_events.hpp"
+#include "stepping/contact_run.hpp"
+#include "stepping/run_body.hpp"
 
 #include <map>
 
@@ -18,29 +18,30 @@ struct ToolObject {
 };
 struct MaterialObject {
   static constexpr const char* TYPE = "material";
-  std::unique_ptr<Workpiece<2>> body;
+  std::unique_ptr<WorkpieceBody<2>> body;
   NodeBlockMatrix<2> tangent;
-  std::vector<ElementEvent<2>> pending;     // found by events(), used by switchpoints() and logevents()
-  PointEvents<2> own;                       // events by the script's formulas
-  std::map<std::string, double> parameters; // numbers by name for them
+  std::map<std::string, double> parameters; // numbers by name for formulas of user-defined events
   double update_seconds = 0, assembly_seconds = 0; // CPU
+  Workpiece<2>& workpiece() { return body->workpiece(); }
 };
 struct ContactObject {
   static constexpr const char* TYPE = "contact";
-  /// What the step under way has seen: the order of calls is begin, check, correct..., accept or revert.
-  enum Stage { NO_STEP, BEGUN, CHECKED } stage = NO_STEP;
-  std::unique_ptr<Session<2>> session;
+  std::shared_ptr<ContactSetup<2>> setup;
   std::shared_ptr<const FrictionLaw> friction; // default of add()
   std::map<std::string, double> parameters;    // numbers by name for formulas of friction
-  std::map<long, std::vector<Facet<2>>> edges; // by boundary label
   TripletReader<2> reader;
   std::vector<ContactEvent<2>> pending;           // found by events(), applied by accept() or switchstates()
   std::vector<double> rhs;                        // of the last condensed matrix
   double event_seconds = 0, condense_seconds = 0; // CPU
-};
+  /// The run, begun by the first call: the setup is closed then.
+  ContactRun<2>& run();
+  bool started() const { return m_run != nullptr; }
+  /// @throws std::invalid_argument "where: ..." before the first step or approach
+  const ContactRun<2>& running(const char* where) const;
 
-/// @throws std::invalid_argument "where: call ... first" unless the step has got that far
-void require_stage(const ContactObject& contact, ContactObject::Stage stage, const char* where);
+private:
+  std::unique_ptr<ContactRun<2>> m_run;
+};
 
 using ToolHandle = Handle<ToolObject>;
 using MaterialHandle = Handle<MaterialObject>;

@@ -13,8 +13,8 @@ template <int Dim> double& Condensation<Dim>::at(int row, int column) {
 
 // Superset pattern: every candidate's neighbors are coupled to all tool coordinates.
 template <int Dim> void Condensation<Dim>::build_pattern(const NodeBlockMatrix<Dim>& K) {
-  if (m_pattern_of == &K && m_pattern_col == K.col) return;
-  m_pattern_of = &K;
+  if (m_pattern_row_start == K.row_start && m_pattern_col == K.col) return;
+  m_pattern_row_start = K.row_start;
   m_pattern_col = K.col;
   const int ndof = K.size(), nq = m_model.num_coordinates();
   std::vector<char> near(K.num_nodes, 0);
@@ -43,7 +43,7 @@ template <int Dim> void Condensation<Dim>::build_pattern(const NodeBlockMatrix<D
 
 template <int Dim>
 void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                                  const Eigen::VectorXd& R, const Program& program, GeometricTerms terms,
+                                  const Eigen::VectorXd& R, const PrescribedValues& prescribed, GeometricTerms terms,
                                   RightHandSide right) {
   const auto poses = m_model.poses(state.q);
   m_nodes.clear();
@@ -61,7 +61,7 @@ void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::V
       shift = offset_to(m_model, static_cast<int>(i), linear.point, m_body.position(u, node));
     for (Eigen::Index k = 0; k < linear.x_q.cols(); ++k) {
       const int q = m_model.first[linear.tool] + static_cast<int>(k);
-      if (program.is_motion[q]) shift += (program.value[q] - state.q[q]) * linear.x_q.col(k);
+      if (prescribed.is_motion[q]) shift += (prescribed.value[q] - state.q[q]) * linear.x_q.col(k);
     }
     m_shift.template segment<Dim>(Dim * node) = shift;
   }
@@ -71,8 +71,8 @@ template <int Dim> typename Condensation<Dim>::Map Condensation<Dim>::map_of(int
   if (m_contact_of[node] < 0) return {Tensor<Dim>::Identity(), Tensor<Dim>::Identity(), nullptr};
   Map map{Tensor<Dim>::Zero(), Tensor<Dim>::Zero(), &m_nodes[m_contact_of[node]]};
   if (map.node->sliding) {
-    map.W.col(0) = map.node->tau;
-    map.A.col(0) = map.node->point.x_s.col(0);
+    map.W.template leftCols<Dim - 1>() = map.node->W;
+    map.A.template leftCols<Dim - 1>() = map.node->point.E;
   }
   return map;
 }
@@ -121,37 +121,38 @@ template <int Dim> void Condensation<Dim>::add_geometric_terms() {
     for (Eigen::Index k = 0; k < node.geo_qq.rows(); ++k)
       for (Eigen::Index l = 0; l < node.geo_qq.cols(); ++l)
         at(first + static_cast<int>(k), first + static_cast<int>(l)) += node.geo_qq(k, l);
-    if (!node.sliding) continue;
-    at(row, row) += node.geo_ss;
-    for (Eigen::Index k = 0; k < node.geo_sq.size(); ++k) {
-      at(row, first + static_cast<int>(k)) += node.geo_sq[k];
-      at(first + static_cast<int>(k), row) += node.geo_qs[k];
+    for (int a = 0; node.sliding && a < Dim - 1; ++a) {
+      for (int b = 0; b < Dim - 1; ++b) at(row + a, row + b) += node.geo_ss(a, b);
+      for (Eigen::Index k = 0; k < node.geo_sq.cols(); ++k) {
+        at(row + a, first + static_cast<int>(k)) += node.geo_sq(a, k);
+        at(first + static_cast<int>(k), row + a) += node.geo_qs(a, k);
+      }
     }
   }
 }
 
 template <int Dim>
-void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Program& program,
-                                            const Program& program_old, const ContactState<Dim>& state,
-                                            const Eigen::VectorXd& R, RightHandSide right) {
+void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Step& step,
+                                            const ContactState<Dim>& state, const Eigen::VectorXd& R,
+                                            RightHandSide right) {
   const bool total = right == RightHandSide::TOTAL;
   const int ndof = K.size(), nq = m_model.num_coordinates();
   Eigen::VectorXd force = -K.multiply(m_shift);
   if (total) force -= R;
-  for (std::size_t i = 0; i < state.nodes.size() && !total; ++i) { // rest reactions of released nodes
+  for (std::size_t i = 0; i < state.nodes.size() && !total; ++i) { // remaining reactions of released nodes
     const NodeState s = state.nodes[i].state;
     const int dof = Dim * m_model.candidates[i];
     if (s == NodeState::LEAVING || s == NodeState::RECEDING)
       force.template segment<Dim>(dof) -= R.template segment<Dim>(dof);
   }
   m_full.rhs = Eigen::VectorXd::Zero(m_full.n);
-  for (int k = 0; k < nq; ++k) m_full.rhs[ndof + k] = program.value[k] - (total ? 0 : program_old.value[k]);
+  for (int k = 0; k < nq; ++k) m_full.rhs[ndof + k] = step.end->value[k] - (total ? 0 : step.start->value[k]);
   for (int m = 0; m < K.num_nodes; ++m) {
     const Map row = map_of(m);
     const Vector<Dim> f = force.template segment<Dim>(Dim * m);
     m_full.rhs.template segment<Dim>(Dim * m) = row.W.transpose() * f;
     if (!row.node) continue;
-    if (row.node->sliding && total) m_full.rhs[Dim * m] -= row.node->constant;
+    if (row.node->sliding && total) m_full.rhs.template segment<Dim - 1>(Dim * m) -= row.node->constant;
     m_full.rhs.segment(ndof + m_model.first[row.node->tool], row.node->x_q.cols()) +=
         row.node->x_q.transpose() * f;
   }
@@ -160,32 +161,33 @@ void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const
 // The geometric terms in the columns of coordinates under motion are known: they go to the right-hand side.
 // The rest of those columns is there already (m_shift).
 template <int Dim>
-void Condensation<Dim>::move_geometric_columns(const Program& program, const ContactState<Dim>& state) {
+void Condensation<Dim>::move_geometric_columns(const PrescribedValues& prescribed, const ContactState<Dim>& state) {
   const int ndof = static_cast<int>(m_body.X.size());
   for (const auto& node : m_nodes)
-    for (Eigen::Index k = 0; k < node.geo_sq.size(); ++k) {
+    for (Eigen::Index k = 0; k < node.geo_sq.cols(); ++k) {
       const int q = m_model.first[node.tool] + static_cast<int>(k);
-      if (!program.is_motion[q]) continue;
-      const double dq = program.value[q] - state.q[q];
+      if (!prescribed.is_motion[q]) continue;
+      const double dq = prescribed.value[q] - state.q[q];
       m_full.rhs.segment(ndof + m_model.first[node.tool], node.geo_qq.rows()) -= dq * node.geo_qq.col(k);
-      if (node.sliding) m_full.rhs[Dim * m_model.candidates[node.candidate]] -= dq * node.geo_sq[k];
+      if (node.sliding)
+        m_full.rhs.template segment<Dim - 1>(Dim * m_model.candidates[node.candidate]) -= dq * node.geo_sq.col(k);
     }
 }
 
 // Given unknowns: zero row and column, `scale` on the diagonal.
 template <int Dim>
-void Condensation<Dim>::set_given(const Program& program, const ContactState<Dim>& state, double scale) {
+void Condensation<Dim>::set_given(const PrescribedValues& prescribed, const ContactState<Dim>& state, double scale) {
   const int ndof = static_cast<int>(m_body.X.size());
   m_given.assign(m_full.n, 0);
   Eigen::VectorXd given = Eigen::VectorXd::Zero(m_full.n);
   for (int d = 0; d < ndof; ++d) m_given[d] = m_body.fixed[d];
   for (const auto& node : m_nodes)
-    for (int c = node.sliding ? 1 : 0; c < Dim; ++c)
+    for (int c = node.sliding ? Dim - 1 : 0; c < Dim; ++c)
       m_given[Dim * m_model.candidates[node.candidate] + c] = 1;
   for (int k = 0; k < m_model.num_coordinates(); ++k)
-    if (program.is_motion[k]) {
+    if (prescribed.is_motion[k]) {
       m_given[ndof + k] = 1;
-      given[ndof + k] = program.value[k] - state.q[k];
+      given[ndof + k] = prescribed.value[k] - state.q[k];
     }
   for (int row = 0; row < m_full.n; ++row)
     for (int k = m_full.row_start[row]; k < m_full.row_start[row + 1]; ++k) {
@@ -194,6 +196,18 @@ void Condensation<Dim>::set_given(const Program& program, const ContactState<Dim
     }
   for (int row = 0; row < m_full.n; ++row)
     if (m_given[row]) m_full.rhs[row] = scale * given[row];
+}
+
+// What expand needs to predict the contact forces.
+template <int Dim>
+void Condensation<Dim>::keep_candidate_rows(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& R) {
+  m_candidate_rows.clear();
+  m_candidate_R.resize(Dim * static_cast<Eigen::Index>(m_model.candidates.size()));
+  for (std::size_t i = 0; i < m_model.candidates.size(); ++i) {
+    const int node = m_model.candidates[i];
+    m_candidate_R.template segment<Dim>(Dim * i) = R.template segment<Dim>(Dim * node);
+    m_candidate_rows.insert(m_candidate_rows.end(), K.block(K.row_start[node]), K.block(K.row_start[node + 1]));
+  }
 }
 
 template <int Dim> void Condensation<Dim>::keep_lower() {
@@ -213,24 +227,25 @@ template <int Dim> void Condensation<Dim>::keep_lower() {
 }
 
 template <int Dim>
-const CondensedSystem&
-Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
-                            const Program& program, const Program& program_old, const Eigen::VectorXd& u,
-                            const Eigen::VectorXd& R, GeometricTerms terms, RightHandSide right, bool half) {
+const CondensedSystem& Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
+                                                   const Step& step, const Eigen::VectorXd& u,
+                                                   const Eigen::VectorXd& R, GeometricTerms terms,
+                                                   RightHandSide right, bool half) {
   require(K.size() == m_body.X.size(), "condense", "size of K", K.size(),
           "number of dofs of the contact's space");
   if (half && !m_model.symmetric()) fail("condense", "symmetric storage needs a contact without friction");
   if (half && terms == GeometricTerms::ARTICLE) fail("condense", "the article's terms are not symmetric");
   build_pattern(K);
-  linearize(state, u, R, program, terms, right);
+  linearize(state, u, R, *step.end, terms, right);
   m_full.value.assign(m_full.col.size(), 0.0);
   add_blocks(K);
   add_geometric_terms();
-  set_right_hand_side(K, program, program_old, state, R, right);
-  move_geometric_columns(program, state);
+  set_right_hand_side(K, step, state, R, right);
+  move_geometric_columns(*step.end, state);
   double scale = 0;
   for (int m = 0; m < K.num_nodes; ++m) scale = std::max(scale, std::abs(*K.block(K.find(m, m))));
-  set_given(program, state, scale);
+  set_given(*step.end, state, scale);
+  keep_candidate_rows(K, R);
   if (!half) return m_full;
   keep_lower();
   return m_half;
@@ -242,14 +257,14 @@ typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::Vec
           "the size of the last condensed matrix");
   if (!z.allFinite()) fail("expand", "the solution holds NaN or Inf");
   const Eigen::Index ndof = m_body.X.size();
-  Expansion result{z.head(ndof), Eigen::VectorXd::Zero(m_model.candidates.size()),
-                   z.tail(m_model.num_coordinates())};
+  Expansion result{z.head(ndof), Eigen::MatrixXd::Zero(Dim - 1, m_model.candidates.size()),
+                   z.tail(m_model.num_coordinates()), m_candidate_R};
   for (const auto& node : m_nodes) {
     const int dof = Dim * m_model.candidates[node.candidate];
     Vector<Dim> du = m_shift.template segment<Dim>(dof);
     if (node.sliding) {
-      result.ds[node.candidate] = z[dof];
-      du += node.point.x_s.col(0) * z[dof];
+      result.slip.col(node.candidate) = z.template segment<Dim - 1>(dof);
+      du += node.point.E * z.template segment<Dim - 1>(dof);
     }
     for (Eigen::Index k = 0; k < node.x_q.cols(); ++k) {
       const int q = m_model.first[node.tool] + static_cast<int>(k);
@@ -257,9 +272,18 @@ typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::Vec
     }
     result.du.template segment<Dim>(dof) = du;
   }
+  using Block = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
+  const double* block = m_candidate_rows.data();
+  for (std::size_t i = 0; i < m_model.candidates.size(); ++i) {
+    const int node = m_model.candidates[i];
+    for (int k = m_pattern_row_start[node]; k < m_pattern_row_start[node + 1]; ++k, block += Dim * Dim)
+      result.F.template segment<Dim>(Dim * i) +=
+          Eigen::Map<const Block>(block) * result.du.template segment<Dim>(Dim * m_pattern_col[k]);
+  }
   return result;
 }
 
 template class Condensation<2>;
+template class Condensation<3>;
 
 } // namespace burnish

@@ -24,26 +24,29 @@ enum class RightHandSide {
          ///< (section 2)
 };
 
-/// Unknowns: dof d of a free node at position d; a sliding node has its slip ds at its first dof and zero at
+/// Unknowns: dof d of a free node at position d; a sliding node has its Dim-1 slips at its first dofs and zero at
 /// the others; a sticking node zeros; coordinates follow after all dofs. Unknowns that are given (fixed dofs,
 /// zeros, coordinates under motion) keep a diagonal entry and their value on the right-hand side.
 template <int Dim> class Condensation {
 public:
+  /// What a step gives: prescribed values at its end and at its start (the latter used by RATES).
+  struct Step {
+    const PrescribedValues *end, *start;
+  };
   Condensation(const ContactModel<Dim>& model, const BodyView<Dim>& body) : m_model(model), m_body(body) {}
   /// @param K tangent of the body, symmetric; @param u displacement, R internal minus external nodal force,
   /// num_dofs
-  /// @param program values at the end of the step; @param program_old at its start (used by RATES)
   /// @param half store the lower triangle only (no friction, COMPLETE or NONE terms)
   /// @throws std::invalid_argument if K has another size than the body, or half with friction
-  const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
-                                  const Program& program, const Program& program_old,
+  const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state, const Step& step,
                                   const Eigen::VectorXd& u, const Eigen::VectorXd& R, GeometricTerms terms,
                                   RightHandSide right, bool half);
-  /// Solution in nodes, slips and coordinates.
+  /// Solution in nodes, slips, coordinates and the contact forces that it predicts.
   struct Expansion {
-    Eigen::VectorXd du; ///< num_dofs [length]
-    Eigen::VectorXd ds; ///< per candidate, 0 unless sliding
-    Eigen::VectorXd dq; ///< per coordinate
+    Eigen::VectorXd du;   ///< num_dofs [length]
+    Eigen::MatrixXd slip; ///< Dim-1 x candidates, in the tangents E, 0 unless sliding [length]
+    Eigen::VectorXd dq;   ///< per coordinate
+    Eigen::VectorXd F;    ///< R + K du on the candidates, Dim*candidates: of those in contact their force [force]
   };
   /// @throws std::invalid_argument if z has not the size of the last condensed system or holds NaN
   Expansion expand(const Eigen::VectorXd& z) const;
@@ -56,25 +59,27 @@ private:
   void build_pattern(const NodeBlockMatrix<Dim>& K);
   Map map_of(int node) const;
   void linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                 const Program& program, GeometricTerms terms, RightHandSide right);
+                 const PrescribedValues& prescribed, GeometricTerms terms, RightHandSide right);
   void add_blocks(const NodeBlockMatrix<Dim>& K);
   void add_geometric_terms();
-  void set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Program& program, const Program& program_old,
-                           const ContactState<Dim>& state, const Eigen::VectorXd& R, RightHandSide right);
-  void move_geometric_columns(const Program& program, const ContactState<Dim>& state);
-  void set_given(const Program& program, const ContactState<Dim>& state, double scale);
+  void keep_candidate_rows(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& R);
+  void set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Step& step, const ContactState<Dim>& state,
+                           const Eigen::VectorXd& R, RightHandSide right);
+  void move_geometric_columns(const PrescribedValues& prescribed, const ContactState<Dim>& state);
+  void set_given(const PrescribedValues& prescribed, const ContactState<Dim>& state, double scale);
   void keep_lower();
   double& at(int row, int column);
 
   const ContactModel<Dim>& m_model;
   const BodyView<Dim>& m_body;
-  const NodeBlockMatrix<Dim>* m_pattern_of = nullptr;
-  std::vector<int> m_pattern_col;
+  std::vector<int> m_pattern_row_start, m_pattern_col; // of the K that the pattern was built for
   CondensedSystem m_full, m_half;
   std::vector<int> m_contact_of; // per node: index into m_nodes or -1
   std::vector<NodeLinearization<Dim>> m_nodes;
   std::vector<char> m_given; // per unknown
   Eigen::VectorXd m_shift;   // displacement increment that is known: offsets and motions
+  std::vector<double> m_candidate_rows; // blocks of K in the rows of the candidates, one row after another
+  Eigen::VectorXd m_candidate_R;        // Dim*candidates
 };
 
 } // namespace burnish

@@ -4,39 +4,51 @@
 namespace burnish {
 namespace {
 
-// Columns A and rows W' of the active nodes: slips and loose displacements first, coordinates after them.
+// Columns A and rows W' of the nodes on their free components: slips and displacements of nodes that are not in
+// contact first, coordinates after them.
 template <int Dim> struct Columns {
   Eigen::MatrixXd A, W;
-  std::vector<int> first; // per active node: its first column, -1 for a sticking or held one
+  std::vector<int> first; // per node: its first column, -1 for a sticking one
   int num_nodal = 0;
 };
 
+// Number of free components of each node.
+std::vector<int> count_free(std::size_t nodes, int dim, const std::vector<int>& free) {
+  std::vector<int> count(nodes, 0);
+  for (const int component : free) ++count[component / dim];
+  return count;
+}
+
 template <int Dim>
-Columns<Dim> assemble_columns(const ContactModel<Dim>& model,
-                              const std::vector<NodeLinearization<Dim>>& nodes) {
+Columns<Dim> assemble_columns(const ContactModel<Dim>& model, const std::vector<NodeLinearization<Dim>>& nodes,
+                              const std::vector<int>& free) {
   Columns<Dim> c;
-  for (const auto& node : nodes) {
-    const int count = node.loose ? Dim : node.sliding ? 1 : 0;
-    c.first.push_back(count > 0 ? c.num_nodal : -1);
-    c.num_nodal += count;
-  }
-  const Eigen::Index rows = Dim * static_cast<Eigen::Index>(nodes.size());
-  c.A = c.W = Eigen::MatrixXd::Zero(rows, c.num_nodal + model.num_coordinates());
+  const std::vector<int> count = count_free(nodes.size(), Dim, free);
   for (std::size_t a = 0; a < nodes.size(); ++a) {
+    const int unknowns = !nodes[a].in_contact ? count[a] : nodes[a].sliding ? Dim - 1 : 0;
+    c.first.push_back(unknowns > 0 ? c.num_nodal : -1);
+    c.num_nodal += unknowns;
+  }
+  const auto rows = static_cast<Eigen::Index>(free.size());
+  c.A = c.W = Eigen::MatrixXd::Zero(rows, c.num_nodal + model.num_coordinates());
+  int displacement = 0; // of the node under way
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    const auto a = static_cast<std::size_t>(free[r] / Dim);
+    const int component = free[r] % Dim;
     const auto& node = nodes[a];
-    const Eigen::Index row = Dim * static_cast<Eigen::Index>(a);
-    if (node.loose) {
-      c.A.template block<Dim, Dim>(row, c.first[a]).setIdentity();
-      c.W.template block<Dim, Dim>(row, c.first[a]).setIdentity();
+    if (r == 0 || free[r - 1] / Dim != free[r] / Dim) displacement = 0;
+    if (!node.in_contact) {
+      c.A(r, c.first[a] + displacement) = c.W(r, c.first[a] + displacement) = 1;
+      ++displacement;
       continue;
     }
     if (node.sliding) {
-      c.A.template block<Dim, 1>(row, c.first[a]) = node.point.x_s.col(0);
-      c.W.template block<Dim, 1>(row, c.first[a]) = node.tau;
+      c.A.template block<1, Dim - 1>(r, c.first[a]) = node.point.E.row(component);
+      c.W.template block<1, Dim - 1>(r, c.first[a]) = node.W.row(component);
     }
     const Eigen::Index first = c.num_nodal + model.first[node.tool];
-    c.A.block(row, first, Dim, node.x_q.cols()) = node.x_q;
-    c.W.block(row, first, Dim, node.x_q.cols()) = node.x_q;
+    c.A.row(r).segment(first, node.x_q.cols()) = node.x_q.row(component);
+    c.W.row(r).segment(first, node.x_q.cols()) = node.x_q.row(component);
   }
   return c;
 }
@@ -46,45 +58,47 @@ void add_geometric_terms(const ContactModel<Dim>& model, const std::vector<NodeL
                          const Columns<Dim>& c, Eigen::MatrixXd& matrix) {
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const auto& node = nodes[a];
-    if (node.loose) continue;
+    if (!node.in_contact) continue;
     const Eigen::Index nq = node.x_q.cols(), first = c.num_nodal + model.first[node.tool];
     matrix.block(first, first, nq, nq) += node.geo_qq;
     if (!node.sliding) continue;
     const Eigen::Index s = c.first[a];
-    matrix(s, s) += node.geo_ss;
-    matrix.row(s).segment(first, nq) += node.geo_sq.transpose();
-    matrix.col(s).segment(first, nq) += node.geo_qs;
+    matrix.template block<Dim - 1, Dim - 1>(s, s) += node.geo_ss;
+    matrix.block(s, first, Dim - 1, nq) += node.geo_sq;
+    matrix.block(first, s, nq, Dim - 1) += node.geo_qs.transpose();
   }
 }
 
-// Replaces rows of prescribed coordinates; returns the scale of every unknown.
-void prescribe_motion(const Program& program, const Eigen::VectorXd& q, Eigen::Index first,
+// Replaces rows of coordinates under motion.
+void prescribe_motion(const PrescribedValues& prescribed, const Eigen::VectorXd& q, Eigen::Index first,
                       Eigen::MatrixXd& matrix, Eigen::VectorXd& rhs) {
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    if (!program.is_motion[k]) continue;
+    if (!prescribed.is_motion[k]) continue;
     const double pivot = std::max(std::abs(matrix(first + k, first + k)), 1e-300);
     matrix.row(first + k).setZero();
     matrix(first + k, first + k) = pivot;
-    rhs[first + k] = pivot * (program.value[k] - q[k]);
+    rhs[first + k] = pivot * (prescribed.value[k] - q[k]);
   }
 }
 
 // Solves with rows and columns equilibrated; reports the coordinate that nothing resists.
 bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eigen::Index first,
                   Eigen::VectorXd& z, int& weakest) {
+  constexpr double least_diagonal = 1e-12; // of the largest entry beside it: smaller ones do not set the scale
+  constexpr double least_rcond = 1e-15;    // of the scaled matrix: below, it counts as singular
   const Eigen::Index n = matrix.rows();
   Eigen::VectorXd scale(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double largest = std::max(matrix.row(i).cwiseAbs().maxCoeff(), matrix.col(i).cwiseAbs().maxCoeff());
     const double d = std::abs(matrix(i, i));
-    scale[i] = largest > 0 ? 1 / std::sqrt(std::max(d, 1e-12 * largest)) : 0;
+    scale[i] = largest > 0 ? 1 / std::sqrt(std::max(d, least_diagonal * largest)) : 0;
     if (largest == 0) {
       weakest = i >= first ? static_cast<int>(i - first) : -1;
       return false;
     }
   }
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(scale.asDiagonal() * matrix * scale.asDiagonal());
-  if (!(lu.rcond() > 1e-15)) {
+  if (!(lu.rcond() > least_rcond)) {
     Eigen::Index pivot;
     lu.matrixLU().diagonal().cwiseAbs().minCoeff(&pivot);
     weakest = pivot >= first ? static_cast<int>(pivot - first) : -1;
@@ -94,50 +108,73 @@ bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eig
   return z.allFinite();
 }
 
+Eigen::VectorXd gathered(const Eigen::VectorXd& all, const std::vector<int>& at) {
+  Eigen::VectorXd part(static_cast<Eigen::Index>(at.size()));
+  for (std::size_t r = 0; r < at.size(); ++r) part[static_cast<Eigen::Index>(r)] = all[at[r]];
+  return part;
+}
+Eigen::VectorXd scattered(const Eigen::VectorXd& part, const std::vector<int>& at, Eigen::Index size) {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(size);
+  for (std::size_t r = 0; r < at.size(); ++r) all[at[r]] = part[static_cast<Eigen::Index>(r)];
+  return all;
+}
+
+// W' SA + Geo and its right-hand side, from S A and the forces F0 at z = 0.
+template <int Dim>
+void assemble_block(const ContactModel<Dim>& model, const PrescribedValues& prescribed, const Eigen::VectorXd& q,
+                    const std::vector<NodeLinearization<Dim>>& nodes, const Columns<Dim>& c,
+                    const Eigen::MatrixXd& SA, const Eigen::VectorXd& F0, Eigen::MatrixXd& matrix,
+                    Eigen::VectorXd& rhs) {
+  matrix = c.W.transpose() * SA;
+  rhs = -c.W.transpose() * F0;
+  add_geometric_terms(model, nodes, c, matrix);
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+    if (nodes[a].in_contact && nodes[a].sliding)
+      rhs.template segment<Dim - 1>(c.first[a]) -= nodes[a].constant;
+  for (int k = 0; k < model.num_coordinates(); ++k)
+    if (!prescribed.is_motion[k]) rhs[c.num_nodal + k] += prescribed.value[k];
+  prescribe_motion(prescribed, q, c.num_nodal, matrix, rhs);
+}
+
 } // namespace
 
 template <int Dim>
-ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model, const Program& program,
+ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                               const Eigen::VectorXd& q, const ContactBlockInput<Dim>& input) {
   const auto& nodes = *input.nodes;
-  const Columns<Dim> c = assemble_columns(model, nodes);
-  const Eigen::LLT<Eigen::MatrixXd> flexibility(*input.flexibility);
-  ContactBlockSolution<Dim> solution;
-  if (flexibility.info() != Eigen::Success) {
-    solution.singular = true;
-    return solution;
+  const std::vector<int>& free = *input.free;
+  const Columns<Dim> c = assemble_columns(model, nodes, free);
+  const Eigen::VectorXd offset = gathered(input.offset, free);
+  Eigen::MatrixXd SA = input.flexibility->solve(c.A), matrix;
+  Eigen::VectorXd F0 = input.flexibility->solve(offset - gathered(input.free_increment, free)), rhs, added;
+  if (input.added_stiffness.size() > 0) { // the body's own Schur complement lacks what was added
+    added = gathered(input.added_stiffness, free);
+    SA -= added.asDiagonal() * c.A;
+    F0 -= added.cwiseProduct(offset);
   }
-  Eigen::MatrixXd SA = flexibility.solve(c.A);
-  Eigen::VectorXd F0 = flexibility.solve(Eigen::VectorXd(input.offset - input.free_increment));
-  if (input.shift.size() > 0) { // the body's own Schur complement is that of the shifted one less the shift
-    SA -= input.shift.asDiagonal() * c.A;
-    F0 -= input.shift.cwiseProduct(input.offset);
-  }
-  Eigen::MatrixXd matrix = c.W.transpose() * SA;
-  Eigen::VectorXd rhs = -c.W.transpose() * F0;
-  add_geometric_terms(model, nodes, c, matrix);
-  for (std::size_t a = 0; a < nodes.size(); ++a)
-    if (nodes[a].sliding) rhs[c.first[a]] -= nodes[a].constant;
-  for (int k = 0; k < model.num_coordinates(); ++k)
-    if (!program.is_motion[k]) rhs[c.num_nodal + k] += program.value[k];
-  prescribe_motion(program, q, c.num_nodal, matrix, rhs);
+  assemble_block(model, prescribed, q, nodes, c, SA, F0, matrix, rhs);
 
+  ContactBlockSolution<Dim> solution;
   Eigen::VectorXd z;
   if (!solve_scaled(matrix, rhs, c.num_nodal, z, solution.weakest_coordinate)) {
     solution.singular = true;
     return solution;
   }
-  solution.ds = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nodes.size()));
+  solution.slip = Eigen::MatrixXd::Zero(Dim - 1, static_cast<Eigen::Index>(nodes.size()));
   for (std::size_t a = 0; a < nodes.size(); ++a)
-    if (nodes[a].sliding) solution.ds[static_cast<Eigen::Index>(a)] = z[c.first[a]];
+    if (nodes[a].in_contact && nodes[a].sliding)
+      solution.slip.col(static_cast<Eigen::Index>(a)) = z.template segment<Dim - 1>(c.first[a]);
   solution.dq = z.tail(model.num_coordinates());
-  solution.F = F0 + SA * z;
-  solution.load = solution.F;
-  if (input.shift.size() > 0) solution.load += input.shift.cwiseProduct(input.offset + c.A * z);
+  const Eigen::VectorXd F = F0 + SA * z;
+  solution.F = solution.load = scattered(F, free, input.offset.size());
+  if (added.size() > 0)
+    solution.load = scattered(F + added.cwiseProduct(offset + c.A * z), free, input.offset.size());
   return solution;
 }
 
-template ContactBlockSolution<2> solve_contact_block<2>(const ContactModel<2>&, const Program&,
+template ContactBlockSolution<2> solve_contact_block<2>(const ContactModel<2>&, const PrescribedValues&,
                                                         const Eigen::VectorXd&, const ContactBlockInput<2>&);
+template ContactBlockSolution<3> solve_contact_block<3>(const ContactModel<3>&, const PrescribedValues&,
+                                                        const Eigen::VectorXd&, const ContactBlockInput<3>&);
 
 } // namespace burnish

@@ -1,37 +1,42 @@
 #pragma once
 // The dense nonsymmetric contact block: W' S A + Geo on the active nodes, S the Schur complement of the body
-// on them (method.md section 3 and 5; article eq. 1.13-1.21 after eliminating all other nodes).
+// on them (METHOD.md 3 and 5; article eq. 1.13-1.21 after eliminating all other nodes).
 #include "contact/linearization.hpp"
+#include "solver/active_cholesky.hpp"
 
 namespace burnish {
 
-/// Active contact nodes in the order of their linearizations.
+/// The nodes that the block is made of, in the order of their linearizations. Given components of constrained nodes
+/// take no part: they are eliminated.
 template <int Dim> struct ContactBlockInput {
   const std::vector<NodeLinearization<Dim>>* nodes = nullptr;
-  const Eigen::MatrixXd* flexibility = nullptr; ///< C_aa = (K^-1)_aa, Dim*active square [length/force]
-  Eigen::VectorXd
-      free_increment; ///< (K^-1(-R))_a: increment of the active nodes without any contact force, Dim*active
-  Eigen::VectorXd offset; ///< X(q,s) - x of the active nodes, Dim*active [length]
-  /// Stiffness that was added to the body's tangent on the diagonal of active (or loose) nodes before
+  /// Free components of the nodes: their places among the Dim*nodes components of this block, ascending.
+  const std::vector<int>* free = nullptr;
+  /// C = K^-1 on the free components, current (ActiveCholesky::select) [length/force].
+  const ActiveCholesky* flexibility = nullptr;
+  /// (K^-1(-R)): increment of the nodes without any contact force, Dim*nodes [length]
+  Eigen::VectorXd free_increment;
+  Eigen::VectorXd offset; ///< X(q,y) - x of the nodes, Dim*nodes [length]
+  /// Stiffness that was added to the body's tangent on the diagonal of nodes in contact or beside it before
   /// `flexibility` and `free_increment` were made, and is taken off again here, exactly: a body that only its
-  /// tools hold has a singular tangent. Dim*active [force/length], or empty: none.
-  Eigen::VectorXd shift;
+  /// tools hold has a singular tangent. Dim*nodes [force/length], or empty: none.
+  Eigen::VectorXd added_stiffness;
 };
 
 template <int Dim> struct ContactBlockSolution {
   bool singular = false;
   int weakest_coordinate = -1; ///< if singular: coordinate that nothing resists, or -1
-  Eigen::VectorXd ds;          ///< per active node (0 for sticking ones), times one parameter
+  Eigen::MatrixXd slip;        ///< Dim-1 x nodes, in the tangents E (0 for sticking ones) [length]
   Eigen::VectorXd dq;          ///< all coordinates
-  Eigen::VectorXd load;        ///< F plus what the shift carries: the load for the shifted tangent [force]
-  Eigen::VectorXd F;           ///< total contact force on the active nodes, Dim*active [force]
+  Eigen::VectorXd load;        ///< F plus what the added stiffness carries: the load of the factor, Dim*nodes [force]
+  Eigen::VectorXd F;           ///< total contact force on the nodes, Dim*nodes [force]
 };
 
 /// Solves for slips, coordinates and contact forces at fixed states.
-/// Equations: sliding node tau.F + constant + Geo = 0; coordinate under force sum X_k.F + Geo = Q_k; under
+/// Equations: sliding node W'F + constant + Geo = 0; coordinate under force sum X_k.F + Geo = Q_k; under
 /// motion dq_k = value - q_k; force F = S (offset + A z - free_increment).
 template <int Dim>
-ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model, const Program& program,
+ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                               const Eigen::VectorXd& q, const ContactBlockInput<Dim>& input);
 
 } // namespace burnish

@@ -37,14 +37,14 @@ template <int Dim> std::vector<Pose<Dim>> ContactModel<Dim>::poses(const Eigen::
 }
 
 template <int Dim> bool ContactModel<Dim>::symmetric() const {
-  for (const auto& law : friction)
-    if (!law->frictionless()) return false;
+  for (const auto& law : laws)
+    if (!law.frictionless()) return false;
   return true;
 }
 
-template <int Dim> bool ContactModel<Dim>::is_held(int candidate) const {
-  if (held.empty()) return false;
-  for (const bool component : held[candidate])
+template <int Dim> bool ContactModel<Dim>::is_constrained(int candidate) const {
+  if (constrained.empty()) return false;
+  for (const bool component : constrained[candidate])
     if (component) return true;
   return false;
 }
@@ -53,55 +53,78 @@ template <int Dim> bool ContactModel<Dim>::may_touch(int candidate, int tool) co
   return reach.empty() || reach[tool].empty() || reach[tool][candidate];
 }
 
-template <int Dim> const FrictionLaw& ContactModel<Dim>::law(int candidate, int tool) const {
-  static const NoFriction none;
-  return is_held(candidate) ? static_cast<const FrictionLaw&>(none) : *friction[tool];
+template <int Dim> const TangentialLaw<Dim>& ContactModel<Dim>::law(int candidate, int tool) const {
+  static const TangentialLaw<Dim> none(std::make_shared<NoFriction>());
+  return is_constrained(candidate) ? none : laws[tool];
+}
+
+template <int Dim> std::vector<int> ContactModel<Dim>::candidate_of_node(int num_nodes) const {
+  std::vector<int> number(num_nodes, -1);
+  for (std::size_t i = 0; i < candidates.size(); ++i) number[candidates[i]] = static_cast<int>(i);
+  return number;
 }
 
 template <int Dim>
 NearestTool<Dim> nearest_tool(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses,
                               const Vector<Dim>& x, const ContactNode<Dim>& near, int candidate) {
-  NearestTool<Dim> best{-1, {Param<Dim>::Zero(), std::numeric_limits<double>::infinity(), true}};
+  NearestTool<Dim> best;
   for (std::size_t i = 0; i < model.tools.size(); ++i) {
     const int t = static_cast<int>(i);
     if (candidate >= 0 && !model.may_touch(candidate, t)) continue;
-    const Param<Dim> branch = near.tool == t ? near.s : Param<Dim>::Zero();
-    const ClosestPoint<Dim> foot = model.tools[i]->closest_point(poses[i], x, branch);
+    const Param<Dim> hint = near.tool == t ? near.place.hint : Param<Dim>::Zero();
+    const SurfaceFoot<Dim> foot = model.tools[i]->foot(poses[i], x, hint);
     if (best.tool < 0 || foot.gap < best.foot.gap) best = {t, foot};
   }
   return best;
 }
 
 template <int Dim>
-Vector<Dim> normal_lift(const ContactModel<Dim>& model, int candidate, const Vector<Dim>& n) {
-  if (!model.is_held(candidate)) return n;
+ContactPoint<Dim> contact_point(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses,
+                                const ContactNode<Dim>& node) {
+  ContactPoint<Dim> at{model.tools[node.tool]->point(poses[node.tool], node.place), Param<Dim>::Zero()};
+  const Param<Dim> direction = at.surface.E.transpose() * (poses[node.tool].R * node.slip_direction);
+  const double size = direction.norm();
+  if (size > 0) at.m = direction / size;
+  return at;
+}
+
+template <int Dim>
+Vector<Dim> admissible_normal(const ContactModel<Dim>& model, int candidate, const Vector<Dim>& n) {
+  if (!model.is_constrained(candidate)) return n;
+  constexpr double across = 1e-4; // squared cosine below which the supports hold the node against the tool
   Vector<Dim> free = n;
   for (int c = 0; c < Dim; ++c)
-    if (model.held[candidate][c]) free[c] = 0;
-  const double share = free.squaredNorm();
-  return share > 1e-4 ? Vector<Dim>(free / share) : Vector<Dim>::Zero();
+    if (model.constrained[candidate][c]) free[c] = 0;
+  const double part = free.squaredNorm();
+  return part > across ? Vector<Dim>(free / part) : Vector<Dim>::Zero();
 }
 
 template <int Dim>
 NodalForce<Dim> nodal_force(const ContactModel<Dim>& model, int candidate, const SurfacePoint<Dim>& p,
                             const Vector<Dim>& R) {
-  if (!model.is_held(candidate)) return {R, R.dot(p.n), R.dot(p.x_s.col(0).normalized())};
-  const double N = R.dot(normal_lift(model, candidate, p.n));
-  return {N * p.n, N, 0};
+  if (!model.is_constrained(candidate)) return {R, {R.dot(p.n), p.E.transpose() * R}};
+  const double N = R.dot(admissible_normal(model, candidate, p.n));
+  return {N * p.n, {N, Param<Dim>::Zero()}};
 }
 
 template <int Dim>
 Vector<Dim> offset_to(const ContactModel<Dim>& model, int candidate, const SurfacePoint<Dim>& p,
                       const Vector<Dim>& x) {
-  if (!model.is_held(candidate)) return p.x - x;
-  return p.n.dot(p.x - x) * normal_lift(model, candidate, p.n);
+  if (!model.is_constrained(candidate)) return p.x - x;
+  return p.n.dot(p.x - x) * admissible_normal(model, candidate, p.n);
 }
 
-template struct ContactModel<2>;
-template NearestTool<2> nearest_tool<2>(const ContactModel<2>&, const std::vector<Pose<2>>&, const Vector<2>&,
-                                        const ContactNode<2>&, int);
-template NodalForce<2> nodal_force<2>(const ContactModel<2>&, int, const SurfacePoint<2>&, const Vector<2>&);
-template Vector<2> normal_lift<2>(const ContactModel<2>&, int, const Vector<2>&);
-template Vector<2> offset_to<2>(const ContactModel<2>&, int, const SurfacePoint<2>&, const Vector<2>&);
+#define BURNISH_INSTANTIATE(Dim)                                                                                       \
+  template struct ContactModel<Dim>;                                                                                   \
+  template NearestTool<Dim> nearest_tool<Dim>(const ContactModel<Dim>&, const std::vector<Pose<Dim>>&,                 \
+                                              const Vector<Dim>&, const ContactNode<Dim>&, int);                       \
+  template ContactPoint<Dim> contact_point<Dim>(const ContactModel<Dim>&, const std::vector<Pose<Dim>>&,               \
+                                                const ContactNode<Dim>&);                                              \
+  template Vector<Dim> admissible_normal<Dim>(const ContactModel<Dim>&, int, const Vector<Dim>&);                      \
+  template NodalForce<Dim> nodal_force<Dim>(const ContactModel<Dim>&, int, const SurfacePoint<Dim>&,                   \
+                                            const Vector<Dim>&);                                                       \
+  template Vector<Dim> offset_to<Dim>(const ContactModel<Dim>&, int, const SurfacePoint<Dim>&, const Vector<Dim>&);
+BURNISH_INSTANTIATE(2)
+BURNISH_INSTANTIATE(3)
 
 } // namespace burnish

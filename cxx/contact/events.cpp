@@ -21,8 +21,8 @@ const char* name_of(EventKind kind) {
     return "yield";
   case EventKind::UNLOADING:
     return "unloading";
-  case EventKind::SCRIPT:
-    return "script";
+  case EventKind::USER:
+    return "user";
   }
   return "?";
 }
@@ -38,16 +38,22 @@ double crossing(double start, double end, double tolerance) {
   return end <= tolerance && start > tolerance ? 1 : NEVER;
 }
 
-// The limit goes on below N = 0, so that a held node that loses its pressure slides where it cannot hold.
-template <int Dim> struct Forces { double N, T, limit; };
+// What decides the events of a node in contact at one end of the step.
+template <int Dim> struct Forces {
+  SurfaceForce<Dim> force;
+  double reserve; ///< what is left before it slides [force]
+  Param<Dim> m;   ///< direction of its slip
+  SurfacePoint<Dim> point;
+};
 
 template <int Dim>
 Forces<Dim> forces(const ContactModel<Dim>& model, int candidate, const std::vector<Pose<Dim>>& poses,
                    const ContactNode<Dim>& node, const Eigen::VectorXd& R) {
-  const auto p = model.tools[node.tool]->surface(poses[node.tool], node.s);
-  const NodalForce<Dim> force =
-      nodal_force(model, candidate, p, Vector<Dim>(R.segment<Dim>(Dim * model.candidates[candidate])));
-  return {force.N, force.T, model.law(candidate, node.tool).limit(force.N, node.area)};
+  const ContactPoint<Dim> at = contact_point(model, poses, node);
+  const Vector<Dim> Rn = R.segment<Dim>(Dim * model.candidates[candidate]);
+  const SurfaceForce<Dim> force = nodal_force(model, candidate, at.surface, Rn).part;
+  const double reserve = model.law(candidate, node.tool).reserve(force, node.tributary_area);
+  return {force, reserve, at.m, at.surface};
 }
 
 // Fraction at which a free node meets a tool, refined on the true gap by regula falsi.
@@ -75,29 +81,15 @@ double touch_fraction(const ContactModel<Dim>& model, const BodyView<Dim>& body,
 }
 
 // Instant at which the slip rate changes sign: rates are means of steps, so they belong to the middles.
+// @param m direction of the slip in the tangents at the start of the step
 template <int Dim>
-double stick_fraction(const ContactNode<Dim>& start, const ContactNode<Dim>& end, double length, double dt,
-                      double tolerance) {
-  const double slip = (end.s - start.s)[0] * start.slip_sign * length;
-  if (slip >= -tolerance) return NEVER;
-  const double before = start.slip_rate * start.slip_sign, now = slip / dt;
+double stick_fraction(const Surface<Dim>& surface, const ContactNode<Dim>& start, const ContactNode<Dim>& end,
+                      const Param<Dim>& m, double dt, double tolerance) {
+  const Param<Dim> slip = -surface.slip(end.place, start.place); // in the tangents at the start
+  if (!TangentialLaw<Dim>::slips_back(slip, m, tolerance)) return NEVER;
+  const double before = start.slip_rate, now = TangentialLaw<Dim>::advance(slip, m) / dt;
   if (before <= 0) return 0;
   return std::clamp(1.5 * before / (before - now) - 0.5, 0., 1.);
-}
-
-// Fraction just beyond the joint where a sliding node passes to the next piece of its tool's profile; NEVER if
-// it stays on its piece.
-template <int Dim>
-double piece_fraction(const Profile<Dim>& profile, const ContactNode<Dim>& start,
-                      const ContactNode<Dim>& end) {
-  const int first = profile.piece(start.s);
-  if (start.tool != end.tool || profile.piece(end.s) == first) return NEVER;
-  double a = 0, b = 1;
-  while (b - a > 1e-12) {
-    const double middle = 0.5 * (a + b);
-    (profile.piece(start.s + middle * (end.s - start.s)) == first ? a : b) = middle;
-  }
-  return b;
 }
 
 template <int Dim>
@@ -116,43 +108,49 @@ ContactEvent<Dim> make_event(const BodyView<Dim>& body, const StepEnds<Dim>& ste
   return event;
 }
 
-// Earliest event of one candidate, fraction NEVER if none.
+// Earliest event of a candidate in contact, fraction NEVER if none.
+template <int Dim>
+ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                const StepEnds<Dim>& step, const std::vector<Pose<Dim>>& poses0,
+                                const std::vector<Pose<Dim>>& poses1, std::size_t i,
+                                const EventTolerance& tolerance, bool support) {
+  const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
+  const int candidate = static_cast<int>(i);
+  const auto a = forces(model, candidate, poses0, n0, *step.R_start);
+  const auto b = forces(model, candidate, poses1, n1, *step.R_end);
+  const TangentialLaw<Dim>& law = model.law(candidate, n0.tool);
+  const Surface<Dim>& surface = model.tools[n0.tool]->surface();
+  double release = crossing(a.force.N, b.force.N, tolerance.force), change = NEVER;
+  EventKind kind = EventKind::STICK_TO_SLIP;
+  if (n0.state == NodeState::SLIDING) {
+    kind = EventKind::SLIP_TO_STICK;
+    if (!law.frictionless()) change = stick_fraction(surface, n0, n1, a.m, step.dt, tolerance.gap);
+  } else if (!support && !law.friction().sticks_always()) {
+    change = crossing(a.reserve, b.reserve, tolerance.force);
+    if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released
+    release = NEVER;
+  }
+  double passage = NEVER;
+  if (n0.state == NodeState::SLIDING && in_contact(n1.state) && n0.tool == n1.tool)
+    passage = surface.passage(n0.place, n1.place);
+  if (passage < std::min(release, change))
+    return make_event(body, step, model, i, EventKind::NEXT_PIECE, passage, n0.tool);
+  if (release <= change) return make_event(body, step, model, i, EventKind::RELEASE, release, n0.tool);
+  auto event = make_event(body, step, model, i, kind, change, n0.tool);
+  event.slip_direction = in_tool_frame(poses1[n0.tool], b.point, law.slip_against(b.force.T));
+  return event;
+}
+
+// Earliest event of any candidate.
 template <int Dim>
 ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                              const StepEnds<Dim>& step, const std::vector<Pose<Dim>>& poses0,
                              const std::vector<Pose<Dim>>& poses1, std::size_t i,
                              const EventTolerance& tolerance, bool support) {
-  const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
-  const int candidate = static_cast<int>(i);
-  if (!in_contact(n0.state)) {
-    if (n0.state != NodeState::FREE) return make_event(body, step, model, i, EventKind::TOUCH, NEVER, -1);
-    const double f = touch_fraction(model, body, step, i, tolerance.gap);
-    return make_event(body, step, model, i, EventKind::TOUCH, f, n0.tool);
-  }
-  const auto a = forces(model, candidate, poses0, n0, *step.R_start);
-  const auto b = forces(model, candidate, poses1, n1, *step.R_end);
-  double release = crossing(a.N, b.N, tolerance.force);
-  double change = NEVER;
-  EventKind kind = EventKind::STICK_TO_SLIP;
-  const FrictionLaw& law = model.law(candidate, n0.tool);
-  if (n0.state == NodeState::SLIDING) {
-    const double length = model.tools[n0.tool]->surface(poses0[n0.tool], n0.s).x_s.col(0).norm();
-    kind = EventKind::SLIP_TO_STICK;
-    if (!law.frictionless()) change = stick_fraction(n0, n1, length, step.dt, tolerance.gap);
-  } else if (!support && !law.sticks_always()) {
-    change = crossing(a.limit - std::abs(a.T), b.limit - std::abs(b.T), tolerance.force);
-    if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released
-    release = NEVER;
-  }
-  const double piece = n0.state == NodeState::SLIDING && in_contact(n1.state)
-                           ? piece_fraction(model.tools[n0.tool]->profile(), n0, n1)
-                           : NEVER;
-  if (piece < std::min(release, change))
-    return make_event(body, step, model, i, EventKind::NEXT_PIECE, piece, n0.tool);
-  if (release <= change) return make_event(body, step, model, i, EventKind::RELEASE, release, n0.tool);
-  auto event = make_event(body, step, model, i, kind, change, n0.tool);
-  event.slip_sign = b.T > 0 ? -1 : 1;
-  return event;
+  const ContactNode<Dim>& node = step.start->nodes[i];
+  if (in_contact(node.state)) return contact_event(model, body, step, poses0, poses1, i, tolerance, support);
+  const double f = node.state == NodeState::FREE ? touch_fraction(model, body, step, i, tolerance.gap) : NEVER;
+  return make_event(body, step, model, i, EventKind::TOUCH, f, node.tool);
 }
 
 } // namespace
@@ -193,14 +191,14 @@ std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, con
     if (!c0 && c1)
       add(EventKind::TOUCH, touch_fraction(model, body, resting, i, 0), n1.tool);
     else if (c0 && !c1) {
-      const double N = forces(model, static_cast<int>(i), poses0, n0, *step.R_start).N;
+      const double N = forces(model, static_cast<int>(i), poses0, n0, *step.R_start).force.N;
       add(EventKind::RELEASE, N <= 0 ? 0 : 0.5, n0.tool);
-    } else if (c0 && c1 && holds(n0.state) != holds(n1.state)) {
-      add(holds(n1.state) ? EventKind::SLIP_TO_STICK : EventKind::STICK_TO_SLIP, 0.5, n1.tool);
+    } else if (c0 && c1 && sticks(n0.state) != sticks(n1.state)) {
+      add(sticks(n1.state) ? EventKind::SLIP_TO_STICK : EventKind::STICK_TO_SLIP, 0.5, n1.tool);
     }
-    if (!c0 || !c1) continue;
-    const double piece = piece_fraction(model.tools[n0.tool]->profile(), n0, n1);
-    if (piece < NEVER) add(EventKind::NEXT_PIECE, piece, n1.tool);
+    if (!c0 || !c1 || n0.tool != n1.tool) continue;
+    const double passage = model.tools[n0.tool]->surface().passage(n0.place, n1.place);
+    if (passage < NEVER) add(EventKind::NEXT_PIECE, passage, n1.tool);
   }
   return changes;
 }
@@ -217,22 +215,21 @@ void apply_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
     if (event.kind == EventKind::TOUCH) {
       const auto nearest = nearest_tool(model, poses, body.position(u, mesh_node), node, event.candidate);
       node.tool = nearest.tool;
-      node.s = nearest.foot.s;
+      node.place = nearest.foot.place;
       node.state =
           model.law(event.candidate, node.tool).frictionless() ? NodeState::SLIDING : NodeState::TOUCHED;
-      node.slip_sign = 0;
-    } else if (event.kind == EventKind::RELEASE) {
-      node.state = NodeState::LEAVING;
-      node.slip_sign = 0;
-    } else if (event.kind == EventKind::SLIP_TO_STICK) {
-      node.state = NodeState::STICKING;
-      node.slip_sign = 0;
-    } else if (event.kind == EventKind::STICK_TO_SLIP) {
-      node.state = NodeState::SLIDING;
-      node.slip_sign = event.slip_sign;
+      node.slip_direction.setZero();
     }
-    node.s_ref = node.s;
+    place_at(node, node.place); // slip counts from here
     node.slip_rate = 0;
+    if (event.kind == EventKind::RELEASE) {
+      make_free(node);
+      node.state = NodeState::LEAVING;
+    } else if (event.kind == EventKind::SLIP_TO_STICK) {
+      make_stick(node);
+    } else if (event.kind == EventKind::STICK_TO_SLIP) {
+      make_slide(node, event.slip_direction);
+    }
   }
 }
 
@@ -250,14 +247,17 @@ void settle_released(const ContactModel<Dim>& model, const BodyView<Dim>& body, 
   }
 }
 
-template std::vector<ContactEvent<2>> earliest_events<2>(const ContactModel<2>&, const BodyView<2>&,
-                                                         const StepEnds<2>&, const EventTolerance&,
-                                                         const std::vector<int>&);
-template std::vector<ContactEvent<2>> state_changes<2>(const ContactModel<2>&, const BodyView<2>&,
-                                                       const StepEnds<2>&);
-template void apply_events<2>(const ContactModel<2>&, const BodyView<2>&, const std::vector<ContactEvent<2>>&,
-                              const Eigen::VectorXd&, ContactState<2>&);
-template void settle_released<2>(const ContactModel<2>&, const BodyView<2>&, const Eigen::VectorXd&, double,
-                                 ContactState<2>&);
+#define BURNISH_INSTANTIATE(Dim)                                                                                       \
+  template std::vector<ContactEvent<Dim>> earliest_events<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,         \
+                                                               const StepEnds<Dim>&, const EventTolerance&,            \
+                                                               const std::vector<int>&);                               \
+  template std::vector<ContactEvent<Dim>> state_changes<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,           \
+                                                             const StepEnds<Dim>&);                                    \
+  template void apply_events<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                                      \
+                                  const std::vector<ContactEvent<Dim>>&, const Eigen::VectorXd&, ContactState<Dim>&);  \
+  template void settle_released<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&, const Eigen::VectorXd&, double,   \
+                                     ContactState<Dim>&);
+BURNISH_INSTANTIATE(2)
+BURNISH_INSTANTIATE(3)
 
 } // namespace burnish

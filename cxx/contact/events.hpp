@@ -1,13 +1,13 @@
 #pragma once
 // Contact events inside a step: everything is linear in the fraction of the step; the earliest one is located
-// and all within its tolerance are taken together (article section 2; method.md section 4).
+// and all within its tolerance are taken together (article section 2; METHOD.md 4).
 #include "contact/body_view.hpp"
 #include "contact/contact_model.hpp"
 #include <string>
 
 namespace burnish {
 
-/// The last three are of quadrature points; SCRIPT by a script's own formula, ContactEvent::name is its name.
+/// The last three are of quadrature points; USER by a user-defined formula, ContactEvent::name is its name.
 enum class EventKind : char {
   TOUCH,
   RELEASE,
@@ -16,7 +16,7 @@ enum class EventKind : char {
   NEXT_PIECE,
   YIELD,
   UNLOADING,
-  SCRIPT
+  USER
 };
 const char* name_of(EventKind kind);
 
@@ -28,20 +28,20 @@ template <int Dim> struct ContactEvent {
   int node = -1;      ///< mesh node, or quadrature point for element events
   int tool = -1;
   Vector<Dim> x = Vector<Dim>::Zero(); ///< place at that instant [length]
-  double slip_sign =
-      0; ///< STICK_TO_SLIP: direction of the slip, against the tangential force at the end of the step
-  std::string name; ///< SCRIPT: the event's own name
+  /// STICK_TO_SLIP: direction of the slip, against the tangential force at the end of the step; in the tool's frame
+  Vector<Dim> slip_direction = Vector<Dim>::Zero();
+  std::string name; ///< USER: the event's name
 };
 
-/// What a log calls the event: the name of its kind, or its own.
+/// What a log calls the event: the name of its kind, or that of a user-defined one.
 template <int Dim> std::string kind_of(const ContactEvent<Dim>& event) {
-  return event.kind == EventKind::SCRIPT ? event.name : name_of(event.kind);
+  return event.kind == EventKind::USER ? event.name : name_of(event.kind);
 }
 
 /// Both ends of a step that was solved with fixed states. R: internal minus external nodal force.
 template <int Dim> struct StepEnds {
-  const ContactState<Dim>*start, *end;
-  const Eigen::VectorXd *u_start, *u_end, *R_start, *R_end;
+  const ContactState<Dim>*start = nullptr, *end = nullptr;
+  const Eigen::VectorXd *u_start = nullptr, *u_end = nullptr, *R_start = nullptr, *R_end = nullptr;
   double t_start = 0, dt = 0;
 };
 

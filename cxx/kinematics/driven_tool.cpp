@@ -5,17 +5,17 @@
 namespace burnish {
 
 template <int Dim>
-DrivenTool<Dim>::DrivenTool(std::string name, std::shared_ptr<const Profile<Dim>> profile)
-    : m_name(std::move(name)), m_profile(std::move(profile)) {
+DrivenTool<Dim>::DrivenTool(std::string name, std::shared_ptr<const Surface<Dim>> surface)
+    : m_name(std::move(name)), m_surface(std::move(surface)) {
   if (m_name.empty()) fail("tool", "the name is empty");
   if (m_name.find_first_of(",\"\n\r") != std::string::npos)
     fail("tool", "name \"" + m_name + "\", expected a text without comma, quote and line break");
-  if (!m_profile) fail("tool", "no profile");
+  if (!m_surface) fail("tool", "no surface");
 }
 
 template <int Dim>
 void DrivenTool<Dim>::set_coordinates(std::shared_ptr<const Coordinates<Dim>> coordinates) {
-  m_tool = std::make_shared<Tool<Dim>>(m_name, m_profile, coordinates);
+  m_tool = std::make_shared<Tool<Dim>>(m_name, m_surface, coordinates);
   m_prescription.emplace(m_name, coordinates->names());
   m_q = m_force = Eigen::VectorXd::Zero(coordinates->size());
 }
@@ -56,5 +56,6 @@ template <int Dim> void DrivenTool<Dim>::place(const std::string& coordinate, do
 }
 
 template class DrivenTool<2>;
+template class DrivenTool<3>;
 
 } // namespace burnish

@@ -6,13 +6,12 @@
 
 namespace burnish {
 
-/// Built in two stages: a profile first, coordinates later. q is the accepted position; sessions keep it up
-/// to date.
+/// Built in two stages: a surface first, coordinates later. q is the accepted position; a run keeps it up to date.
 template <int Dim> class DrivenTool {
 public:
-  /// @throws std::invalid_argument for a null profile and for a name that is empty or holds a comma, quote or
+  /// @throws std::invalid_argument for a null surface and for a name that is empty or holds a comma, quote or
   /// line break (it goes into tables)
-  DrivenTool(std::string name, std::shared_ptr<const Profile<Dim>> profile);
+  DrivenTool(std::string name, std::shared_ptr<const Surface<Dim>> surface);
   /// Chooses the generalized coordinates; forgets earlier motions and forces. q starts at zero.
   void set_coordinates(std::shared_ptr<const Coordinates<Dim>> coordinates);
   /// @throws std::invalid_argument if no coordinates were chosen yet
@@ -22,7 +21,7 @@ public:
   const std::string& name() const { return m_name; }
   /// Present coordinates, one per name; may be set before the first step.
   Eigen::VectorXd& q();
-  /// Generalized forces that the tool receives from its drive at the accepted state [force, force length].
+  /// Generalized forces on the tool at the accepted state [force, force length].
   Eigen::VectorXd& generalized_force();
   /// Sets one coordinate by name. @throws std::invalid_argument for an unknown name or a value that is not
   /// finite
@@ -32,7 +31,7 @@ public:
 
 private:
   std::string m_name;
-  std::shared_ptr<const Profile<Dim>> m_profile;
+  std::shared_ptr<const Surface<Dim>> m_surface;
   std::shared_ptr<const Tool<Dim>> m_tool;
   std::optional<Prescription> m_prescription;
   Eigen::VectorXd m_q, m_force;

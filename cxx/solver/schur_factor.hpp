@@ -1,8 +1,7 @@
 #pragma once
 // CHOLMOD factor of the symmetric tangent with the contact candidates ordered last, so that their Schur
-// complement is the trailing block of the factor (method.md section 5).
-#include "solver/factor_status.hpp"
-#include "solver/node_block_matrix.hpp"
+// complement is the trailing block of the factor (METHOD.md 5).
+#include "solver/body_solver.hpp"
 #include <memory>
 
 namespace burnish {
@@ -10,10 +9,10 @@ namespace burnish {
 /// Supernodal LL' of the workpiece's tangent. Keeps its factor until the next factorize or changed analyze;
 /// not for simultaneous use by several threads. Out of memory is std::bad_alloc; functions that need a factor
 /// throw std::invalid_argument when there is none (before factorize, or after NOT_POSITIVE_DEFINITE).
-template <int Dim> class SchurFactor {
+template <int Dim> class SchurFactor final : public BodySolver<Dim> {
 public:
   SchurFactor();
-  ~SchurFactor();
+  ~SchurFactor() override;
   SchurFactor(SchurFactor&&) noexcept;
   SchurFactor& operator=(SchurFactor&&) noexcept;
 
@@ -26,23 +25,23 @@ public:
   /// blocks, fixed is not of size Dim*num_nodes, a candidate is out of range or named twice; the analysis
   /// stays as it was
   void analyze(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
-               const std::vector<int>& candidates);
+               const std::vector<int>& candidates) override;
   /// Numerical LL' of the lower triangle. NOT_POSITIVE_DEFINITE is a result, not an exception.
   /// @throws std::invalid_argument if the pattern is not the one analyzed or a value used is not finite
   /// (named by row, column and value)
-  FactorStatus factorize(const NodeBlockMatrix<Dim>& matrix);
+  FactorStatus factorize(const NodeBlockMatrix<Dim>& matrix) override;
   /// x = K^-1 b; entries of b at fixed dofs are taken as zero, x is zero there.
   /// @param b  Dim*num_nodes
   /// @throws std::invalid_argument if b has another size or is not finite at a free dof
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const override;
   /// Flexibility of the candidates C = S^-1 = (K^-1)_cc, symmetric, Dim*candidates square; zero rows and
   /// columns at fixed dofs. From the trailing block of L.
-  Eigen::MatrixXd candidate_flexibility() const;
+  Eigen::MatrixXd candidate_flexibility() const override;
   /// Schur complement S = L_cc L_cc' of the candidates, Dim*candidates square; unit rows and columns at fixed
   /// dofs.
   Eigen::MatrixXd schur_complement() const;
 
-  int analyses() const; ///< counts since construction
+  int analyses() const override; ///< counts since construction
   int factorizations() const;
   int solves() const;
 

@@ -1,6 +1,10 @@
 #include "stepping/corrector.hpp"
 #include "base/cpu_time.hpp"
 #include "base/error.hpp"
+#include "contact/slip_motion.hpp"
+#include "contact/tool_support.hpp"
+#include "solver/schur_factor.hpp"
+#include "stepping/contact_window.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,56 +15,61 @@ namespace {
 // What rounding leaves of the nodal forces in balance: that of places, times the stiffness [force]. Residuals of
 // a light load on a large body come no lower.
 template <int Dim> double rounding_of_forces(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& X) {
+  constexpr double roundings = 4; // of a place and of the sums that it enters
   double stiffness = 0;
   for (int node = 0; node < K.num_nodes; ++node) {
     const double* block = K.block(K.find(node, node));
     for (int c = 0; c < Dim; ++c) stiffness = std::max(stiffness, std::abs(block[c * Dim + c]));
   }
-  return 4 * std::numeric_limits<double>::epsilon() * stiffness * X.cwiseAbs().maxCoeff();
+  return roundings * std::numeric_limits<double>::epsilon() * stiffness * X.cwiseAbs().maxCoeff();
 }
 
 } // namespace
 
 template <int Dim>
-Corrector<Dim>::Corrector(ContactModel<Dim> model, Eigen::VectorXd X, std::vector<char> fixed,
-                          StepOptions options, bool axisymmetric)
-    : m_model(std::move(model)), m_options(options), m_mixer(options.anderson_memory) {
+Corrector<Dim>::Corrector(const ContactModel<Dim>& model, const BodyView<Dim>& body, StepOptions options)
+    : m_model(model), m_body(body), m_options(options), m_floating(!constrains_rigid_motions(body)),
+      m_mixer(options.anderson_memory) {
   require(!m_model.candidates.empty(), "contact", "number of candidate nodes", 0,
           "at least one node on the label");
   require(!m_model.tools.empty(), "contact", "number of tools", 0, "at least one tool");
-  require(X.size() == static_cast<Eigen::Index>(fixed.size()), "contact", "number of fixed flags",
-          fixed.size(), "one per degree of freedom");
-  if (!X.allFinite()) fail("contact", "a node coordinate is not finite");
-  m_body.X = std::move(X);
-  m_body.fixed = std::move(fixed);
-  m_body.axisymmetric = axisymmetric;
-  m_body.spacing = candidate_spacing(m_body.X, Dim, m_model.candidates);
-  if (m_body.spacing == 0) m_body.spacing = m_model.tools[0]->profile().length_scale() * 1e-2;
   m_state.nodes.resize(m_model.candidates.size());
   m_state.q = Eigen::VectorXd::Zero(m_model.num_coordinates());
-  m_floating = !holds_rigid_motions(m_body);
 }
 
 template <int Dim>
-void Corrector<Dim>::begin(const Program& program, const ContactState<Dim>& predicted,
+void Corrector<Dim>::begin(const PrescribedValues& prescribed, const ContactState<Dim>& predicted,
                            std::vector<ContactNode<Dim>> entry, bool adapt, bool keep_factor) {
-  m_program = program;
+  m_prescribed = prescribed;
   m_keep_factor = keep_factor;
   m_state = predicted;
-  m_entry = std::move(entry);
+  m_entry = {std::move(entry), std::vector<int>(m_state.nodes.size(), 0)};
   m_adapt = adapt;
   m_iteration = m_backtracks = m_step_factorizations = m_indefinite = 0;
-  m_last_residual = m_best_residual = -1;
+  m_last_residual = -1;
   m_mixer = AndersonMixer(m_options.anderson_memory);
   m_fresh.assign(m_state.nodes.size(), 0);
-  m_releases.assign(m_state.nodes.size(), 0);
   m_reason.clear();
+  if (m_has_factor) m_flexibility.set(m_tangent->flexibility); // nothing of the last step but its state
+}
+
+template <int Dim> CorrectorMemory<Dim> Corrector<Dim>::memory() const {
+  return {m_load_scale, m_rounding, m_window, m_has_factor ? m_tangent : nullptr, m_factor_age};
+}
+
+template <int Dim> void Corrector<Dim>::restore(const CorrectorMemory<Dim>& memory) {
+  m_load_scale = memory.load_scale;
+  m_rounding = memory.rounding;
+  m_window = memory.window;
+  m_has_factor = memory.tangent != nullptr;
+  if (m_has_factor) m_tangent = memory.tangent;
+  m_factor_age = memory.factor_age;
 }
 
 // A billionth of what rounding leaves is no load at all: a tool under zero force.
 template <int Dim> double Corrector<Dim>::allowed(double scale) const {
   const double capped = std::min(m_rounding, StepOptions().tolerance * scale);
-  return std::max({m_options.tolerance * scale, capped, 1e-9 * m_rounding});
+  return std::max({m_options.tolerance * scale, capped, m_options.least_load * m_rounding});
 }
 
 // Sets m_balance; returns the load scale, in which the load of this state counts in its own tolerance.
@@ -68,8 +77,8 @@ template <int Dim> double Corrector<Dim>::balance_at(const Eigen::VectorXd& u, c
   const double h = m_body.spacing;
   double scale = m_load_scale;
   for (int pass = 0; pass < 2; ++pass) {
-    m_balance = balance(m_model, m_body, m_state, m_program, u, R, allowed(scale),
-                        m_options.gap_tolerance * h, m_options.offset_tolerance * h);
+    m_balance = balance(m_model, m_body, m_state, m_prescribed, u, R,
+                        {allowed(scale), m_options.gap_tolerance * h, m_options.offset_tolerance * h});
     if (m_balance.load <= scale) break;
     scale = m_balance.load;
   }
@@ -98,96 +107,110 @@ template <int Dim> std::string Corrector<Dim>::reason_of_failure(double scale) c
   return text.str();
 }
 
+// The iterate goes half way back to the one before.
+template <int Dim> StepStatus Corrector<Dim>::backtrack(Eigen::VectorXd& u) {
+  ++m_backtracks;
+  ++m_counts.backtracks;
+  u = 0.5 * (u + m_u_before);
+  m_state.q = 0.5 * (m_state.q + m_q_before);
+  project(u, true);
+  m_u_before.resize(0);
+  m_mixer.clear();
+  return StepStatus::BACKTRACKED;
+}
+
 template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(),
           "number of dofs");
   if (!R.allFinite()) fail("contact.check", "the force array holds NaN or Inf");
   const double scale = balance_at(u, R);
   const double res = m_balance.residual;
-  if (!std::isfinite(res)) {
-    m_reason = "the residual is not finite";
-    return StepStatus::FAILED;
-  }
+  if (!std::isfinite(res)) return give_up("the residual is not finite");
   const bool consistent = !m_adapt || m_balance.inconsistent == 0;
   if (m_iteration > 0 && res <= allowed(scale) && consistent) {
     m_load_scale = scale;
     return StepStatus::CONVERGED;
   }
-  if (m_iteration >= m_options.max_iterations) {
-    m_reason = reason_of_failure(scale);
-    return StepStatus::FAILED;
-  }
+  if (m_iteration >= m_options.max_iterations) return give_up(reason_of_failure(scale));
   const bool slow = m_last_residual >= 0 && res > m_options.slow * m_last_residual;
-  if (slow && m_iteration >= 2 && m_backtracks < m_options.max_backtracks && m_u_before.size() == u.size()) {
-    ++m_backtracks;
-    ++m_counts.backtracks;
-    u = 0.5 * (u + m_u_before);
-    m_state.q = 0.5 * (m_state.q + m_q_before);
-    project(u, true);
-    m_u_before.resize(0);
-    m_mixer.clear();
-    return StepStatus::BACKTRACKED;
-  }
+  if (slow && m_iteration >= 2 && m_backtracks < m_options.max_backtracks && m_u_before.size() == u.size())
+    return backtrack(u);
   m_last_residual = res;
-  if (m_best_residual < 0 || res < m_best_residual) m_best_residual = res;
-  const bool covered = window_covers(u);
   const bool fresh = m_iteration == 0 && !m_keep_factor;
-  return !m_has_factor || fresh || (slow && res > allowed(scale)) || !covered ? StepStatus::REFACTORIZE
-                                                                              : StepStatus::ITERATE;
+  const bool renew = !m_has_factor || fresh || (slow && res > allowed(scale)) || !window_covers(u);
+  return renew ? StepStatus::REFACTORIZE : StepStatus::ITERATE;
+}
+
+template <int Dim> bool Corrector<Dim>::window_covers(const Eigen::VectorXd& u) const {
+  const std::vector<int> needed =
+      near_contact(m_model, m_body, m_state, u, m_options.window_cover * m_options.window_width,
+                   m_options.window_cover * m_options.window_nodes, m_options);
+  return std::includes(m_window.begin(), m_window.end(), needed.begin(), needed.end());
 }
 
 template <int Dim>
 FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
   require(K.size() == m_body.X.size(), "contact.factorize", "size of K", K.size(), "number of dofs");
-  if (!window_covers(u) || m_window.empty()) choose_window(u);
+  if (m_window.empty() || !window_covers(u))
+    m_window = near_contact(m_model, m_body, m_state, u, m_options.window_width, m_options.window_nodes, m_options);
   m_rounding = rounding_of_forces(K, m_body.X);
-  std::vector<int> nodes;
-  for (const int i : m_window) nodes.push_back(m_model.candidates[i]);
+  m_factor_age = 0;
+  if (!m_tangent || m_tangent.use_count() > 1) { // a saved state keeps its factor
+    m_tangent = std::make_shared<FactoredTangent<Dim>>();
+    m_tangent->solver = std::make_unique<SchurFactor<Dim>>();
+  }
+  m_tangent->window = m_window;
   {
     const CpuTimer timer(m_counts.factorization_seconds);
-    m_factor.analyze(K, m_body.fixed, nodes);
-    m_has_factor = m_factor.factorize(m_floating ? shifted(K) : K) == FactorStatus::OK;
+    const int analyses = m_tangent->solver->analyses();
+    m_has_factor = m_tangent->factorize(m_model, m_body, m_state, K, m_floating) == FactorStatus::OK;
+    m_counts.analyses += m_tangent->solver->analyses() - analyses;
   }
   ++m_counts.factorizations;
-  m_counts.analyses = m_factor.analyses();
   m_mixer.clear();
   if (!m_has_factor) {
-    if (++m_indefinite > 3)
-      m_reason = "the tangent is not positive definite: loss of stability or limit load";
+    ++m_indefinite;
+    if (blend_exhausted()) m_reason = "the tangent is not positive definite: loss of stability or limit load";
     return FactorStatus::NOT_POSITIVE_DEFINITE;
   }
   m_indefinite = 0;
   ++m_step_factorizations;
   const CpuTimer timer(m_counts.condensation_seconds);
-  m_flexibility = m_factor.candidate_flexibility();
-  const double mean = m_flexibility.diagonal().mean();
-  for (Eigen::Index d = 0; d < m_flexibility.rows(); ++d) // a dof held by the script gives way by nothing
-    if (m_flexibility(d, d) == 0) m_flexibility(d, d) = 1e-9 * mean;
+  m_tangent->condense();
+  m_flexibility.set(m_tangent->flexibility);
   return FactorStatus::OK;
 }
 
 template <int Dim> double Corrector<Dim>::elastic_blend() const {
-  constexpr double by_factorization[] = {0, 0.2, 0.2, 0.4}, by_failure[] = {0, 0.05, 0.2, 0.8};
-  return std::max(by_factorization[std::min(m_step_factorizations, 3)],
-                  by_failure[std::min(m_indefinite, 3)]);
+  const auto entry = [](const std::array<double, 4>& table, int i) { return table[std::min(i, 3)]; };
+  return std::max(entry(m_options.blend_by_factorization, m_step_factorizations),
+                  entry(m_options.blend_by_failure, m_indefinite));
+}
+
+template <int Dim> ActiveSetOptions Corrector<Dim>::active_set_options() const {
+  const double gap = m_options.state_gap * m_options.gap_tolerance * m_body.spacing;
+  ActiveSetOptions options;
+  options.tolerance.force = m_options.state_force * allowed(std::max(m_load_scale, m_balance.load));
+  options.tolerance.slip = m_options.state_slip * gap;
+  options.gap = gap;
+  options.max_passes = m_options.max_state_passes;
+  options.max_neutral_trials = m_options.max_neutral_trials;
+  return options;
 }
 
 template <int Dim>
 WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
                                                   const Eigen::VectorXd& free_increment) {
   WindowProblem<Dim> problem;
-  problem.window = &m_window;
+  problem.window = &m_tangent->window;
   problem.flexibility = &m_flexibility;
-  if (m_floating) problem.shift = m_shift;
-  problem.free_increment = on_window(free_increment);
+  problem.added_stiffness = m_tangent->added_stiffness;
+  problem.free_increment = on_window(m_model, m_tangent->window, free_increment);
   problem.u = &u;
   problem.R = &R;
   problem.entry = &m_entry;
-  problem.releases = &m_releases;
-  problem.force_tolerance = 0.1 * allowed(std::max(m_load_scale, m_balance.load));
-  problem.gap_tolerance = 0.5 * m_options.gap_tolerance * m_body.spacing;
   problem.adapt = m_adapt;
-  problem.max_passes = m_options.max_state_passes;
+  problem.options = active_set_options();
   problem.terms = m_options.terms;
   return problem;
 }
@@ -195,7 +218,14 @@ WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, cons
 template <int Dim> Eigen::VectorXd Corrector<Dim>::solve(const Eigen::VectorXd& b) {
   const CpuTimer timer(m_counts.solve_seconds);
   ++m_counts.solves;
-  return m_factor.solve(b);
+  return m_tangent->solver->solve(b);
+}
+
+template <int Dim> std::string Corrector<Dim>::singular_reason(const WindowSolution<Dim>& solution) const {
+  if (solution.weakest_coordinate >= 0)
+    return "nothing resists " + m_model.coordinate(solution.weakest_coordinate) + " under force control";
+  return m_floating ? "singular contact block: neither supports nor tools hold the workpiece"
+                    : "singular contact block";
 }
 
 template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
@@ -206,19 +236,10 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
   WindowSolution<Dim> solution;
   {
     const CpuTimer timer(m_counts.condensation_seconds);
-    solution = solve_window(m_model, m_body, m_program, m_state, window_problem(u, R, u0));
+    solution = solve_window(m_model, m_body, m_prescribed, m_state, window_problem(u, R, u0));
   }
-  if (solution.singular) {
-    m_reason = m_floating ? "singular contact block: neither supports nor tools hold the workpiece"
-                          : "singular contact block";
-    if (solution.weakest_coordinate >= 0) {
-      std::ostringstream text;
-      text << "nothing resists " << m_model.coordinate(solution.weakest_coordinate) << " under force control";
-      m_reason = text.str();
-    }
-    return StepStatus::FAILED;
-  }
-  const Eigen::VectorXd b = scatter_window(solution.load) - R;
+  if (solution.singular) return give_up(singular_reason(solution));
+  const Eigen::VectorXd b = scatter_window(m_model, m_tangent->window, solution.load, R.size()) - R;
   const Eigen::VectorXd du = solve(b);
   const Eigen::Index n = u.size(), nq = m_state.q.size();
   Eigen::VectorXd z(n + nq), g(n + nq);
@@ -235,8 +256,35 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
   return StepStatus::ITERATE;
 }
 
+template <int Dim> void Corrector<Dim>::prepare_condensed() {
+  if (m_adapt) stick_unsupported(m_model, m_prescribed, m_state);
+}
+
+template <int Dim>
+void Corrector<Dim>::advance(const typename Condensation<Dim>::Expansion& increment, Eigen::VectorXd& u) {
+  ++m_iteration;
+  ++m_counts.iterations;
+  m_u_before = u;
+  m_q_before = m_state.q;
+  u += increment.du;
+  move_by(m_model, increment, m_state);
+  m_fresh.assign(m_state.nodes.size(), 0);
+  if (m_adapt) {
+    const auto poses = m_model.poses(m_state.q);
+    const ActiveSetOptions options = active_set_options();
+    for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
+      const ContactNode<Dim> solved = m_state.nodes[i];
+      const int candidate = static_cast<int>(i);
+      test_node(m_model, candidate, poses, solved, Vector<Dim>(increment.F.template segment<Dim>(Dim * i)),
+                m_body.position(u, m_model.candidates[i]), m_entry, options, m_state.nodes[i]);
+      m_fresh[i] = in_contact(m_state.nodes[i].state) && !in_contact(solved.state);
+    }
+  }
+  project(u, false);
+}
+
 // Puts the contact nodes onto their tools: sliding nodes at the projection, sticking ones at their place.
-// Nodes that came into contact in this iteration keep an interpolated position (algorithms.md 5.6).
+// Nodes that came into contact in this iteration keep an interpolated position (ALGORITHMS.md 5.6).
 template <int Dim> void Corrector<Dim>::project(Eigen::VectorXd& u, bool keep_fresh) {
   const auto poses = m_model.poses(m_state.q);
   for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
@@ -245,13 +293,14 @@ template <int Dim> void Corrector<Dim>::project(Eigen::VectorXd& u, bool keep_fr
     const int mesh_node = m_model.candidates[i];
     const Vector<Dim> x = m_body.position(u, mesh_node);
     const auto& tool = *m_model.tools[node.tool];
-    node.s = holds(node.state) ? node.s_ref : tool.closest_point(poses[node.tool], x, node.s).s;
+    node.place = sticks(node.state) ? node.slip_origin : tool.foot(poses[node.tool], x, node.place.hint).place;
     if (keep_fresh && m_fresh[i]) continue;
     u.template segment<Dim>(Dim * mesh_node) +=
-        offset_to(m_model, static_cast<int>(i), tool.surface(poses[node.tool], node.s), x);
+        offset_to(m_model, static_cast<int>(i), tool.point(poses[node.tool], node.place), x);
   }
 }
 
 template class Corrector<2>;
+template class Corrector<3>;
 
 } // namespace burnish

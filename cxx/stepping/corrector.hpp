@@ -1,38 +1,47 @@
 #pragma once
 // The iteration inside a step: residual test, factorization at the predicted state, contact states on the
-// dense block, Anderson mixing and halving (algorithms.md section 5). Knows the body only through K and R.
-#include "solver/schur_factor.hpp"
-#include "stepping/active_set.hpp"
+// dense block, Anderson mixing and backtracking (ALGORITHMS.md 5). Knows the body only through K and R.
+#include "contact/active_set.hpp"
+#include "contact/balance.hpp"
+#include "contact/condensation.hpp"
 #include "stepping/anderson.hpp"
+#include "stepping/factored_tangent.hpp"
+#include "stepping/options.hpp"
 
 namespace burnish {
 
 struct CorrectorCounts {
-  long iterations = 0, factorizations = 0, solves = 0, analyses = 0, backtracks = 0;
+  long iterations = 0, factorizations = 0, solves = 0, analyses = 0, backtracks = 0, condensations = 0;
   double factorization_seconds = 0; ///< CPU: sparse factor
   double condensation_seconds = 0;  ///< CPU: flexibility of the window and dense contact blocks
   double solve_seconds = 0;         ///< CPU: back-substitutions
 };
 
+/// What the iteration carries from step to step.
+template <int Dim> struct CorrectorMemory {
+  double load_scale = 0; ///< load of the tolerance: largest contact resultant of the accepted steps [force]
+  double rounding = 0;   ///< residual that rounding leaves, of the last tangent [force]
+  std::vector<int> window;
+  std::shared_ptr<FactoredTangent<Dim>> tangent; ///< the factor that serves the next step, or null
+  int factor_age = 0;                            ///< steps accepted since it was made
+};
+
 template <int Dim> class Corrector {
 public:
-  /// @param X reference coordinates, num_dofs; @param fixed per dof, 1 where the displacement is given
-  /// @throws std::invalid_argument for an empty contact set, wrong sizes, non-finite coordinates
-  Corrector(ContactModel<Dim> model, Eigen::VectorXd X, std::vector<char> fixed, StepOptions options = {},
-            bool axisymmetric = false);
+  /// @param model, body must outlive it; @throws std::invalid_argument for an empty contact set or no tool
+  Corrector(const ContactModel<Dim>& model, const BodyView<Dim>& body, StepOptions options);
 
-  const ContactModel<Dim>& model() const { return m_model; }
-  const BodyView<Dim>& body() const { return m_body; }
   StepOptions& options() { return m_options; }
+  const StepOptions& options() const { return m_options; }
   const ContactState<Dim>& state() const { return m_state; }
   ContactState<Dim>& state() { return m_state; }
 
-  /// Starts a step from an accepted state. @param entry per candidate, where a node touching in this step
+  /// Starts a step from a predicted state. @param entry per candidate, where a node touching in this step
   /// would stick
   /// @param adapt false: contact states stay fixed (event stepping)
   /// @param keep_factor start with the factor of an earlier step if there is one
-  void begin(const Program& program, const ContactState<Dim>& predicted, std::vector<ContactNode<Dim>> entry,
-             bool adapt, bool keep_factor = false);
+  void begin(const PrescribedValues& prescribed, const ContactState<Dim>& predicted,
+             std::vector<ContactNode<Dim>> entry, bool adapt, bool keep_factor = false);
   /// Convergence test at displacement u with residual force R (internal minus external nodal force).
   /// May move u half way back (BACKTRACKED). @throws std::invalid_argument for wrong sizes or NaN in R
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
@@ -44,12 +53,23 @@ public:
   /// Share of the elastic moduli to mix into the next tangent: none at the predicted state, more at every
   /// further factorization of a step (it breaks cycles of plastic points) and after a loss of definiteness.
   double elastic_blend() const;
-  bool blend_exhausted() const { return m_indefinite > 3; } ///< the tangent stays indefinite: a limit load
-  bool has_factor() const { return m_has_factor; }
+  /// The tangent stays indefinite: a limit load.
+  bool blend_exhausted() const { return m_indefinite > m_options.max_indefinite; }
   void drop_factor() { m_has_factor = false; }
+  /// The step is accepted: the factor is a step older.
+  void accepted() { ++m_factor_age; }
+  int factor_age() const { return m_factor_age; }
   /// One iteration: two back-substitutions and the dense contact block; moves u and state().
   StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R);
 
+  /// Before a condensed system is made: a tool that only friction supports gets a sticking node.
+  void prepare_condensed();
+  /// One iteration by the solution of the condensed system instead of factorize and correct: moves u and state(); the
+  /// states of the candidates are tested with the forces that the solution predicts, unless they are fixed.
+  void advance(const typename Condensation<Dim>::Expansion& increment, Eigen::VectorXd& u);
+
+  CorrectorMemory<Dim> memory() const;
+  void restore(const CorrectorMemory<Dim>& memory);
   const Balance& last_balance() const { return m_balance; }
   const std::string& reason() const { return m_reason; }
   /// The step failed for a reason outside the corrector. @returns FAILED
@@ -58,57 +78,50 @@ public:
     return StepStatus::FAILED;
   }
   const CorrectorCounts& counts() const { return m_counts; }
+  void count_condensation() { ++m_counts.condensations; }
+  void set_counts(const CorrectorCounts& counts) { m_counts = counts; }
   int iteration() const { return m_iteration; }
   /// Load scale of the tolerance: largest contact resultant of the accepted steps and of this one [force].
   double load_scale() const { return m_load_scale; }
   void set_load_scale(double scale) { m_load_scale = scale; }
-  const SchurFactor<Dim>& factor() const { return m_factor; }
-  /// Extent of the contact of a tool: distance between its outermost contact nodes [length].
-  double contact_width(const Eigen::VectorXd& u, int tool) const;
 
 private:
   double balance_at(const Eigen::VectorXd& u, const Eigen::VectorXd& R);
-  void choose_window(const Eigen::VectorXd& u);
   bool window_covers(const Eigen::VectorXd& u) const;
-  std::vector<int> near_contact(const Eigen::VectorXd& u, double widths, double spacings) const;
-  const NodeBlockMatrix<Dim>& shifted(const NodeBlockMatrix<Dim>& K);
+  StepStatus backtrack(Eigen::VectorXd& u);
+  std::string singular_reason(const WindowSolution<Dim>& solution) const;
   /// Largest residual that counts as balance [force]: the tolerance of the load, or what rounding leaves, but of
   /// that no more than the default tolerance of the load, and a billionth of it in any case.
   double allowed(double scale) const;
   std::string reason_of_failure(double scale) const; // after the last iteration
+  ActiveSetOptions active_set_options() const;
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
   void project(Eigen::VectorXd& u, bool keep_fresh);
   WindowProblem<Dim> window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
                                     const Eigen::VectorXd& free_increment);
-  Eigen::VectorXd on_window(const Eigen::VectorXd& full) const;
-  Eigen::VectorXd scatter_window(const Eigen::VectorXd& window) const;
 
-  ContactModel<Dim> m_model;
-  BodyView<Dim> m_body;
+  const ContactModel<Dim>& m_model;
+  const BodyView<Dim>& m_body;
   StepOptions m_options;
-  Program m_program;
+  bool m_floating; // the supports leave a rigid motion free
+  PrescribedValues m_prescribed;
   ContactState<Dim> m_state;
-  std::vector<ContactNode<Dim>> m_entry;
+  EntryPlaces<Dim> m_entry;
   bool m_adapt = true;
 
-  SchurFactor<Dim> m_factor;
+  std::shared_ptr<FactoredTangent<Dim>> m_tangent;
+  ActiveCholesky m_flexibility; // of m_tangent, on the active nodes
   bool m_has_factor = false, m_keep_factor = false;
   std::vector<int> m_window;
-  Eigen::MatrixXd m_flexibility;
-  bool m_floating = false; // the supports leave a rigid motion free: the factor is that of a shifted tangent
-  NodeBlockMatrix<Dim> m_shifted;
-  Eigen::VectorXd m_shift; // Dim*window
 
   AndersonMixer m_mixer;
   Balance m_balance;
   CorrectorCounts m_counts;
   std::string m_reason;
-  double m_rounding = 0; // residual that rounding leaves, of the last tangent [force]
-  double m_load_scale = 0, m_last_residual = -1, m_best_residual = -1;
-  int m_iteration = 0, m_backtracks = 0, m_step_factorizations = 0, m_indefinite = 0;
-  Eigen::VectorXd m_u_before, m_q_before; // iterate before the last correct(), for halving
+  double m_rounding = 0, m_load_scale = 0, m_last_residual = -1;
+  int m_factor_age = 0, m_iteration = 0, m_backtracks = 0, m_step_factorizations = 0, m_indefinite = 0;
+  Eigen::VectorXd m_u_before, m_q_before; // iterate before the last iteration, for backtracking
   std::vector<char> m_fresh;
-  std::vector<int> m_releases; // per candidate, in this step
 };
 
 } // namespace burnish

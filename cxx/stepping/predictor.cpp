@@ -4,32 +4,49 @@
 namespace burnish {
 namespace {
 
+constexpr double CARRY = 1.5; // a state is carried from a candidate that stood this many spacings away at most
+
 // Coordinates under motion go to their target, those under force continue at their last rate.
 template <int Dim>
-Eigen::VectorXd predict_coordinates(const Program& program, const Eigen::VectorXd& q,
+Eigen::VectorXd predict_coordinates(const PrescribedValues& prescribed, const Eigen::VectorXd& q,
                                     const StepHistory<Dim>& history, double ratio) {
   Eigen::VectorXd result = q;
   for (Eigen::Index k = 0; k < q.size(); ++k) {
-    if (program.is_motion[k])
-      result[k] = program.value[k];
+    if (prescribed.is_motion[k])
+      result[k] = prescribed.value[k];
     else if (history.dq.size() == q.size())
       result[k] += ratio * history.dq[k];
   }
   return result;
 }
 
-// Mean of the carrier's motion in the last and in the present step, for each tool.
-template <int Dim> struct Shift {
+template <int Dim>
+std::vector<Vector<Dim>> reference_places(const ContactModel<Dim>& model, const BodyView<Dim>& body) {
+  std::vector<Vector<Dim>> places;
+  for (const int node : model.candidates) places.push_back(body.X.template segment<Dim>(Dim * node));
+  return places;
+}
+
+} // namespace
+
+// The carrier's motion in the present step, and its mean with the last one's, for each tool.
+template <int Dim> struct Predictor<Dim>::Shift {
   RigidMotion<Dim> now, mean_inverse;
   Tensor<Dim> turn;
 };
+
 template <int Dim>
-Shift<Dim> shift_of(const ContactModel<Dim>& model, int tool, const Eigen::VectorXd& q_older,
-                    const Eigen::VectorXd& q_old, const Eigen::VectorXd& q_new) {
-  const auto& coordinates = model.tools[tool]->coordinates();
-  const auto last = coordinates.carrier(model.tool_q(q_older, tool), model.tool_q(q_old, tool));
-  Shift<Dim> shift;
-  shift.now = coordinates.carrier(model.tool_q(q_old, tool), model.tool_q(q_new, tool));
+Predictor<Dim>::Predictor(const Mesh<Dim>& mesh, const ContactModel<Dim>& model, const BodyView<Dim>& body)
+    : m_mesh(mesh), m_model(model), m_body(body), m_locator(mesh), m_candidates(reference_places(model, body)) {}
+
+template <int Dim>
+typename Predictor<Dim>::Shift Predictor<Dim>::shift_of(int tool, const Eigen::VectorXd& q_older,
+                                                        const Eigen::VectorXd& q_old,
+                                                        const Eigen::VectorXd& q_new) const {
+  const auto& coordinates = m_model.tools[tool]->coordinates();
+  const auto last = coordinates.carrier(m_model.tool_q(q_older, tool), m_model.tool_q(q_old, tool));
+  Shift shift;
+  shift.now = coordinates.carrier(m_model.tool_q(q_old, tool), m_model.tool_q(q_new, tool));
   const RigidMotion<Dim> a = shift.now.inverse(), b = last.inverse();
   shift.mean_inverse = {0.5 * (a.R + b.R), 0.5 * (a.d + b.d)};
   shift.turn = 0.5 * (shift.now.R + last.R);
@@ -39,31 +56,29 @@ Shift<Dim> shift_of(const ContactModel<Dim>& model, int tool, const Eigen::Vecto
 
 // u + ratio * turned last increment, taken from where the point was seen from the tool one step ago.
 template <int Dim>
-Eigen::VectorXd
-carry_increment(const ContactModel<Dim>& model, const BodyView<Dim>& body, const MeshLocator<Dim>& locator,
-                const Mesh<Dim>& d, const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                const StepHistory<Dim>& history, const std::vector<Shift<Dim>>& shifts, double ratio) {
+Eigen::VectorXd Predictor<Dim>::carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                                                const StepHistory<Dim>& history, const std::vector<Shift>& shifts,
+                                                double ratio) const {
   Eigen::VectorXd result = u;
-  const auto poses = model.poses(state.q);
-  double N[16];
-  for (int a = 0; a < d.num_nodes; ++a) {
+  const auto poses = m_model.poses(state.q);
+  std::vector<double> N(static_cast<std::size_t>(m_mesh.nodes_per_element));
+  for (int a = 0; a < m_mesh.num_nodes; ++a) {
     int tool = 0;
-    if (shifts.size() > 1)
-      tool = nearest_tool(model, poses, body.position(u, a), ContactNode<Dim>{}, -1).tool;
-    const Shift<Dim>& shift = shifts[tool];
-    const Vector<Dim> P = shift.mean_inverse(d.node(a));
-    const int element = locator.find(P, a);
+    if (shifts.size() > 1) tool = nearest_tool(m_model, poses, m_body.position(u, a), ContactNode<Dim>{}, -1).tool;
+    const Shift& shift = shifts[tool];
+    const Vector<Dim> P = shift.mean_inverse(m_mesh.node(a));
+    const int element = m_locator.find(P, a);
     Vector<Dim> increment = Vector<Dim>::Zero();
     if (element >= 0) {
-      locator.shape(element, P, N);
-      for (int b = 0; b < d.nodes_per_element; ++b)
-        increment += N[b] * history.du.template segment<Dim>(Dim * d.element(element)[b]);
+      m_locator.shape(element, P, N.data());
+      for (int b = 0; b < m_mesh.nodes_per_element; ++b)
+        increment += N[b] * history.du.template segment<Dim>(Dim * m_mesh.element(element)[b]);
       increment = shift.turn * increment;
     } else {
       increment = history.du.template segment<Dim>(Dim * a);
     }
     for (int c = 0; c < Dim; ++c)
-      if (!body.fixed[Dim * a + c]) result[Dim * a + c] += ratio * increment[c];
+      if (!m_body.fixed[Dim * a + c]) result[Dim * a + c] += ratio * increment[c];
   }
   return result;
 }
@@ -71,48 +86,40 @@ carry_increment(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
 // Where each candidate would stick if it touched in this step: contact nodes at their place, free ones at the
 // projection at the start of the step.
 template <int Dim>
-std::vector<ContactNode<Dim>> entry_nodes(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                                          const ContactState<Dim>& state, const Eigen::VectorXd& u) {
+std::vector<ContactNode<Dim>> Predictor<Dim>::entry_nodes(const ContactState<Dim>& state,
+                                                          const Eigen::VectorXd& u) const {
   std::vector<ContactNode<Dim>> entry = state.nodes;
-  const auto poses = model.poses(state.q);
+  const auto poses = m_model.poses(state.q);
   for (std::size_t i = 0; i < entry.size(); ++i) {
     if (!in_contact(entry[i].state)) {
-      const auto nearest =
-          nearest_tool(model, poses, body.position(u, model.candidates[i]), entry[i], static_cast<int>(i));
+      const Vector<Dim> x = m_body.position(u, m_model.candidates[i]);
+      const auto nearest = nearest_tool(m_model, poses, x, entry[i], static_cast<int>(i));
       entry[i].tool = nearest.tool;
-      entry[i].s = nearest.foot.s;
+      entry[i].place = nearest.foot.place;
     }
-    entry[i].s_ref = entry[i].s;
+    place_at(entry[i], entry[i].place);
   }
   return entry;
 }
 
 // State of the candidate that stood where this one stands now, seen from the tool.
 template <int Dim>
-void carry_states(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& old,
-                  const std::vector<Shift<Dim>>& shifts, ContactState<Dim>& state) {
+void Predictor<Dim>::carry_states(const ContactState<Dim>& old, const std::vector<Shift>& shifts,
+                                  ContactState<Dim>& state) const {
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
-    node.state = NodeState::FREE;
-    node.slip_sign = 0;
-    for (std::size_t t = 0; t < shifts.size(); ++t) {
-      const Vector<Dim> X = body.X.template segment<Dim>(Dim * model.candidates[i]);
-      const Vector<Dim> P = shifts[t].now.inverse()(X);
-      double best = std::pow(1.5 * body.spacing, 2);
-      const ContactNode<Dim>* from = nullptr;
-      for (std::size_t j = 0; j < old.nodes.size(); ++j) {
-        const double d2 = (body.X.template segment<Dim>(Dim * model.candidates[j]) - P).squaredNorm();
-        if (d2 < best) {
-          best = d2;
-          from = &old.nodes[j];
-        }
-      }
-      if (!from || !in_contact(from->state) || from->tool != static_cast<int>(t)) continue;
-      const bool slides = model.law(static_cast<int>(i), static_cast<int>(t)).frictionless();
-      node.state = slides ? NodeState::SLIDING : from->state;
-      node.slip_sign = slides ? 0 : from->slip_sign;
-      if (node.tool != static_cast<int>(t)) node.s = node.s_ref = from->s;
-      node.tool = static_cast<int>(t);
+    make_free(node);
+    const Vector<Dim> X = m_body.X.template segment<Dim>(Dim * m_model.candidates[i]);
+    for (int t = 0; t < static_cast<int>(shifts.size()); ++t) {
+      const auto stood = m_candidates.nearest(shifts[t].now.inverse()(X));
+      if (stood.index < 0 || !(stood.squared_distance < std::pow(CARRY * m_body.spacing, 2))) continue;
+      const ContactNode<Dim>& from = old.nodes[stood.index];
+      if (!in_contact(from.state) || from.tool != t) continue;
+      const bool slides = m_model.law(static_cast<int>(i), t).frictionless();
+      node.state = slides ? NodeState::SLIDING : from.state;
+      if (!slides) node.slip_direction = from.slip_direction;
+      if (node.tool != t) place_at(node, from.place);
+      node.tool = t;
       break;
     }
   }
@@ -120,64 +127,71 @@ void carry_states(const ContactModel<Dim>& model, const BodyView<Dim>& body, con
 
 // Contact nodes onto their tools at the predicted coordinates.
 template <int Dim>
-void place_contact_nodes(const ContactModel<Dim>& model, const BodyView<Dim>& body, bool may_stick,
-                         ContactState<Dim>& state, Eigen::VectorXd& u) {
-  const auto poses = model.poses(state.q);
+void Predictor<Dim>::place_contact_nodes(bool may_stick, ContactState<Dim>& state, Eigen::VectorXd& u) const {
+  const auto poses = m_model.poses(state.q);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
     if (!in_contact(node.state)) continue;
-    const auto& tool = *model.tools[node.tool];
-    const int a = model.candidates[i];
-    const Vector<Dim> x = body.position(u, a);
+    const auto& tool = *m_model.tools[node.tool];
+    const int candidate = static_cast<int>(i), a = m_model.candidates[i];
+    const Vector<Dim> x = m_body.position(u, a);
     if (node.state == NodeState::SLIDING) {
-      node.s = tool.closest_point(poses[node.tool], x, node.s_ref).s;
-      const bool against = (node.s - node.s_ref)[0] * node.slip_sign < 0;
-      if (may_stick && against && !model.law(static_cast<int>(i), node.tool).frictionless())
+      node.place = tool.foot(poses[node.tool], x, node.slip_origin.hint).place;
+      const Param<Dim> m = contact_point(m_model, poses, node).m;
+      if (may_stick && !m_model.law(candidate, node.tool).frictionless() &&
+          TangentialLaw<Dim>::slips_back(slip_of(m_model, node), m, 0))
         node.state = NodeState::STICKING;
     }
-    if (holds(node.state)) {
-      node.s = node.s_ref;
-      node.slip_sign = 0;
+    if (sticks(node.state)) {
+      const NodeState kept = node.state;
+      make_stick(node);
+      node.state = kept;
     }
-    u.template segment<Dim>(Dim * a) +=
-        offset_to(model, static_cast<int>(i), tool.surface(poses[node.tool], node.s), x);
+    u.template segment<Dim>(Dim * a) += offset_to(m_model, candidate, tool.point(poses[node.tool], node.place), x);
   }
 }
 
-} // namespace
-
 template <int Dim>
-Prediction<Dim> predict(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                        const MeshLocator<Dim>& locator, const Mesh<Dim>& mesh, const Program& program,
-                        const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                        const StepHistory<Dim>& history, double dt, bool carry) {
+Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, const ContactState<Dim>& state,
+                                        const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt,
+                                        bool carry) const {
   Prediction<Dim> result;
   const bool known = history.dt > 0 && history.du.size() == u.size();
   const double ratio = known ? dt / history.dt : 0;
   result.u = u;
-  result.entry = entry_nodes(model, body, state, u);
+  result.entry = entry_nodes(state, u);
   result.state.nodes = result.entry;
-  result.state.q = predict_coordinates(program, state.q, history, ratio);
+  result.state.q = predict_coordinates(prescribed, state.q, history, ratio);
   for (auto& node : result.state.nodes)
     if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
   if (known && carry) {
-    std::vector<Shift<Dim>> shifts;
-    for (std::size_t t = 0; t < model.tools.size(); ++t)
-      shifts.push_back(shift_of(model, static_cast<int>(t), history.q_old, state.q, result.state.q));
-    result.u = carry_increment(model, body, locator, mesh, state, u, history, shifts, ratio);
-    carry_states(model, body, state, shifts, result.state);
+    std::vector<Shift> shifts;
+    for (std::size_t t = 0; t < m_model.tools.size(); ++t)
+      shifts.push_back(shift_of(static_cast<int>(t), history.q_old, state.q, result.state.q));
+    result.u = carry_increment(state, u, history, shifts, ratio);
+    carry_states(state, shifts, result.state);
   } else if (known) {
     for (Eigen::Index d = 0; d < u.size(); ++d)
-      if (!body.fixed[d]) result.u[d] += ratio * history.du[d];
+      if (!m_body.fixed[d]) result.u[d] += ratio * history.du[d];
   }
   // Without a step before, the nodes stay where they are: the first iteration brings them to the tool by an
   // offset.
-  if (known) place_contact_nodes(model, body, carry, result.state, result.u);
+  if (known) place_contact_nodes(carry, result.state, result.u);
   return result;
 }
 
-template Prediction<2> predict<2>(const ContactModel<2>&, const BodyView<2>&, const MeshLocator<2>&,
-                                  const Mesh<2>&, const Program&, const ContactState<2>&,
-                                  const Eigen::VectorXd&, const StepHistory<2>&, double, bool);
+template <int Dim>
+Prediction<Dim> Predictor<Dim>::rest(const ContactState<Dim>& state, const Eigen::VectorXd& u) const {
+  Prediction<Dim> start{u, state, {}};
+  for (auto& node : start.state.nodes) {
+    if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
+    node.slip_origin = node.place;
+  }
+  start.entry = start.state.nodes;
+  return start;
+}
+
+template class Predictor<2>;
+template class Predictor<3>;
 
 } // namespace burnish

@@ -1,8 +1,10 @@
 #pragma once
 // Predicted state of a step: the last step's increment and contact states carried along with the tools
-// (algorithms.md section 3).
+// (ALGORITHMS.md 3).
+#include "contact/body_view.hpp"
+#include "contact/contact_model.hpp"
 #include "mesh/mesh_locator.hpp"
-#include "stepping/balance.hpp"
+#include "mesh/point_tree.hpp"
 
 namespace burnish {
 
@@ -20,12 +22,35 @@ template <int Dim> struct Prediction {
   std::vector<ContactNode<Dim>> entry; ///< per candidate, where a node touching in this step would stick
 };
 
-/// @param state, u accepted state at the start of the step; slips are counted from here
-/// @param carry_states also carry the contact states along (false: states stay, event stepping)
-template <int Dim>
-Prediction<Dim> predict(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                        const MeshLocator<Dim>& locator, const Mesh<Dim>& mesh, const Program& program,
-                        const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                        const StepHistory<Dim>& history, double dt, bool carry_states);
+template <int Dim> class Predictor {
+public:
+  /// @param mesh, model, body must outlive it
+  Predictor(const Mesh<Dim>& mesh, const ContactModel<Dim>& model, const BodyView<Dim>& body);
+  const MeshLocator<Dim>& locator() const { return m_locator; }
+
+  /// @param state, u accepted state at the start of the step; slips are counted from here
+  /// @param carry also carry the contact states along (false: states stay, event stepping)
+  Prediction<Dim> predict(const PrescribedValues& prescribed, const ContactState<Dim>& state,
+                          const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt, bool carry) const;
+  /// The accepted state as it is: the start of a step of pure rates.
+  Prediction<Dim> rest(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
+
+private:
+  struct Shift;
+  Shift shift_of(int tool, const Eigen::VectorXd& q_older, const Eigen::VectorXd& q_old,
+                 const Eigen::VectorXd& q_new) const;
+  Eigen::VectorXd carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                                  const StepHistory<Dim>& history, const std::vector<Shift>& shifts,
+                                  double ratio) const;
+  std::vector<ContactNode<Dim>> entry_nodes(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
+  void carry_states(const ContactState<Dim>& old, const std::vector<Shift>& shifts, ContactState<Dim>& state) const;
+  void place_contact_nodes(bool may_stick, ContactState<Dim>& state, Eigen::VectorXd& u) const;
+
+  const Mesh<Dim>& m_mesh;
+  const ContactModel<Dim>& m_model;
+  const BodyView<Dim>& m_body;
+  MeshLocator<Dim> m_locator;
+  PointTree<Dim> m_candidates; // in the reference configuration
+};
 
 } // namespace burnish

@@ -1,7 +1,5 @@
 #pragma once
-// Length of the next step: tied to the contact width, to failures and to output times (algorithms.md section
-// 1).
-#include <string>
+// Length of the next step: tied to the contact width, to failures and to output times (ALGORITHMS.md 1).
 #include <vector>
 
 namespace burnish {
@@ -13,31 +11,53 @@ struct StepControlOptions {
   double growth = 1.3;              ///< largest ratio of neighboring steps
   double dt_min = 0;                ///< floor; 0: 1e-7 t_end
   std::vector<double> output_times; ///< hit exactly, besides t_end; ascending
+  double steps_per_program = 100;   ///< dt_max, if it is not given, is the program over this
+  double floor = 1e-7;              ///< dt_min, if it is not given, over the program
+  double first = 0.25;              ///< first step over dt_max
+  double shrink = 0.5;              ///< least ratio of neighboring steps where the contact's width asks for shorter ones
+  double retry = 0.5;               ///< a failed step is tried again with this part of its length
+  double caution = 0.7;             ///< after a failure steps may be this part of the failed one, ...
+  double relaxation = 1.05;         ///< ... growing by this factor a step until they are as long as it
+  double crawl = 0.02;              ///< a run crawls while its steps are below this part of dt_max after a failure
 };
 
-/// Plain data, can be written and read.
+/// All that the control needs to go on. Plain data.
+struct StepControlState {
+  double t = 0;         ///< start of the step to come
+  double dt = 0;        ///< its length
+  double last_dt = 0;   ///< of the step before, or tried last
+  double failed_dt = 0; ///< the length that failed last, while it limits the steps; 0: none does
+  double cap = 0;       ///< largest step near it
+  bool first = true;    ///< no step has been accepted
+};
+
 class StepControl {
 public:
   /// @throws std::invalid_argument for t_end <= t_start, negative numbers, dt_min > dt_max
   StepControl(double t_start, StepControlOptions options);
-  double time() const { return m_t; } ///< start of the step to come
-  double dt() const { return m_dt; }  ///< its length
+  const StepControlOptions& options() const { return m_options; }
+  const StepControlState& state() const { return m_state; }
+  void set_state(const StepControlState& state) { m_state = state; }
+
+  double time() const { return m_state.t; } ///< start of the step to come
+  double dt() const { return m_state.dt; }  ///< its length
   bool finished() const;
   bool at_output() const; ///< time() is an output time or the end
+  /// Steps are far shorter than dt_max since one failed.
+  bool crawls() const { return m_state.failed_dt > 0 && m_state.dt < m_options.crawl * m_options.dt_max; }
   /// Chooses the next step. @param width contact width [length]; @param speed of the contact along the body
   /// [length/time]; either 0: unknown
   double propose(double width, double speed);
   void accepted();
-  /// Halves the step. @returns false at the floor (the run must stop)
+  /// Shortens the step. @returns false at the floor (the run must stop)
   bool rejected();
   /// Takes only a part of the present step (an event in it), 0 < fraction <= 1.
-  void cut(double fraction) { m_dt *= fraction; }
+  void cut(double fraction) { m_state.dt *= fraction; }
 
 private:
   double next_stop() const;
   StepControlOptions m_options;
-  double m_t, m_dt = 0, m_last_dt = 0, m_cap;
-  bool m_first = true;
+  StepControlState m_state;
 };
 
 } // namespace burnish

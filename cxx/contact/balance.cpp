@@ -1,4 +1,4 @@
-#include "stepping/balance.hpp"
+#include "contact/balance.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -28,34 +28,30 @@ void free_residual(const ContactModel<Dim>& model, const BodyView<Dim>& body, co
 // Residual and state test of one node in contact.
 template <int Dim>
 void contact_node(const ContactModel<Dim>& model, int candidate, const ContactNode<Dim>& node,
-                  const SurfacePoint<Dim>& p, const NodalForce<Dim>& force, const Vector<Dim>& x,
-                  double force_tolerance, double gap_tolerance, double offset_tolerance, Balance& result) {
-  const FrictionLaw& law = model.law(candidate, node.tool);
-  const double length = p.x_s.col(0).norm(), N = force.N, T = force.T;
-  result.friction += std::abs(T);
-  result.friction_limit += law.limit(std::max(N, 0.), node.area);
-  bool bad = N < -force_tolerance || offset_to(model, candidate, p, x).norm() > offset_tolerance;
+                  const ContactPoint<Dim>& at, const SurfaceForce<Dim>& force, const Vector<Dim>& x,
+                  const BalanceTolerance& tolerance, Balance& result) {
+  const TangentialLaw<Dim>& law = model.law(candidate, node.tool);
+  result.friction += force.T.norm();
+  result.friction_limit += law.capacity(force.N, node.tributary_area);
   if (node.state == NodeState::SLIDING) {
-    const double r = std::abs(T + node.slip_sign * law.limit(N, node.area));
+    const double r = law.sliding_residual(force, at.m, node.tributary_area);
     if (worse(r, result)) {
       result.residual = r;
       result.worst_dof = result.worst_coordinate = -1;
     }
-    const double slip = (node.s - node.s_ref)[0] * node.slip_sign * length;
-    bad = bad || (!law.frictionless() && slip < -gap_tolerance);
-  } else {
-    bad = bad || std::abs(T) > law.limit(std::max(N, 0.), node.area) + force_tolerance;
   }
-  result.inconsistent += bad;
+  const bool off = offset_to(model, candidate, at.surface, x).norm() > tolerance.offset;
+  result.inconsistent += off || law.contradicts(node.state, force, slip_of(model, node), at.m, node.tributary_area,
+                                                {tolerance.force, tolerance.gap});
 }
 
 // Tool rows over their lever arms.
-void tool_residual(const Program& program, const Eigen::VectorXd& lever, Balance& result) {
-  const Eigen::Index nq = result.tool_force.size();
+void tool_residual(const PrescribedValues& prescribed, const Eigen::VectorXd& lever, Balance& result) {
+  const Eigen::Index nq = result.generalized_force.size();
   result.tool_residual = Eigen::VectorXd::Zero(nq);
   for (Eigen::Index k = 0; k < nq; ++k) {
-    if (program.is_motion[k]) continue;
-    const double r = result.tool_force[k] - program.value[k];
+    if (prescribed.is_motion[k]) continue;
+    const double r = result.generalized_force[k] - prescribed.value[k];
     result.tool_residual[k] = lever[k] > 0 ? r / lever[k] : (r == 0 ? 0 : result.load + std::abs(r));
     if (worse(std::abs(result.tool_residual[k]), result)) {
       result.residual = std::abs(result.tool_residual[k]);
@@ -69,41 +65,45 @@ void tool_residual(const Program& program, const Eigen::VectorXd& lever, Balance
 
 template <int Dim>
 Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-                const Program& program, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                double force_tolerance, double gap_tolerance, double offset_tolerance) {
+                const PrescribedValues& prescribed, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                const BalanceTolerance& tolerance) {
   Balance result;
   const Eigen::Index nq = model.num_coordinates();
-  result.tool_force = Eigen::VectorXd::Zero(nq);
+  result.generalized_force = Eigen::VectorXd::Zero(nq);
   Eigen::VectorXd lever = Eigen::VectorXd::Zero(nq);
   const auto poses = model.poses(state.q);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const ContactNode<Dim>& node = state.nodes[i];
+    const int candidate = static_cast<int>(i);
     const Vector<Dim> x = body.position(u, model.candidates[i]);
     if (!in_contact(node.state)) {
       if (node.state == NodeState::RECEDING || node.state == NodeState::LEAVING) continue;
-      const double gap = nearest_tool(model, poses, x, node, static_cast<int>(i)).foot.gap;
+      const double gap = nearest_tool(model, poses, x, node, candidate).foot.gap;
       result.penetration = std::max(result.penetration, -gap);
-      result.inconsistent += gap < -gap_tolerance;
+      result.inconsistent += gap < -tolerance.gap;
       continue;
     }
-    const SurfacePoint<Dim> p = model.tools[node.tool]->surface(poses[node.tool], node.s);
-    const NodalForce<Dim> force = nodal_force(
-        model, static_cast<int>(i), p, Vector<Dim>(R.template segment<Dim>(Dim * model.candidates[i])));
+    const ContactPoint<Dim> at = contact_point(model, poses, node);
+    const Vector<Dim> Rn = R.template segment<Dim>(Dim * model.candidates[i]);
+    const NodalForce<Dim> force = nodal_force(model, candidate, at.surface, Rn);
     result.load += force.F.norm();
-    for (Eigen::Index k = 0; k < p.x_q.cols(); ++k) {
-      result.tool_force[model.first[node.tool] + k] += p.x_q.col(k).dot(force.F);
-      lever[model.first[node.tool] + k] = std::max(lever[model.first[node.tool] + k], p.x_q.col(k).norm());
+    const int first = model.first[node.tool];
+    for (Eigen::Index k = 0; k < at.surface.x_q.cols(); ++k) {
+      result.generalized_force[first + k] += at.surface.x_q.col(k).dot(force.F);
+      lever[first + k] = std::max(lever[first + k], at.surface.x_q.col(k).norm());
     }
-    contact_node(model, static_cast<int>(i), node, p, force, x, force_tolerance, gap_tolerance,
-                 offset_tolerance, result);
+    contact_node(model, candidate, node, at, force.part, x, tolerance, result);
   }
   free_residual(model, body, state, R, result);
-  tool_residual(program, lever, result);
+  tool_residual(prescribed, lever, result);
   return result;
 }
 
-template Balance balance<2>(const ContactModel<2>&, const BodyView<2>&, const ContactState<2>&,
-                            const Program&, const Eigen::VectorXd&, const Eigen::VectorXd&, double, double,
-                            double);
+#define BURNISH_INSTANTIATE(Dim)                                                                                       \
+  template Balance balance<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&, const ContactState<Dim>&,              \
+                                const PrescribedValues&, const Eigen::VectorXd&, const Eigen::VectorXd&,               \
+                                const BalanceTolerance&);
+BURNISH_INSTANTIATE(2)
+BURNISH_INSTANTIATE(3)
 
 } // namespace burnish

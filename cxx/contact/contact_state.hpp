@@ -1,0 +1,62 @@
+#pragma once
+// The state of a contact as plain data: what every candidate does, and where the tools are.
+#include "geometry/surface.hpp"
+
+namespace burnish {
+
+/// States of a boundary node (METHOD.md 4). TOUCHED: came into contact at the last event, neither stick nor slip
+/// decided. LEAVING: released at the last event, its remaining reaction still to be taken off. RECEDING: released, the
+/// touch test passes over it while it moves away.
+enum class NodeState : char { FREE, TOUCHED, SLIDING, STICKING, LEAVING, RECEDING };
+const char* name_of(NodeState state);
+inline bool in_contact(NodeState s) {
+  return s == NodeState::TOUCHED || s == NodeState::SLIDING || s == NodeState::STICKING;
+}
+/// A touched node keeps its place like a sticking one until the next test.
+inline bool sticks(NodeState s) { return s == NodeState::TOUCHED || s == NodeState::STICKING; }
+
+/// A candidate; its places and directions are in the frame of its tool.
+template <int Dim> struct ContactNode {
+  NodeState state = NodeState::FREE;
+  int tool = -1;                 ///< tool in contact, or the nearest one: index into ContactModel::tools
+  SurfacePlace<Dim> place;       ///< contact point on the tool
+  SurfacePlace<Dim> slip_origin; ///< where it sticks; the slip of the step is counted from here
+  Vector<Dim> slip_direction = Vector<Dim>::Zero(); ///< of a node that slides against friction: unit tangent; else zero
+  double slip_rate = 0;          ///< slip of the last step along it over the time [length/time]
+  double tributary_area = 1;     ///< its part of the surface at the start of the step, see FrictionLaw [length or area]
+};
+
+/// Contact point, and the slip counts from there anew.
+template <int Dim> void place_at(ContactNode<Dim>& node, const SurfacePlace<Dim>& place) {
+  node.place = node.slip_origin = place;
+}
+/// From here on the node sticks where its slip was counted from.
+template <int Dim> void make_stick(ContactNode<Dim>& node) {
+  node.state = NodeState::STICKING;
+  node.place = node.slip_origin;
+  node.slip_direction.setZero();
+}
+/// From here on the node slides.
+/// @param direction of the slip, tangent in the tool's frame; zero without friction
+template <int Dim> void make_slide(ContactNode<Dim>& node, const Vector<Dim>& direction) {
+  node.state = NodeState::SLIDING;
+  node.slip_direction = direction;
+}
+template <int Dim> void make_free(ContactNode<Dim>& node) {
+  node.state = NodeState::FREE;
+  node.slip_direction.setZero();
+}
+
+/// Plain data, can be written and read.
+template <int Dim> struct ContactState {
+  std::vector<ContactNode<Dim>> nodes; ///< one per candidate
+  Eigen::VectorXd q;                   ///< coordinates of all tools, one after another
+};
+
+/// What the program prescribes at an instant, one value per coordinate of all tools.
+struct PrescribedValues {
+  std::vector<char> is_motion; ///< 1: q^k = value; 0: generalized force Q_k on the tool = value
+  Eigen::VectorXd value;
+};
+
+} // namespace burnish

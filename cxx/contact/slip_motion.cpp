@@ -1,0 +1,64 @@
+#include "contact/slip_motion.hpp"
+
+namespace burnish {
+
+template <int Dim> void measure_slips(const ContactModel<Dim>& model, double dt, ContactState<Dim>& state) {
+  const auto poses = model.poses(state.q);
+  for (auto& node : state.nodes) {
+    node.slip_rate = 0;
+    if (node.state != NodeState::SLIDING) continue;
+    const ContactPoint<Dim> at = contact_point(model, poses, node);
+    node.slip_rate = TangentialLaw<Dim>::advance(slip_of(model, node), at.m) / dt;
+    node.slip_direction = in_tool_frame(poses[node.tool], at.surface, at.m);
+  }
+}
+
+template <int Dim>
+void move_by(const ContactModel<Dim>& model, const typename Condensation<Dim>::Expansion& increment,
+             ContactState<Dim>& state) {
+  state.q += increment.dq;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    ContactNode<Dim>& node = state.nodes[i];
+    if (node.state != NodeState::SLIDING) continue;
+    const Param<Dim> slip = increment.slip.col(static_cast<Eigen::Index>(i));
+    node.place = model.tools[node.tool]->surface().moved(node.place, slip);
+  }
+}
+
+template <int Dim>
+void shorten(const ContactModel<Dim>& model, const ContactState<Dim>& start, double fraction, ContactState<Dim>& end) {
+  end.q = (start.q + fraction * (end.q - start.q)).eval();
+  for (std::size_t i = 0; i < end.nodes.size(); ++i) {
+    ContactNode<Dim>& node = end.nodes[i];
+    if (node.state == NodeState::SLIDING)
+      node.place = model.tools[node.tool]->surface().between(start.nodes[i].place, node.place, fraction);
+  }
+}
+
+template <int Dim>
+double contact_speed(const ContactModel<Dim>& model, const ContactState<Dim>& state, const Eigen::VectorXd& q_old,
+                     double dt) {
+  double speed = 0;
+  const auto poses = model.poses(state.q);
+  for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
+    const auto& coordinates = model.tools[t]->coordinates();
+    const auto back = coordinates.carrier(model.tool_q(q_old, t), model.tool_q(state.q, t)).inverse();
+    for (const auto& node : state.nodes) {
+      if (!in_contact(node.state) || node.tool != t) continue;
+      const auto p = model.tools[t]->point(poses[t], node.place);
+      speed = std::max(speed, (p.E.transpose() * (p.x - back(p.x))).norm() / dt);
+    }
+  }
+  return speed;
+}
+
+#define BURNISH_INSTANTIATE(Dim)                                                                                       \
+  template void measure_slips<Dim>(const ContactModel<Dim>&, double, ContactState<Dim>&);                              \
+  template void move_by<Dim>(const ContactModel<Dim>&, const Condensation<Dim>::Expansion&, ContactState<Dim>&);       \
+  template void shorten<Dim>(const ContactModel<Dim>&, const ContactState<Dim>&, double, ContactState<Dim>&);          \
+  template double contact_speed<Dim>(const ContactModel<Dim>&, const ContactState<Dim>&, const Eigen::VectorXd&,       \
+                                     double);
+BURNISH_INSTANTIATE(2)
+BURNISH_INSTANTIATE(3)
+
+} // namespace burnish

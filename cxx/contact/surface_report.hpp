@@ -1,0 +1,30 @@
+#pragma once
+// What acts on the contact surface, node by node.
+#include "contact/tributary_area.hpp"
+
+namespace burnish {
+
+/// State of the candidates, one entry each. Pressure and traction are nodal forces over the node's tributary area in the
+/// present configuration. A node without such an area (a vertex on the axis of quadratic elements) takes the fitted
+/// values.
+template <int Dim> struct SurfaceReport {
+  Eigen::VectorXd gap;                 ///< positive = open, zero in contact [length]
+  Eigen::VectorXd normal_force;        ///< N >= 0 [force]
+  Eigen::MatrixXd tangential_force;    ///< of the tool on the body, Dim-1 x candidates, in the tangents E [force]
+  Eigen::VectorXd area;                ///< tributary area [length, in space and axisymmetric: area]
+  Eigen::VectorXd pressure;            ///< [stress]
+  Eigen::MatrixXd traction_tangential; ///< on the body, Dim-1 x candidates [stress]
+  /// The pressure and traction that are linear on every facet and whose consistent nodal forces fit the nodal
+  /// forces in least squares (zero at free ends; middle nodes: mean of the ends): without the alternation of
+  /// quadratic elements. Linear facets: as above.
+  Eigen::VectorXd pressure_fit; ///< [stress]
+  Eigen::MatrixXd traction_fit; ///< [stress]
+};
+
+/// @param R internal minus external nodal force [force]; @param u displacement
+template <int Dim>
+SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                  const ContactState<Dim>& state, const std::vector<Facet<Dim>>& facets,
+                                  const Eigen::VectorXd& u, const Eigen::VectorXd& R);
+
+} // namespace burnish

@@ -1,0 +1,61 @@
+#include "contact/tangential_law.hpp"
+#include "base/error.hpp"
+#include <algorithm>
+
+namespace burnish {
+
+template <int Dim>
+TangentialLaw<Dim>::TangentialLaw(std::shared_ptr<const FrictionLaw> friction) : m_friction(std::move(friction)) {
+  if (!m_friction) fail("TangentialLaw", "no friction law");
+}
+
+template <int Dim>
+Change TangentialLaw<Dim>::test(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip,
+                                const Param<Dim>& m, double area, const ContactTolerance& tolerance) const {
+  const bool tension = force.N < -tolerance.force;
+  if (state == NodeState::SLIDING) {
+    if (tension) return Change::RELEASE;
+    return !frictionless() && slips_back(slip, m, tolerance.slip) ? Change::STICK : Change::NONE;
+  }
+  if (tension) return m_friction->sticks_always() ? Change::RELEASE : Change::SLIDE;
+  return force.T.norm() > capacity(force.N, area) + tolerance.force ? Change::SLIDE : Change::NONE;
+}
+
+template <int Dim>
+double TangentialLaw<Dim>::sliding_residual(const SurfaceForce<Dim>& force, const Param<Dim>& m, double area) const {
+  return (force.T + m * m_friction->limit(force.N, area)).norm();
+}
+
+template <int Dim> double TangentialLaw<Dim>::reserve(const SurfaceForce<Dim>& force, double area) const {
+  return m_friction->limit(force.N, area) - force.T.norm();
+}
+
+template <int Dim> double TangentialLaw<Dim>::capacity(double N, double area) const {
+  return m_friction->limit(std::max(N, 0.), area);
+}
+
+template <int Dim> Param<Dim> TangentialLaw<Dim>::slip_against(const Param<Dim>& T) const {
+  if (frictionless()) return Param<Dim>::Zero();
+  const double size = T.norm();
+  return size > 0 ? Param<Dim>(-T / size) : Param<Dim>(Param<Dim>::Unit(0)); // without a force: any direction
+}
+
+template <int Dim>
+SlidingRows<Dim> TangentialLaw<Dim>::rows(const SurfacePoint<Dim>& p, const Vector<Dim>& F, const Param<Dim>& m,
+                                          double area) const {
+  const double N = F.dot(p.n), g = m_friction->limit(N, area), slope = m_friction->slope(N, area);
+  const Param<Dim> T = p.E.transpose() * F;
+  SlidingRows<Dim> rows;
+  rows.W = p.E + slope * p.n * m.transpose();
+  rows.constant = (g - slope * N) * m;
+  rows.by_slip = -N * p.B + slope * m * (p.B * T).transpose();
+  rows.by_q.resize(Dim - 1, p.x_q.cols());
+  for (Eigen::Index a = 0; a < rows.by_q.rows(); ++a)
+    rows.by_q.row(a) = F.transpose() * (p.E_q[static_cast<std::size_t>(a)] + slope * m[a] * p.n_q);
+  return rows;
+}
+
+template class TangentialLaw<2>;
+template class TangentialLaw<3>;
+
+} // namespace burnish

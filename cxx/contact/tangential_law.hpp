@@ -1,0 +1,79 @@
+#pragma once
+// What happens along the surface at a node in contact: the cone of friction, stick, slip and release. The only place
+// that knows them (METHOD.md 3, 4).
+#include "contact/contact_state.hpp"
+#include "contact/friction.hpp"
+#include "kinematics/tool.hpp"
+
+namespace burnish {
+
+/// Force of the tool on a node, in the frame of its surface point: T = E'F, N = n.F [force].
+template <int Dim> struct SurfaceForce {
+  double N = 0;
+  Param<Dim> T = Param<Dim>::Zero();
+};
+
+/// What a node in contact is found to do next.
+enum class Change : char { NONE, RELEASE, STICK, SLIDE };
+
+/// Absolute tolerances of the tests.
+struct ContactTolerance {
+  double force = 0; ///< tension and excess over the cone that do not count [force]
+  double slip = 0;  ///< slip against the friction that does not count [length]
+};
+
+/// Rows of a sliding node and their geometric terms, see NodeLinearization.
+template <int Dim> struct SlidingRows {
+  Tangents<Dim> W;             ///< rows W'F + constant = 0
+  Param<Dim> constant;         ///< [force]
+  Curvature<Dim> by_slip;      ///< change with the node's own slip, at constant F [force/length]
+  Eigen::MatrixXd by_q;        ///< change with the coordinates of its tool, Dim-1 x q
+};
+
+/// A friction law along the surface. m is the direction of slip in the tangents E of the surface point, a unit vector,
+/// zero without friction; slip and traction are vectors of Dim-1 numbers.
+///   sticks   |T| <= g(N)      slides   T = -m g(N), m along the slip
+/// g goes on below N = 0 as the friction law says; a node there is released or slides before that matters.
+/// In space m turns with the slip: its derivative (METHOD.md 3, cone form) belongs into rows(), and nowhere else.
+template <int Dim> class TangentialLaw {
+public:
+  /// @throws std::invalid_argument for a null law
+  explicit TangentialLaw(std::shared_ptr<const FrictionLaw> friction);
+  const FrictionLaw& friction() const { return *m_friction; }
+  bool frictionless() const { return m_friction->frictionless(); }
+
+  /// State test of a node in contact.
+  ///   slides: released at tension, sticks when it has slipped against its direction
+  ///   sticks: slides at tension or outside the cone; released at tension where it never slides
+  /// (A sticking node under tension first slides, only a sliding one is released: METHOD.md 5.)
+  /// @param slip of the step, in E [length]; @param area tributary area
+  Change test(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip, const Param<Dim>& m,
+              double area, const ContactTolerance& tolerance) const;
+  /// Whether forces or slip contradict the state, by the same conditions.
+  bool contradicts(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip, const Param<Dim>& m,
+                   double area, const ContactTolerance& tolerance) const {
+    return test(state, force, slip, m, area, tolerance) != Change::NONE;
+  }
+  /// Unbalanced tangential force of a sliding node, |T + m g(N)| [force].
+  double sliding_residual(const SurfaceForce<Dim>& force, const Param<Dim>& m, double area) const;
+  /// g(N) - |T|: what a sticking node has left before it slides; negative outside the cone [force].
+  double reserve(const SurfaceForce<Dim>& force, double area) const;
+  /// Largest tangential force at N >= 0, zero for N < 0 [force].
+  double capacity(double N, double area) const;
+  /// Direction of slip of a node that begins to slide under T: against it; zero without friction.
+  Param<Dim> slip_against(const Param<Dim>& T) const;
+  /// Slip along the direction; negative: against the friction force's own sense [length].
+  static double advance(const Param<Dim>& slip, const Param<Dim>& m) { return slip.dot(m); }
+  /// Whether a node has slipped against its direction by more than the tolerance: it sticks.
+  static bool slips_back(const Param<Dim>& slip, const Param<Dim>& m, double tolerance) {
+    return advance(slip, m) < -tolerance;
+  }
+
+  /// Linearization of T + m g(N) = 0 at the force F on the node (Dim numbers, space).
+  SlidingRows<Dim> rows(const SurfacePoint<Dim>& point, const Vector<Dim>& F, const Param<Dim>& m, double area) const;
+
+private:
+  std::shared_ptr<const FrictionLaw> m_friction;
+};
+
+} // namespace burnish

@@ -1,0 +1,129 @@
+#include "contact/tool_support.hpp"
+#include <limits>
+
+namespace burnish {
+namespace {
+
+constexpr double ALONG = 1e-9; // motion along the normal over the motion itself: below, a coordinate moves along the surface
+
+// Slips of a tool's nodes, and what its coordinates do to them.
+struct ToolContact {
+  bool any = false, sticks = false;
+  int least_slip = -1;         // candidate
+  Eigen::VectorXd normal, size; // per coordinate: largest |n.X_k|, |X_k|
+};
+
+template <int Dim>
+ToolContact contact_of(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses,
+                       const ContactState<Dim>& state, int tool, const std::vector<char>& refused) {
+  ToolContact result;
+  double smallest = 0;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    const auto& node = state.nodes[i];
+    if (!in_contact(node.state) || node.tool != tool || model.is_constrained(static_cast<int>(i))) continue;
+    result.sticks = result.sticks || sticks(node.state);
+    const auto p = model.tools[tool]->point(poses[tool], node.place);
+    const Eigen::VectorXd normal = (p.x_q.transpose() * p.n).cwiseAbs(), size = p.x_q.colwise().norm();
+    result.normal = result.any ? Eigen::VectorXd(result.normal.cwiseMax(normal)) : normal;
+    result.size = result.any ? Eigen::VectorXd(result.size.cwiseMax(size)) : size;
+    result.any = true;
+    const bool last_resort = !refused.empty() && refused[i];
+    const double slip = slip_of(model, node).norm() + (last_resort ? std::numeric_limits<double>::max() : 0);
+    if (result.least_slip >= 0 && slip >= smallest) continue;
+    result.least_slip = static_cast<int>(i);
+    smallest = slip;
+  }
+  return result;
+}
+
+} // namespace
+
+template <int Dim>
+int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed, ContactState<Dim>& state,
+                      const std::vector<char>& refused) {
+  const auto poses = model.poses(state.q);
+  for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
+    if (model.laws[t].frictionless()) continue;
+    const ToolContact contact = contact_of(model, poses, state, t, refused);
+    if (!contact.any || contact.sticks) continue;
+    for (Eigen::Index k = 0; k < contact.normal.size(); ++k) {
+      if (prescribed.is_motion[model.first[t] + k] || contact.normal[k] > ALONG * contact.size[k]) continue;
+      make_stick(state.nodes[contact.least_slip]);
+      return contact.least_slip;
+    }
+  }
+  return -1;
+}
+
+template <int Dim>
+bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& state,
+                            const std::vector<char>& refused) {
+  int best = -1;
+  double smallest = 0;
+  bool neutral = false;
+  const auto poses = model.poses(state.q);
+  std::vector<Vector<Dim>> direction(model.tools.size(), Vector<Dim>::Zero()); // of a tool's first sliding node
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    const auto& node = state.nodes[i];
+    if (!in_contact(node.state) || model.is_constrained(static_cast<int>(i))) continue;
+    if (sticks(node.state) || model.laws[node.tool].frictionless()) return false;
+    const Vector<Dim> here = poses[node.tool].R * node.slip_direction;
+    if (direction[node.tool].isZero()) direction[node.tool] = here;
+    neutral = neutral || direction[node.tool].dot(here) < 0;
+    const double slip = slip_of(model, node).norm();
+    if (refused[i] || (best >= 0 && slip >= smallest)) continue;
+    best = static_cast<int>(i);
+    smallest = slip;
+  }
+  if (!neutral || best < 0) return false;
+  make_stick(state.nodes[best]);
+  return true;
+}
+
+template <int Dim>
+void support_after_events(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                          const std::vector<ContactEvent<Dim>>& events, bool pass_on, ContactState<Dim>& state) {
+  const std::vector<ContactNode<Dim>> before = state.nodes;
+  std::vector<char> refused(before.size(), 0);
+  for (const auto& event : events) {
+    if (!pass_on || event.candidate < 0 || event.kind != EventKind::STICK_TO_SLIP) continue;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i].tool == event.tool && before[i].slip_direction.dot(event.slip_direction) > 0) refused[i] = 1;
+  }
+  for (int i; (i = stick_unsupported(model, prescribed, state, refused)) >= 0;) {
+    place_at(state.nodes[i], before[i].place); // from here on, not from the start of the step
+    state.nodes[i].slip_rate = 0;
+  }
+}
+
+template <int Dim>
+std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                               const ContactState<Dim>& state) {
+  std::vector<int> result;
+  for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
+    int last = -1, number = 0;
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+      if (!sticks(state.nodes[i].state) || state.nodes[i].tool != t) continue;
+      last = static_cast<int>(i);
+      ++number;
+    }
+    if (number != 1) continue;
+    ContactState<Dim> without = state;
+    without.nodes[last].state = NodeState::SLIDING;
+    if (stick_unsupported(model, prescribed, without) >= 0) result.push_back(last);
+  }
+  return result;
+}
+
+#define BURNISH_INSTANTIATE(Dim)                                                                                       \
+  template int stick_unsupported<Dim>(const ContactModel<Dim>&, const PrescribedValues&, ContactState<Dim>&,           \
+                                      const std::vector<char>&);                                                       \
+  template bool stick_at_neutral_point<Dim>(const ContactModel<Dim>&, ContactState<Dim>&, const std::vector<char>&);   \
+  template void support_after_events<Dim>(const ContactModel<Dim>&, const PrescribedValues&,                           \
+                                          const std::vector<ContactEvent<Dim>>&, bool, ContactState<Dim>&);            \
+  template std::vector<int> sole_supports<Dim>(const ContactModel<Dim>&, const PrescribedValues&,                      \
+                                               const ContactState<Dim>&);
+BURNISH_INSTANTIATE(2)
+BURNISH_INSTANTIATE(3)
+
+} // namespace burnish

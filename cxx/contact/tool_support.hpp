@@ -1,0 +1,36 @@
+#pragma once
+// Nodes that must stick so that a tool, or the body between tools, is supported along the contact.
+#include "contact/events.hpp"
+
+namespace burnish {
+
+/// Makes one node of a tool stick where a coordinate under force would otherwise only meet sliding friction:
+/// the sliding node with the smallest slip.
+/// @param refused per candidate: sticking was tried and exceeded the friction, taken last; may be empty
+/// @returns its candidate number or -1 if nothing had to be done
+template <int Dim>
+int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed, ContactState<Dim>& state,
+                      const std::vector<char>& refused = {});
+
+/// A body that only its tools hold slides one way before the neutral point of a tool, the other way behind it.
+/// If no node sticks there, nothing but the curvature of the contact holds it along the tool, and the solution
+/// is far off: the node that slipped least sticks, unless it could not before. @returns whether one was chosen
+template <int Dim>
+bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& state,
+                            const std::vector<char>& refused);
+
+/// After events: a coordinate under force that only friction resists keeps a sticking node. Where the last one has just
+/// begun to slide, the neutral point moves on toward the nodes that slide the other way: the one of them that slipped
+/// least sticks; it and those of its own direction are the last resort.
+/// @param pass_on false: the node that has just begun to slide may be the one. Pure rates need that: their forces are
+///        not in balance, and nodes would take turns without end (article's scheme: 4208 events)
+template <int Dim>
+void support_after_events(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                          const std::vector<ContactEvent<Dim>>& events, bool pass_on, ContactState<Dim>& state);
+
+/// Candidates whose stick is the only one that supports their tool.
+template <int Dim>
+std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                               const ContactState<Dim>& state);
+
+} // namespace burnish

@@ -1,0 +1,105 @@
+#include "solver/active_cholesky.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+
+void ActiveCholesky::set(std::shared_ptr<const Eigen::MatrixXd> matrix) {
+  m_matrix = std::move(matrix);
+  m_order.clear();
+  m_selected.clear();
+  m_place.clear();
+}
+
+bool ActiveCholesky::factorize() {
+  const auto n = static_cast<Eigen::Index>(m_order.size());
+  m_lower.resize(n, n);
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (Eigen::Index i = j; i < n; ++i) m_lower(i, j) = (*m_matrix)(m_order[i], m_order[j]);
+  ++m_factorizations;
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(m_lower); // in place
+  return factor.info() == Eigen::Success;
+}
+
+// A row at the end: L y = c, diagonal sqrt(C_jj - y.y).
+bool ActiveCholesky::append(int index) {
+  const auto n = static_cast<Eigen::Index>(m_order.size());
+  Eigen::VectorXd y(n);
+  for (Eigen::Index i = 0; i < n; ++i) y[i] = (*m_matrix)(m_order[i], index);
+  m_lower.topLeftCorner(n, n).triangularView<Eigen::Lower>().solveInPlace(y);
+  const double rest = (*m_matrix)(index, index) - y.squaredNorm();
+  if (!(rest > 0)) return false;
+  if (m_lower.rows() == n) m_lower.conservativeResize(n + n / 4 + 8, n + n / 4 + 8);
+  m_lower.row(n).head(n) = y.transpose();
+  m_lower(n, n) = std::sqrt(rest);
+  m_order.push_back(index);
+  ++m_updates;
+  return true;
+}
+
+// The row goes; what its column carried is rotated into the rest: L33 L33' + l l'.
+void ActiveCholesky::remove(Eigen::Index position) {
+  const auto n = static_cast<Eigen::Index>(m_order.size());
+  Eigen::VectorXd l = m_lower.col(position).segment(position + 1, n - position - 1);
+  for (Eigen::Index j = position + 1; j < n; ++j) { // columns move up and to the left
+    m_lower.row(j - 1).head(position) = m_lower.row(j).head(position);
+    m_lower.col(j - 1).segment(j - 1, n - j) = m_lower.col(j).segment(j, n - j).eval();
+  }
+  for (Eigen::Index k = 0; k < l.size(); ++k) {
+    const Eigen::Index j = position + k, below = l.size() - k - 1;
+    const double r = std::hypot(m_lower(j, j), l[k]), c = m_lower(j, j) / r, s = l[k] / r;
+    m_lower(j, j) = r;
+    const Eigen::VectorXd column = m_lower.col(j).segment(j + 1, below);
+    m_lower.col(j).segment(j + 1, below) = c * column + s * l.tail(below);
+    l.tail(below) = (c * l.tail(below) - s * column).eval();
+  }
+  m_order.erase(m_order.begin() + position);
+  ++m_updates;
+}
+
+bool ActiveCholesky::update(const std::vector<int>& indices) {
+  std::vector<char> wanted(m_matrix->rows(), 0), kept(m_matrix->rows(), 0);
+  for (const int i : indices) wanted[i] = 1;
+  for (const int i : m_order) kept[i] = wanted[i];
+  const auto gone = std::count_if(m_order.begin(), m_order.end(), [&](int i) { return !wanted[i]; });
+  const auto fresh = std::count_if(indices.begin(), indices.end(), [&](int i) { return !kept[i]; });
+  const auto size = static_cast<std::ptrdiff_t>(indices.size());
+  if (static_cast<int>(m_order.size()) < m_updates_from || 6 * (gone + fresh) > size) return false;
+  for (auto k = static_cast<Eigen::Index>(m_order.size()) - 1; k >= 0; --k)
+    if (!wanted[m_order[k]]) remove(k);
+  for (const int i : indices)
+    if (!kept[i] && !append(i)) return false;
+  return true;
+}
+
+bool ActiveCholesky::select(const std::vector<int>& indices) {
+  if (indices == m_selected && !m_order.empty()) return true;
+  m_selected = indices;
+  if (!update(indices)) {
+    m_order = indices;
+    if (!factorize()) {
+      m_order.clear();
+      m_selected.clear();
+      return false;
+    }
+  }
+  std::vector<Eigen::Index> row(m_matrix->rows(), -1);
+  for (std::size_t k = 0; k < m_order.size(); ++k) row[m_order[k]] = static_cast<Eigen::Index>(k);
+  m_place.clear();
+  for (const int i : indices) m_place.push_back(row[i]);
+  return true;
+}
+
+Eigen::MatrixXd ActiveCholesky::solve(const Eigen::MatrixXd& B) const {
+  const auto n = static_cast<Eigen::Index>(m_order.size());
+  Eigen::MatrixXd X(n, B.cols());
+  for (Eigen::Index i = 0; i < n; ++i) X.row(m_place[i]) = B.row(i);
+  const auto lower = m_lower.topLeftCorner(n, n).triangularView<Eigen::Lower>();
+  lower.solveInPlace(X);
+  lower.transpose().solveInPlace(X);
+  Eigen::MatrixXd result(n, B.cols());
+  for (Eigen::Index i = 0; i < n; ++i) result.row(i) = X.row(m_place[i]);
+  return result;
+}
+
+} // namespace burnish

@@ -1,0 +1,316 @@
+#include "stepping/contact_run.hpp"
+#include "base/error.hpp"
+#include "base/formula.hpp"
+#include "contact/slip_motion.hpp"
+#include "contact/tool_support.hpp"
+#include "contact/tributary_area.hpp"
+#include "stepping/approach.hpp"
+#include "stepping/contact_window.hpp"
+#include "stepping/failure_reason.hpp"
+#include "stepping/program_checks.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+
+template <int Dim>
+ContactRun<Dim>::ContactRun(std::shared_ptr<ContactSetup<Dim>> setup)
+    : m_setup((setup->close(), std::move(setup))), m_corrector(model(), body(), m_setup->options()),
+      m_predictor(m_setup->mesh(), model(), body()), m_condensation(model(), body()) {
+  m_accepted.u = m_accepted.R = Eigen::VectorXd::Zero(m_setup->mesh().num_dofs());
+  m_accepted.contact.nodes.resize(m_setup->candidates().size());
+  m_accepted.contact.q = m_setup->placed();
+  m_accepted.generalized_force = Eigen::VectorXd::Zero(model().num_coordinates());
+  m_accepted.warnings.check_curvature(*m_setup);
+}
+
+template <int Dim> ContactRunState<Dim> ContactRun<Dim>::state() const {
+  ContactRunState<Dim> state = m_accepted;
+  state.corrector = m_corrector.memory();
+  state.counts = m_corrector.counts();
+  state.largest_dt = m_largest_dt;
+  return state;
+}
+
+template <int Dim> void ContactRun<Dim>::set_state(const ContactRunState<Dim>& state) {
+  require(state.contact.nodes.size() == m_setup->candidates().size(), "contact", "number of nodes in the state",
+          state.contact.nodes.size(), "that of the candidates");
+  m_accepted = state;
+  m_corrector.restore(state.corrector);
+  m_corrector.set_counts(state.counts);
+  m_corrector.state() = state.contact;
+  m_largest_dt = state.largest_dt;
+  m_left_out.clear();
+  m_log.events.clear();
+  m_stage = Stage::NONE;
+  update_tools();
+}
+
+template <int Dim> void ContactRun<Dim>::update_tools() {
+  for (std::size_t t = 0; t < m_setup->tools().size(); ++t) {
+    m_setup->tools()[t]->q() = model().tool_q(m_accepted.contact.q, static_cast<int>(t));
+    m_setup->tools()[t]->generalized_force() = model().tool_q(m_accepted.generalized_force, static_cast<int>(t));
+  }
+}
+
+// Every node's tributary area, for laws of pressure and traction.
+template <int Dim> void ContactRun<Dim>::take_areas(ContactState<Dim>& state, const Eigen::VectorXd& u) const {
+  const Eigen::VectorXd area = tributary_areas(model(), body(), m_setup->surface(), u);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    state.nodes[i].tributary_area = area[static_cast<Eigen::Index>(i)];
+}
+
+template <int Dim>
+double ContactRun<Dim>::approach(int tool, const std::string& coordinate, const Eigen::VectorXd& u) {
+  require(tool >= 0 && tool < static_cast<int>(m_setup->tools().size()), "contact.approach", "tool", tool,
+          "a tool that was added");
+  require(u.size() == m_accepted.u.size(), "contact.approach", "size of u", u.size(), "number of dofs");
+  DrivenTool<Dim>& placed = *m_setup->tools()[tool];
+  const int k = placed.index(coordinate);
+  ContactState<Dim> state = m_accepted.contact;
+  state.q.segment(model().first[tool], placed.q().size()) = placed.q();
+  m_accepted.contact = approached(*m_setup, std::move(state), u, tool, k);
+  m_accepted.u = u;
+  return placed.q()[k] = m_accepted.contact.q[model().first[tool] + k];
+}
+
+// Values at the start of the step in the kinds (motion or force) of its end: for pure rates. A coordinate
+// that was under motion has received a force.
+template <int Dim> PrescribedValues ContactRun<Dim>::start_values() const {
+  PrescribedValues start{m_prescribed.is_motion, m_accepted.contact.q};
+  const PrescribedValues& before = m_accepted.prescribed;
+  const bool known = before.value.size() == m_prescribed.value.size();
+  for (Eigen::Index q = 0; q < start.value.size(); ++q) {
+    if (start.is_motion[q]) continue;
+    start.value[q] = known && !before.is_motion[q] ? before.value[q] : m_accepted.generalized_force[q];
+  }
+  return start;
+}
+
+// A coordinate under force goes on as in the last step, or stays where it is if its formulas end there.
+template <int Dim> Prediction<Dim> ContactRun<Dim>::predicted(const Eigen::VectorXd& u) const {
+  if (m_stepping == Stepping::RATES) return m_predictor.rest(m_accepted.contact, u);
+  const bool carry = m_stepping == Stepping::IMPLICIT;
+  try {
+    return m_predictor.predict(m_prescribed, m_accepted.contact, u, m_accepted.history, m_dt, carry);
+  } catch (const FormulaDomainError&) {
+    StepHistory<Dim> still = m_accepted.history;
+    still.dq.setZero();
+    return m_predictor.predict(m_prescribed, m_accepted.contact, u, still, m_dt, carry);
+  }
+}
+
+template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, double dt, Stepping stepping) {
+  require(std::isfinite(dt) && dt > 0, "contact.begin", "dt", dt, "> 0");
+  require(u.size() == m_accepted.u.size(), "contact.begin", "size of u", u.size(), "number of dofs");
+  if (!u.allFinite()) fail("contact.begin", "the displacement holds NaN or Inf");
+  m_stage = Stage::NONE;
+  const bool first = m_accepted.history.dt == 0;
+  if (first) // the script's places count, after another tool's approach too
+    m_accepted.contact.q = m_setup->placed();
+  else
+    check_not_placed(*m_setup, m_accepted.contact);
+  m_prescribed = prescribed_values(*m_setup);
+  m_left_out = hold_unresisted(*m_setup, m_accepted.contact, m_prescribed);
+  check_support(*m_setup, m_accepted.contact, m_prescribed);
+  check_independent(*m_setup, m_accepted.contact, m_prescribed);
+  if (first) {
+    check_not_inside(*m_setup, m_predictor.locator(), m_accepted.contact, u);
+    take_areas(m_accepted.contact, u);
+    m_accepted.u = u;
+  }
+  m_t = t;
+  m_dt = dt;
+  m_largest_dt = std::max(m_largest_dt, dt);
+  m_stepping = stepping;
+  m_u_start = u;
+  m_log.events.clear();
+  m_prescribed_start = start_values();
+  auto prediction = predicted(u);
+  u = prediction.u;
+  const bool keep = stepping == Stepping::EVENT && m_corrector.factor_age() < m_corrector.options().steps_per_factor;
+  m_corrector.begin(m_prescribed, prediction.state, std::move(prediction.entry), stepping == Stepping::IMPLICIT,
+                    keep);
+  // a step of pure rates is solved once and not checked
+  m_stage = stepping == Stepping::RATES ? Stage::CHECKED : Stage::BEGUN;
+}
+
+template <int Dim> void ContactRun<Dim>::require_begun(const char* where) const {
+  if (m_stage == Stage::NONE) fail(where, "no step is under way, call begin first");
+}
+template <int Dim> void ContactRun<Dim>::require_checked(const char* where) const {
+  require_begun(where);
+  if (m_stage != Stage::CHECKED) fail(where, "this step has not been checked, call check first");
+}
+
+// An iterate where a formula has no value fails the step: a shorter one may stay clear of it.
+template <int Dim> StepStatus ContactRun<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+  require_begun("contact.check");
+  m_stage = Stage::CHECKED;
+  try {
+    return m_corrector.check(u, R);
+  } catch (const FormulaDomainError& error) {
+    return m_corrector.give_up(error.what());
+  }
+}
+template <int Dim> StepStatus ContactRun<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+  require_checked("contact.correct");
+  try {
+    return m_corrector.correct(u, R);
+  } catch (const FormulaDomainError& error) {
+    return m_corrector.give_up(error.what());
+  }
+}
+
+template <int Dim>
+FactorStatus ContactRun<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
+  require_begun("contact.factorize");
+  return m_corrector.factorize(K, u);
+}
+
+template <int Dim>
+StepEnds<Dim> ContactRun<Dim>::ends(const Eigen::VectorXd& u, const Eigen::VectorXd& R) const {
+  return {&m_accepted.contact, &m_corrector.state(), &m_u_start, &u, &m_accepted.R, &R, m_t, m_dt};
+}
+
+template <int Dim>
+std::vector<ContactEvent<Dim>> ContactRun<Dim>::events(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                                                       double tolerance, double until) const {
+  require_begun("contact.events");
+  require(tolerance >= 0, "contact.events", "tolerance", tolerance, ">= 0");
+  const auto& options = m_corrector.options();
+  const double h = body().spacing, least = std::numeric_limits<double>::min();
+  const EventTolerance tolerances{options.tolerance * std::max(m_corrector.load_scale(), least),
+                                  options.gap_tolerance * h, tolerance};
+  std::vector<int> supports; // pure rates do not let them go, see support_after_events
+  if (m_stepping == Stepping::RATES) supports = sole_supports(model(), m_prescribed, m_accepted.contact);
+  auto found = earliest_events(model(), body(), ends(u, R), tolerances, supports);
+  found.erase(std::remove_if(found.begin(), found.end(),
+                             [&](const auto& event) { return event.fraction > until + tolerance; }),
+              found.end());
+  return found;
+}
+
+template <int Dim>
+void ContactRun<Dim>::take_events(const std::vector<ContactEvent<Dim>>& events, const Eigen::VectorXd& u,
+                                  ContactState<Dim>& state) const {
+  apply_events(model(), body(), events, u, state); // released now: leaves in the next step
+  support_after_events(model(), m_prescribed, events, m_stepping != Stepping::RATES, state);
+}
+
+template <int Dim>
+void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                             const std::vector<ContactEvent<Dim>>& events) {
+  require_checked("contact.accept");
+  require(u.size() == m_accepted.u.size() && R.size() == m_accepted.u.size(), "contact.accept",
+          "size of the arrays", u.size(), "number of dofs");
+  ContactState<Dim>& state = m_corrector.state();
+  EventLog<Dim>& log = m_accepted.log;
+  log.add(m_log.events);
+  if (m_stepping == Stepping::IMPLICIT) log.add(state_changes(model(), body(), ends(u, R)));
+  measure_slips(model(), m_dt, state);
+  m_accepted.history = {u - m_u_start, state.q - m_accepted.contact.q, m_accepted.contact.q, m_dt};
+  m_accepted.u = u;
+  m_accepted.R = R;
+  if (m_stepping == Stepping::RATES) m_corrector.measure(u, R);
+  if (m_stepping != Stepping::IMPLICIT) {
+    settle_released(model(), body(), u, m_corrector.options().gap_tolerance * body().spacing, state);
+    take_events(events, u, state);
+    log.add(events);
+  }
+  m_accepted.warnings.check_conflicts(*m_setup, state, u, t_end());
+  m_accepted.warnings.check_ends(*m_setup, state, u, t_end());
+  take_areas(state, u);
+  m_accepted.contact = state;
+  m_accepted.generalized_force = m_corrector.last_balance().generalized_force;
+  m_accepted.corrector.load_scale = m_corrector.load_scale();
+  m_accepted.prescribed = m_prescribed;
+  for (const std::string& name : m_left_out)
+    if (std::find(m_accepted.left_out.begin(), m_accepted.left_out.end(), name) == m_accepted.left_out.end())
+      m_accepted.left_out.push_back(name);
+  m_corrector.accepted();
+  m_log.events.clear();
+  m_stage = Stage::NONE;
+  update_tools();
+}
+
+template <int Dim> void ContactRun<Dim>::accept_events(const std::vector<ContactEvent<Dim>>& events) {
+  require_begun("contact.switchstates");
+  take_events(events, m_u_start, m_accepted.contact);
+  m_accepted.log.add(events);
+  m_accepted.log.add(m_log.events);
+  m_log.events.clear();
+}
+
+template <int Dim> void ContactRun<Dim>::revert() {
+  m_corrector.state() = m_accepted.contact;
+  m_corrector.set_load_scale(m_accepted.corrector.load_scale); // that of a step not accepted does not count
+  if (m_stepping == Stepping::IMPLICIT) m_corrector.drop_factor(); // an event step only becomes shorter
+  m_log.events.clear();
+  m_stage = Stage::NONE;
+}
+
+template <int Dim>
+const CondensedSystem& ContactRun<Dim>::condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u,
+                                                 const Eigen::VectorXd& R, GeometricTerms terms,
+                                                 RightHandSide right, bool half) {
+  require_begun("contact.condense");
+  require(u.size() == m_accepted.u.size() && R.size() == m_accepted.u.size(), "contact.condense",
+          "size of the arrays", R.size(), "number of dofs");
+  if (!R.allFinite()) fail("contact.condense", "the force array holds NaN or Inf");
+  m_corrector.count_condensation();
+  m_corrector.prepare_condensed();
+  return m_condensation.condense(K, m_corrector.state(), {&m_prescribed, &m_prescribed_start}, u, R, terms, right,
+                                 half);
+}
+
+template <int Dim> double ContactRun<Dim>::expand(const Eigen::VectorXd& z, Eigen::VectorXd& u) {
+  require_begun("contact.expand");
+  require(u.size() == m_accepted.u.size(), "contact.expand", "size of u", u.size(), "number of dofs");
+  const auto increment = m_condensation.expand(z);
+  if (m_stepping == Stepping::RATES) {
+    u += increment.du;
+    move_by(model(), increment, m_corrector.state());
+  } else {
+    m_corrector.advance(increment, u);
+  }
+  return increment.du.cwiseAbs().maxCoeff();
+}
+
+template <int Dim> void ContactRun<Dim>::cut(Eigen::VectorXd& u, double fraction) {
+  const char* where = "contact.cut";
+  require_begun(where);
+  if (m_stepping != Stepping::RATES) fail(where, "only a step of pure rates is linear: begin it with rates=true");
+  require(fraction > 0 && fraction <= 1, where, "fraction", fraction, "0 < fraction <= 1");
+  require(u.size() == m_accepted.u.size(), where, "size of u", u.size(), "number of dofs");
+  u = (m_u_start + fraction * (u - m_u_start)).eval();
+  shorten(model(), m_accepted.contact, fraction, m_corrector.state());
+  const Eigen::VectorXd& start = m_prescribed_start.value;
+  m_prescribed.value = (start + fraction * (m_prescribed.value - start)).eval();
+  m_dt *= fraction;
+}
+
+template <int Dim> std::string ContactRun<Dim>::reason() const {
+  const ContactState<Dim>& state = m_accepted.contact;
+  const std::string jump =
+      program_jump(*m_setup, FailedStep<Dim>{&state, &m_prescribed, m_t, m_dt, m_largest_dt});
+  if (m_corrector.reason().empty()) return jump; // the material could not follow: the only reason here
+  return m_corrector.reason() + (jump.empty() ? end_of_tool(*m_setup, state) : jump);
+}
+
+template <int Dim> double ContactRun<Dim>::contact_width() const {
+  double width = 0;
+  for (int t = 0; t < static_cast<int>(m_setup->tools().size()); ++t)
+    width = std::max(width, burnish::contact_width(model(), body(), m_accepted.contact, m_accepted.u, t));
+  return width;
+}
+
+template <int Dim> double ContactRun<Dim>::contact_speed() const {
+  const StepHistory<Dim>& history = m_accepted.history;
+  return history.dt == 0 ? 0 : burnish::contact_speed(model(), m_accepted.contact, history.q_old, history.dt);
+}
+
+template class ContactRun<2>;
+template class ContactRun<3>;
+
+} // namespace burnish

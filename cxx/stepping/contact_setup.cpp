@@ -1,0 +1,71 @@
+#include "stepping/contact_setup.hpp"
+#include "base/error.hpp"
+
+namespace burnish {
+
+template <int Dim>
+ContactSetup<Dim>::ContactSetup(Mesh<Dim> mesh, std::vector<Facet<Dim>> surface, std::vector<char> fixed,
+                                std::shared_ptr<const FacetMeasure<Dim>> measure, StepOptions options)
+    : m_mesh(std::move(mesh)), m_surface(std::move(surface)), m_options(options) {
+  require_valid(m_mesh, "contact");
+  require(static_cast<int>(fixed.size()) == m_mesh.num_dofs(), "contact", "number of fixed flags", fixed.size(),
+          "one per degree of freedom");
+  if (!measure) fail("contact", "no measure of the surface");
+  for (const int node : nodes_along(m_surface)) {
+    ConstrainedComponents<Dim> constrained;
+    bool all = true;
+    for (int c = 0; c < Dim; ++c) {
+      constrained[c] = fixed[Dim * node + c];
+      all = all && constrained[c];
+    }
+    if (all) continue;
+    m_model.candidates.push_back(node);
+    m_model.constrained.push_back(constrained);
+  }
+  require(!m_model.candidates.empty(), "contact", "number of candidate nodes", 0,
+          "at least one node on the labels that is not fixed");
+  m_body.X = Eigen::Map<const Eigen::VectorXd>(m_mesh.X.data(), static_cast<Eigen::Index>(m_mesh.X.size()));
+  m_body.fixed = std::move(fixed);
+  m_body.measure = std::move(measure);
+  m_model.first.assign(1, 0);
+}
+
+template <int Dim>
+void ContactSetup<Dim>::add_tool(std::shared_ptr<DrivenTool<Dim>> tool,
+                                 std::shared_ptr<const FrictionLaw> friction,
+                                 const std::vector<Facet<Dim>>& reach) {
+  if (m_closed) fail("contact.add", "tools must be added before the first step");
+  tool->tool(); // throws without coordinates
+  for (const auto& other : m_tools)
+    if (other->name() == tool->name()) fail("contact.add", "tool \"" + tool->name() + "\" is already there");
+  m_model.tools.push_back(tool->shared_tool());
+  m_model.first.push_back(m_model.first.back() + static_cast<int>(tool->q().size()));
+  m_tools.push_back(std::move(tool));
+  m_model.laws.emplace_back(std::move(friction));
+  m_model.reach.emplace_back();
+  if (reach.empty()) return;
+  std::vector<char> reached(m_mesh.num_nodes, 0);
+  for (const Facet<Dim>& facet : reach)
+    for (const int node : nodes_of(facet)) reached[node] = 1;
+  for (const int candidate : m_model.candidates) m_model.reach.back().push_back(reached[candidate]);
+}
+
+template <int Dim> void ContactSetup<Dim>::close() {
+  if (m_closed) return;
+  require(!m_tools.empty(), "contact", "number of tools", 0, "at least one tool");
+  m_body.spacing = candidate_spacing<Dim>(m_body.X, m_model.candidates);
+  if (m_body.spacing == 0)
+    m_body.spacing = m_model.tools[0]->surface().length_scale() * m_options.spacing_of_tool;
+  m_closed = true;
+}
+
+template <int Dim> Eigen::VectorXd ContactSetup<Dim>::placed() const {
+  Eigen::VectorXd q(m_model.num_coordinates());
+  for (std::size_t t = 0; t < m_tools.size(); ++t) q.segment(m_model.first[t], m_tools[t]->q().size()) = m_tools[t]->q();
+  return q;
+}
+
+template class ContactSetup<2>;
+template class ContactSetup<3>;
+
+} // namespace burnish

@@ -1,0 +1,63 @@
+#pragma once
+// The deformable body as the steps of a run see it: two states, and events of its points. Stress, force and tangent are
+// asked of whoever owns the law: a Workpiece, or the forms of a script.
+#include "workpiece/element_events.hpp"
+#include "workpiece/point_events.hpp"
+
+namespace burnish {
+
+template <int Dim> class RunBody {
+public:
+  virtual ~RunBody() = default;
+  virtual void accept() = 0; ///< the end of the step becomes the accepted state
+  virtual void revert() = 0; ///< back to the accepted state
+
+  // Element events of the step that the last update made. Those found stay pending until they are accepted, dropped or
+  // found anew.
+  /// The earliest ones and those within the tolerance of them [fractions of the step]; see element_events for the noise.
+  /// @returns fraction of the earliest, 2 if there is none
+  virtual double find_earliest(double tolerance, double noise) = 0;
+  virtual void find_all() = 0;
+  virtual void drop_events() = 0;
+  virtual const std::vector<ElementEvent<Dim>>& pending() const = 0;
+  /// A step of no length: points that yielded are on the surface now, points that unloaded inside it.
+  /// @returns their number
+  virtual long accept_events() = 0;
+  /// Before accept: points that flowed in the last step and rest within the noise of the surface count as flowing.
+  virtual void keep_plastic(double noise) = 0;
+
+  /// Fraction of the earliest user-defined event beyond `least`, 2 if there is none.
+  virtual double find_earliest_user(double overshoot, double least) = 0;
+  virtual std::vector<ElementEvent<Dim>> user_events() const = 0; ///< all of the step
+
+  /// Largest q/sigma_y - 1 of the points: how far the stress has left the yield surface.
+  virtual double largest_yield_excess() const = 0;
+};
+
+/// A workpiece of the core with its user-defined events.
+template <int Dim> class WorkpieceBody final : public RunBody<Dim> {
+public:
+  explicit WorkpieceBody(std::unique_ptr<Workpiece<Dim>> workpiece) : m_workpiece(std::move(workpiece)) {}
+  Workpiece<Dim>& workpiece() { return *m_workpiece; }
+  const Workpiece<Dim>& workpiece() const { return *m_workpiece; }
+  PointEvents<Dim>& user() { return m_user; }
+
+  void accept() override;
+  void revert() override;
+  double find_earliest(double tolerance, double noise) override;
+  void find_all() override;
+  void drop_events() override { m_pending.clear(); }
+  const std::vector<ElementEvent<Dim>>& pending() const override { return m_pending; }
+  long accept_events() override;
+  void keep_plastic(double noise) override;
+  double find_earliest_user(double overshoot, double least) override;
+  std::vector<ElementEvent<Dim>> user_events() const override;
+  double largest_yield_excess() const override;
+
+private:
+  std::unique_ptr<Workpiece<Dim>> m_workpiece;
+  PointEvents<Dim> m_user;
+  std::vector<ElementEvent<Dim>> m_pending;
+};
+
+} // namespace burnish

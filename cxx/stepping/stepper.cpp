@@ -1,0 +1,164 @@
+#include "stepping/stepper.hpp"
+#include <algorithm>
+
+namespace burnish {
+
+template <int Dim>
+Stepper<Dim>::Stepper(ContactRun<Dim>& contact, RunBody<Dim>& body, StepControl control, StepperOptions options)
+    : m_contact(contact), m_body(body), m_control(std::move(control)), m_options(options),
+      m_implicit(contact, body, m_options.events, m_counts.scheme),
+      m_event(contact, body, m_options.events, m_counts.scheme),
+      m_article(contact, body, m_options.events, m_counts.scheme), m_scheme(&m_implicit) {}
+
+template <int Dim> Task Stepper<Dim>::ask(Task task, Phase phase) {
+  m_phase = phase;
+  return task;
+}
+
+template <int Dim> Task Stepper<Dim>::next(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  if (m_stopped) return end(u, R);
+  const bool done = !m_refused;
+  switch (m_phase) {
+  case Phase::STEP:
+  case Phase::RECORD:
+    return begin_step();
+  case Phase::PROGRAM:
+    return done ? begin_solve(u) : solved(false, u, R);
+  case Phase::SOLVE:
+    return done ? ask(Task::FORCES, Phase::FORCES) : solved(false, u, R);
+  case Phase::FORCES:
+    return done ? check(u, R) : solved(false, u, R);
+  case Phase::TANGENT:
+    return done ? correct(u, R) : solved(false, u, R);
+  case Phase::ENDED:
+    break;
+  }
+  return m_control.finished() ? Task::FINISHED : Task::STOPPED;
+}
+
+template <int Dim> void Stepper<Dim>::refuse(const std::string& reason) {
+  m_refused = true;
+  m_refusal = reason;
+}
+
+template <int Dim> void Stepper<Dim>::stop(const std::string& reason) {
+  m_stopped = true;
+  m_reason = reason;
+}
+
+template <int Dim> Task Stepper<Dim>::begin_step() {
+  if (m_control.finished()) return ask(Task::FINISHED, Phase::ENDED);
+  const double narrow = m_options.width_steps * m_options.nodes_per_step * m_contact.body().spacing;
+  m_control.propose(std::max(m_contact.contact_width(), narrow), m_contact.contact_speed());
+  m_tries = 0;
+  return try_step();
+}
+
+template <int Dim> Task Stepper<Dim>::try_step() {
+  const bool by_event = m_options.scheme == Scheme::EVENT && m_tries < m_options.max_tries;
+  m_scheme = &m_implicit;
+  if (by_event) m_scheme = &m_event;
+  if (m_options.scheme == Scheme::ARTICLE) m_scheme = &m_article;
+  m_scheme->start(m_control.time(), m_control.dt());
+  return ask(Task::PROGRAM, Phase::PROGRAM);
+}
+
+template <int Dim> Task Stepper<Dim>::begin_solve(Eigen::VectorXd& u) {
+  const Solve& solve = m_scheme->solve();
+  m_contact.begin(u, solve.from, solve.dt, solve.stepping);
+  m_iteration = 0;
+  return solve.stepping == Stepping::RATES ? ask(Task::SOLVE, Phase::SOLVE) : ask(Task::FORCES, Phase::FORCES);
+}
+
+template <int Dim> Task Stepper<Dim>::check(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  if (m_scheme->solve().stepping == Stepping::RATES) return solved(true, u, R);
+  ++m_iteration;
+  switch (m_contact.check(u, R)) {
+  case StepStatus::CONVERGED:
+    return solved(true, u, R);
+  case StepStatus::FAILED:
+    return solved(false, u, R);
+  case StepStatus::BACKTRACKED:
+    return ask(Task::FORCES, Phase::FORCES);
+  case StepStatus::REFACTORIZE:
+    return ask(Task::TANGENT, Phase::TANGENT);
+  case StepStatus::ITERATE:
+    break;
+  }
+  return correct(u, R);
+}
+
+template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  if (m_contact.correct(u, R) == StepStatus::FAILED) return solved(false, u, R);
+  return ask(Task::FORCES, Phase::FORCES);
+}
+
+template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  if (!converged) m_last_rejection = m_refusal + m_contact.reason();
+  m_refused = false;
+  m_refusal.clear();
+  switch (m_scheme->solved(converged, u, R)) {
+  case SchemeTask::SOLVE:
+    return ask(Task::PROGRAM, Phase::PROGRAM);
+  case SchemeTask::FORCES:
+    return ask(Task::FORCES, Phase::FORCES);
+  case SchemeTask::ACCEPTED:
+    return accepted();
+  case SchemeTask::REJECTED:
+    break;
+  }
+  return rejected(u, R);
+}
+
+template <int Dim> Task Stepper<Dim>::accepted() {
+  const double t = m_control.time(), dt = m_control.dt(), part = m_scheme->reached() - t;
+  if (part < dt - m_options.events.rest * dt) m_control.cut(part / dt); // the rest of the step failed
+  m_control.accepted();
+  m_counts.scheme.pileups += m_options.scheme == Scheme::EVENT && m_tries >= m_options.max_tries;
+  ++m_counts.steps;
+  return ask(Task::RECORD, Phase::RECORD);
+}
+
+template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  ++m_counts.rejected;
+  ++m_tries;
+  m_rejected_dt = m_control.dt();
+  m_body.revert();
+  m_contact.revert();
+  u = m_contact.accepted().u;
+  R = m_contact.accepted().R;
+  if (m_control.rejected()) return try_step();
+  m_at_floor = true;
+  stop(m_last_rejection);
+  return end(u, R);
+}
+
+template <int Dim> Task Stepper<Dim>::end(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  if (m_phase != Phase::ENDED && m_phase != Phase::STEP) {
+    m_body.revert();
+    m_contact.revert();
+    u = m_contact.accepted().u;
+    R = m_contact.accepted().R;
+  }
+  return ask(Task::STOPPED, Phase::ENDED);
+}
+
+template <int Dim> StepperState<Dim> Stepper<Dim>::state() const {
+  return {m_contact.state(), m_control.state(), m_counts};
+}
+
+template <int Dim>
+void Stepper<Dim>::set_state(const StepperState<Dim>& state, Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  m_contact.set_state(state.contact);
+  m_control.set_state(state.control);
+  m_counts = state.counts;
+  u = state.contact.u;
+  R = state.contact.R;
+  m_phase = Phase::STEP;
+  m_stopped = m_refused = false;
+}
+
+template class Stepper<2>;
+template class Stepper<3>;
+
+} // namespace burnish

@@ -1,0 +1,101 @@
+#pragma once
+// The loop over the steps of a run, turned inside out: it says what has to be done next, and its caller, a script or a
+// test, does it. One loop for all; every decision about steps is here, in StepControl and in the schemes.
+#include "stepping/step_control.hpp"
+#include "stepping/step_scheme.hpp"
+
+namespace burnish {
+
+/// What the caller of a run does next.
+enum class Task {
+  PROGRAM,  ///< set motion or force of every coordinate for the instant target()
+  FORCES,   ///< update the stress at u for a step of length dt(), iteration(); its nodal forces, less external ones, into R;
+            ///< refuse() if the material cannot follow
+  TANGENT,  ///< factorize a tangent at u (ContactRun::factorize); refuse() if there is none
+  SOLVE,    ///< pure rates: tangent, condense, solve, expand into u; refuse() if that fails
+  RECORD,   ///< a step has been accepted: u, R and time() hold it
+  FINISHED, ///< the end of the program has been reached
+  STOPPED,  ///< the run has ended before: reason() tells why; u, R hold the last accepted state
+};
+
+enum class Scheme { IMPLICIT, EVENT, ARTICLE };
+
+struct StepperOptions {
+  Scheme scheme = Scheme::IMPLICIT;
+  SchemeOptions events;
+  double nodes_per_step = 1; ///< a rolling step is at least this many node spacings long
+  double width_steps = 14;   ///< as StepControlOptions::steps_per_width: the contact counts as that many spacings wide
+  int max_tries = 5;         ///< an event step that failed so often is taken with the states inside the iteration
+};
+
+struct StepperCounts {
+  long steps = 0, rejected = 0;
+  SchemeCounts scheme;
+};
+
+/// All that a run needs to go on after an accepted step, beside the body's own state. A copy goes on to the same bits.
+template <int Dim> struct StepperState {
+  ContactRunState<Dim> contact;
+  StepControlState control;
+  StepperCounts counts;
+};
+
+template <int Dim> class Stepper {
+public:
+  /// @param contact, body must outlive it
+  Stepper(ContactRun<Dim>& contact, RunBody<Dim>& body, StepControl control, StepperOptions options);
+
+  /// Does what follows from the last task, up to the next one. u, R belong to the caller: the first call takes u as the
+  /// displacement at the start.
+  Task next(Eigen::VectorXd& u, Eigen::VectorXd& R);
+  /// Instead of the last task: it cannot be done. The step is rejected and tried shorter.
+  void refuse(const std::string& reason);
+  /// Ends the run at the last accepted state: the next task is STOPPED. An accepted step is recorded before.
+  void stop(const std::string& reason);
+
+  double target() const { return m_scheme->solve().from + m_scheme->solve().dt; } ///< PROGRAM
+  double dt() const { return m_scheme->solve().dt; }                              ///< FORCES: length of the piece
+  int iteration() const { return m_iteration; } ///< FORCES: 0, 1, 2, ... in this equilibrium
+  double time() const { return m_control.time(); }
+  const StepControl& control() const { return m_control; }
+  const StepperCounts& counts() const { return m_counts; }
+  const std::string& reason() const { return m_reason; } ///< STOPPED
+  bool at_floor() const { return m_at_floor; }           ///< STOPPED: no step is short enough
+  /// Why the last step was rejected, and its length; "" before the first.
+  const std::string& last_rejection() const { return m_last_rejection; }
+  double rejected_dt() const { return m_rejected_dt; }
+
+  StepperState<Dim> state() const;
+  /// Goes on from another run's state; the body's is set by its owner.
+  void set_state(const StepperState<Dim>& state, Eigen::VectorXd& u, Eigen::VectorXd& R);
+
+private:
+  enum class Phase { STEP, PROGRAM, FORCES, TANGENT, SOLVE, RECORD, ENDED };
+  Task begin_step();
+  Task ask(Task task, Phase phase);
+  Task try_step();
+  Task begin_solve(Eigen::VectorXd& u);
+  Task check(Eigen::VectorXd& u, Eigen::VectorXd& R);
+  Task correct(Eigen::VectorXd& u, Eigen::VectorXd& R);
+  Task solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R);
+  Task accepted();
+  Task rejected(Eigen::VectorXd& u, Eigen::VectorXd& R);
+  Task end(Eigen::VectorXd& u, Eigen::VectorXd& R);
+
+  ContactRun<Dim>& m_contact;
+  RunBody<Dim>& m_body;
+  StepControl m_control;
+  StepperOptions m_options;
+  StepperCounts m_counts;
+  ImplicitScheme<Dim> m_implicit;
+  EventScheme<Dim> m_event;
+  ArticleScheme<Dim> m_article;
+  StepScheme<Dim>* m_scheme; // of the present try
+  Phase m_phase = Phase::STEP;
+  int m_tries = 0, m_iteration = 0;
+  bool m_refused = false, m_stopped = false, m_at_floor = false;
+  std::string m_refusal, m_reason, m_last_rejection;
+  double m_rejected_dt = 0;
+};
+
+} // namespace burnish

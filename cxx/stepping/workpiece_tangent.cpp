@@ -1,0 +1,24 @@
+#include "stepping/workpiece_tangent.hpp"
+#include "base/error.hpp"
+
+namespace burnish {
+
+template <int Dim>
+bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece, NodeBlockMatrix<Dim>& K,
+                       const Eigen::VectorXd& u) {
+  const Mesh<Dim>& mesh = contact.setup().mesh();
+  const int size = workpiece.discretization().num_dofs();
+  require(size == mesh.num_dofs(), "contact.factorize", "degrees of freedom of the material", size,
+          (std::to_string(mesh.num_dofs()) + " as the contact's space").c_str());
+  if (workpiece.discretization().axisymmetric != mesh.axisymmetric)
+    fail("contact.factorize", "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
+  do {
+    workpiece.tangent(K, TangentKind::CONSISTENT, contact.corrector().elastic_blend());
+    if (contact.factorize(K, u) == FactorStatus::OK) return true;
+  } while (!contact.corrector().blend_exhausted());
+  return false;
+}
+
+template bool factorize_tangent<2>(ContactRun<2>&, const Workpiece<2>&, NodeBlockMatrix<2>&, const Eigen::VectorXd&);
+
+} // namespace burnish
