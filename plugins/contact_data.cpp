@@ -72,32 +72,30 @@ double speed(H* const& h) {
   return guarded([&] { return h->get().started() ? h->get().run().contact_speed() : 0.; });
 }
 double spacing(H* const& h) {
-  return guarded([&] {
-    return h->get().run().body().spacing;
-  });
+  return guarded([&] { return h->get().run().body().spacing; });
 }
 double residual(H* const& h) {
-  return guarded([&] {
-    return h->get().started() ? h->get().run().corrector().last_balance().residual : 0.;
-  });
+  return guarded(
+      [&] { return h->get().started() ? h->get().run().corrector().last_balance().residual : 0.; });
 }
 double load_scale(H* const& h) {
-  return guarded(
-      [&] { return h->get().started() ? h->get().run().corrector().load_scale() : 0.; });
+  return guarded([&] { return h->get().started() ? h->get().run().corrector().load_scale() : 0.; });
 }
 
 struct CountTag {};
 long count(const Method<H, CountTag>& m, string* const& state) {
   return guarded([&] {
     const ContactState<2> none;
-    return count_nodes(m->get().started() ? m->get().run().accepted().contact : none, *state, "contact.count");
+    return count_nodes(m->get().started() ? m->get().run().accepted().contact : none, *state,
+                       "contact.count");
   });
 }
 
 struct StatisticTag {};
 long statistic(const Method<H, StatisticTag>& m, string* const& name) {
   return guarded([&] {
-    const CorrectorCounts counts = m->get().started() ? m->get().run().corrector().counts() : CorrectorCounts{};
+    const CorrectorCounts counts =
+        m->get().started() ? m->get().run().corrector().counts() : CorrectorCounts{};
     if (*name == "iterations") return counts.iterations;
     if (*name == "factorizations") return counts.factorizations;
     if (*name == "solves") return counts.solves;

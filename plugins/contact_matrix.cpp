@@ -31,8 +31,8 @@ struct Condense {
     const auto right = a.boolean("rates", false) ? RightHandSide::RATES : RightHandSide::TOTAL;
     const auto& system = called("contact.condense", [&]() -> const CondensedSystem& {
       return contact.run().condense(blocks, to_dofs(u, n, "contact.condense", "u"),
-                                       to_dofs(R, n, "contact.condense", "R"),
-                                       terms_of(a.text("terms", "complete")), right, symmetric);
+                                    to_dofs(R, n, "contact.condense", "R"),
+                                    terms_of(a.text("terms", "complete")), right, symmetric);
     });
     contact.rhs.assign(system.rhs.data(), system.rhs.data() + system.rhs.size());
     return to_freefem(a.stack(), system, solver);

@@ -45,7 +45,8 @@ basicAC_F0::name_and_type Begin::names[] = {{"events", &typeid(bool)}, {"rates",
 
 // Check and correct move u; the status is the number of the enumerator.
 template <class Verb>
-long step_verb(ContactHandle* handle, const KN_<double>& u, const KN_<double>& R, const char* where, Verb verb) {
+long step_verb(ContactHandle* handle, const KN_<double>& u, const KN_<double>& R, const char* where,
+               Verb verb) {
   return guarded([&] {
     ContactObject& contact = handle->get();
     Eigen::VectorXd v = dofs(contact, u, where, "u");
@@ -79,7 +80,8 @@ bool factorize_matrix(const Method<ContactHandle, FactorizeTag>& m, Matrice_Creu
                       const KN_<double>& u) {
   return guarded([&] {
     ContactObject& contact = m->get();
-    const auto& blocks = contact.reader.read(view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"));
+    const auto& blocks =
+        contact.reader.read(view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"));
     return contact.run().factorize(blocks, dofs(contact, u, "contact.factorize", "u")) == FactorStatus::OK;
   });
 }
@@ -91,9 +93,9 @@ struct Events {
   static double call(const Named& a, Method<ContactHandle, EventsTag> m, KN_<double> u, KN_<double> R) {
     ContactObject& contact = m->get();
     const CpuTimer timer(contact.event_seconds);
-    contact.pending = contact.run().events(dofs(contact, u, "contact.events", "u"),
-                                           dofs(contact, R, "contact.events", "R"), a.real("tolerance", 1e-3),
-                                           a.real("until", 1));
+    contact.pending =
+        contact.run().events(dofs(contact, u, "contact.events", "u"), dofs(contact, R, "contact.events", "R"),
+                             a.real("tolerance", 1e-3), a.real("until", 1));
     double first = 2;
     for (const auto& event : contact.pending) first = std::min(first, event.fraction);
     return first;

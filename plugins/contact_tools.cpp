@@ -50,7 +50,8 @@ KN_<double> node_tools(Stack stack, H* const& h) {
   return guarded([&] {
     std::vector<double> values(h->get().setup->candidates().size(), -1.);
     if (h->get().started())
-      for (std::size_t i = 0; i < values.size(); ++i) values[i] = h->get().run().accepted().contact.nodes[i].tool;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = h->get().run().accepted().contact.nodes[i].tool;
     return new_array(stack, values);
   });
 }
@@ -67,7 +68,8 @@ long count_of(const Method<H, CountOfTag>& m, string* const& state, const long& 
   return guarded([&] {
     const int tool = tool_index(*m->get().setup, i, "contact.countof");
     const ContactState<2> none;
-    return count_nodes(m->get().started() ? m->get().run().accepted().contact : none, *state, "contact.countof", tool);
+    return count_nodes(m->get().started() ? m->get().run().accepted().contact : none, *state,
+                       "contact.countof", tool);
   });
 }
 template <int axis> struct ForceTag {};

@@ -6,6 +6,7 @@
 //   M.moduli(i, j)      their symmetrized tangent dP_i/dF_j [stress]
 //   M.plasticstraineq, M.stresseq, M.yieldexcess (q/sigma_y - 1)
 //   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
+//   M.displacement(i)   x, y over the nodes [length];  M.degree 1 or 2 of the elements;  M.Th their mesh
 #include "base/error.hpp"
 #include "types.hpp"
 #include "workpiece/nodal_average.hpp"
@@ -23,8 +24,8 @@ struct ModuliTag {};
 
 KN_<double> nodal(Stack stack, const Method<MaterialHandle, NodalTag>& m, const KN_<double>& values) {
   return guarded([&] {
-    return new_array(
-        stack, nodal_average(m->get().workpiece().discretization(), to_vector(values, "material.nodal", "values")));
+    return new_array(stack, nodal_average(m->get().workpiece().discretization(),
+                                          to_vector(values, "material.nodal", "values")));
   });
 }
 
@@ -37,7 +38,8 @@ KN_<double> component(Stack stack, const std::vector<double>& all, long i, long 
   return *r;
 }
 KN_<double> stress(Stack stack, const Method<MaterialHandle, StressTag>& m, const long& i) {
-  return guarded([&] { return component(stack, m->get().workpiece().state().stress, i, 4, "material.stress"); });
+  return guarded(
+      [&] { return component(stack, m->get().workpiece().state().stress, i, 4, "material.stress"); });
 }
 KN_<double> gradient(Stack stack, const Method<MaterialHandle, GradientTag>& m, const long& i) {
   return guarded([&] { return component(stack, m->get().workpiece().state().F, i, GRADIENT, "material.F"); });
@@ -81,6 +83,17 @@ KN_<double> yield_excess(Stack stack, MaterialHandle* const& h) {
     return new_array(stack, excess);
   });
 }
+struct DisplacementTag {};
+KN_<double> displacement(Stack stack, const Method<MaterialHandle, DisplacementTag>& m, const long& i) {
+  return guarded([&] {
+    const Eigen::VectorXd& u = m->get().workpiece().state().displacement;
+    return component(stack, std::vector<double>(u.data(), u.data() + u.size()), i, 2, "material.displacement");
+  });
+}
+long degree(MaterialHandle* const& h) {
+  return guarded([&] { return h->get().workpiece().discretization().nodes_per_element == 3 ? 1L : 2L; });
+}
+pmesh mesh_of_material(MaterialHandle* const& h) { return h->get().mesh.get(); }
 long number_of_points(MaterialHandle* const& h) {
   return guarded([&] { return static_cast<long>(h->get().workpiece().discretization().num_points()); });
 }
@@ -102,6 +115,11 @@ void register_material_data() {
   Add<H*>("plasticstraineq", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain));
   Add<H*>("stresseq", ".", new OneOperator1s_<KN_<double>, H*>(stress_eq));
   Add<H*>("yieldexcess", ".", new OneOperator1s_<KN_<double>, H*>(yield_excess));
+  add_method<H, DisplacementTag>("displacement", [] {
+    return new OneOperator2s_<KN_<double>, Method<H, DisplacementTag>, long>(displacement);
+  });
+  Add<H*>("degree", ".", new OneOperator1_<long, H*>(degree));
+  Add<H*>("Th", ".", new OneOperator1_<pmesh, H*>(mesh_of_material));
   Add<H*>("points", ".", new OneOperator1_<long, H*>(number_of_points));
 }
 

@@ -36,7 +36,8 @@ bool event(const Method<M, EventTag>& m, string* const& name, string* const& for
       if (*name == name_of(static_cast<EventKind>(kind)))
         fail("material.event", "name \"" + *name + "\" is that of an event of its own kind");
     MaterialObject& object = m->get();
-    called("material.event", [&] { object.body->user().add(object.workpiece(), *name, *formula, object.parameters); });
+    called("material.event",
+           [&] { object.body->user().add(object.workpiece(), *name, *formula, object.parameters); });
     return true;
   });
 }
@@ -47,7 +48,8 @@ KN_<double> points(Stack stack, const Method<M, PointsTag>& m, string* const& na
   });
 }
 long number(const Method<M, NumberTag>& m, string* const& name) {
-  return guarded([&] { return called("material.eventnumber", [&] { return m->get().body->user().number(*name); }); });
+  return guarded(
+      [&] { return called("material.eventnumber", [&] { return m->get().body->user().number(*name); }); });
 }
 double earliest(const Method<M, EarliestTag>& m, const double& tolerance, const double& least) {
   return guarded([&] {

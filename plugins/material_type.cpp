@@ -51,6 +51,7 @@ struct Construct {
         called("material",
                [&] { return triangles(mesh_of(space, "material", a.boolean("axisymmetric", false))); }),
         parameters, options);
+    object->mesh = shared_mesh(space, "material");
     object->tangent = workpiece->pattern();
     object->body = std::make_unique<WorkpieceBody<2>>(std::move(workpiece));
     return made(std::move(object));
@@ -143,7 +144,8 @@ struct Tangent {
   static basicAC_F0::name_and_type names[n];
   static newpMatrice_Creuse<double> call(const Named& a, Method<MaterialHandle, TangentTag> m) {
     MaterialObject& object = m->get();
-    object.workpiece().tangent(object.tangent, tangent_kind(a.text("kind", "consistent")), a.real("blend", 0));
+    object.workpiece().tangent(object.tangent, tangent_kind(a.text("kind", "consistent")),
+                               a.real("blend", 0));
     return to_freefem(a.stack(), object.tangent);
   }
 };

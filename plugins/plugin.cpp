@@ -58,6 +58,9 @@ static void init() {
   register_contact_tools();
   register_solver();
   register_tools_of_the_trade();
+  register_options();
+  register_pictures();
+  register_step_control();
 }
 
 } // namespace burnish

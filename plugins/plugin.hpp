@@ -123,5 +123,8 @@ void register_contact_data();
 void register_contact_tools();
 void register_solver();
 void register_tools_of_the_trade();
+void register_options();
+void register_pictures();
+void register_step_control();
 
 } // namespace burnish

@@ -78,4 +78,10 @@ burnish::Mesh<2> mesh_of(pfes* const& space, const char* where, bool axisymmetri
   return mesh;
 }
 
+std::shared_ptr<const ::Mesh> shared_mesh(pfes* const& space, const char* where) {
+  const ::Mesh* mesh = &space_of(space, where).Th;
+  mesh->increment();
+  return {mesh, [](const ::Mesh* shared) { shared->destroy(); }};
+}
+
 } // namespace burnish

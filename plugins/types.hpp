@@ -20,8 +20,9 @@ struct MaterialObject {
   static constexpr const char* TYPE = "material";
   std::unique_ptr<WorkpieceBody<2>> body;
   NodeBlockMatrix<2> tangent;
-  std::map<std::string, double> parameters; // numbers by name for formulas of user-defined events
+  std::map<std::string, double> parameters;        // numbers by name for formulas of user-defined events
   double update_seconds = 0, assembly_seconds = 0; // CPU
+  std::shared_ptr<const ::Mesh> mesh;              // FreeFEM's
   Workpiece<2>& workpiece() { return body->workpiece(); }
 };
 struct ContactObject {
@@ -51,6 +52,9 @@ using ContactHandle = Handle<ContactObject>;
 /// adjacent.
 /// @throws std::invalid_argument for any other space
 burnish::Mesh<2> mesh_of(pfes* const& space, const char* where, bool axisymmetric);
+
+/// FreeFEM's mesh of the space, shared with the script. @throws std::invalid_argument for an empty space
+std::shared_ptr<const ::Mesh> shared_mesh(pfes* const& space, const char* where);
 
 /// "complete", "article" or "none". @throws std::invalid_argument for another name
 GeometricTerms terms_of(const std::string& name);

@@ -44,10 +44,10 @@ template <int Dim> Eigen::VectorXd of_nodes(const Eigen::VectorXd& window, const
 
 // Linearizations of the active nodes at the start of the iteration, in the states of the trial.
 template <int Dim>
-std::vector<NodeLinearization<Dim>>
-linearize(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& start,
-          const ContactState<Dim>& trial, const WindowProblem<Dim>& problem, const std::vector<int>& active,
-          Eigen::VectorXd& offset) {
+std::vector<NodeLinearization<Dim>> linearize(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                              const ContactState<Dim>& start, const ContactState<Dim>& trial,
+                                              const WindowProblem<Dim>& problem,
+                                              const std::vector<int>& active, Eigen::VectorXd& offset) {
   const auto poses = model.poses(start.q);
   std::vector<NodeLinearization<Dim>> nodes;
   offset = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(active.size()));
@@ -67,9 +67,10 @@ linearize(const ContactModel<Dim>& model, const BodyView<Dim>& body, const Conta
 
 // Dense block of the active nodes at fixed states; F on the window and the states moved by slips and dq.
 template <int Dim>
-bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body, const PrescribedValues& prescribed,
-                  const ContactState<Dim>& start, const ContactState<Dim>& trial,
-                  const WindowProblem<Dim>& problem, WindowSolution<Dim>& out) {
+bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                  const PrescribedValues& prescribed, const ContactState<Dim>& start,
+                  const ContactState<Dim>& trial, const WindowProblem<Dim>& problem,
+                  WindowSolution<Dim>& out) {
   const std::vector<int>& window = *problem.window;
   const std::vector<int> active = active_positions(trial, problem);
   const FreeComponents free = free_components(model, window, active);
@@ -94,7 +95,8 @@ bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body, con
   for (std::size_t a = 0; a < active.size(); ++a) {
     ContactNode<Dim>& node = out.state.nodes[window[active[a]]];
     if (nodes[a].sliding)
-      node.place = model.tools[node.tool]->surface().moved(node.place, block.slip.col(static_cast<Eigen::Index>(a)));
+      node.place =
+          model.tools[node.tool]->surface().moved(node.place, block.slip.col(static_cast<Eigen::Index>(a)));
     out.F.template segment<Dim>(Dim * active[a]) = block.F.template segment<Dim>(Dim * a);
     out.load.template segment<Dim>(Dim * active[a]) = block.load.template segment<Dim>(Dim * a);
   }
@@ -129,15 +131,16 @@ bool test_contact(const ContactModel<Dim>& model, int candidate, const std::vect
 // stay there (released twice in this step) where it is now.
 template <int Dim>
 bool test_free(const ContactModel<Dim>& model, int candidate, const std::vector<Pose<Dim>>& poses,
-               const Vector<Dim>& x, const EntryPlaces<Dim>& entry, double gap_tolerance, ContactNode<Dim>& node) {
+               const Vector<Dim>& x, const EntryPlaces<Dim>& entry, double gap_tolerance,
+               ContactNode<Dim>& node) {
   const ContactNode<Dim>& enters = entry.nodes[candidate];
   const auto nearest = nearest_tool(model, poses, x, enters, candidate);
   if (!(nearest.foot.gap < -gap_tolerance)) return false;
   const auto foot = model.tools[nearest.tool]->point(poses[nearest.tool], nearest.foot.place);
   if (admissible_normal(model, candidate, foot.n).isZero()) return false; // the supports hold it
   const TangentialLaw<Dim>& law = model.law(candidate, nearest.tool);
-  const bool returns = enters.tool == nearest.tool &&
-                       !(entry.releases[candidate] > 1 && law.friction().sticks_always());
+  const bool returns =
+      enters.tool == nearest.tool && !(entry.releases[candidate] > 1 && law.friction().sticks_always());
   node.tool = nearest.tool;
   node.slip_origin = returns ? enters.slip_origin : nearest.foot.place;
   node.place = law.frictionless() ? nearest.foot.place : node.slip_origin;
@@ -193,7 +196,8 @@ WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<
     const ContactState<Dim> before = trial;
     if (test_window(model, body, problem, solution, trial) == 0) break;
     for (std::size_t i = 0; i < refused.size(); ++i)
-      refused[i] = refused[i] || (sticks(before.nodes[i].state) && trial.nodes[i].state == NodeState::SLIDING);
+      refused[i] =
+          refused[i] || (sticks(before.nodes[i].state) && trial.nodes[i].state == NodeState::SLIDING);
   }
   if (solution.singular) solution.state = trial;
   solution.fresh.assign(state.nodes.size(), 0);
@@ -202,13 +206,13 @@ WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<
   return solution;
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                                       \
-  template WindowSolution<Dim> solve_window<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                       \
-                                                 const PrescribedValues&, const ContactState<Dim>&,                    \
-                                                 const WindowProblem<Dim>&);                                           \
-  template bool test_node<Dim>(const ContactModel<Dim>&, int, const std::vector<Pose<Dim>>&, const ContactNode<Dim>&,  \
-                               const Vector<Dim>&, const Vector<Dim>&, EntryPlaces<Dim>&, const ActiveSetOptions&,     \
-                               ContactNode<Dim>&);
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template WindowSolution<Dim> solve_window<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,             \
+                                                 const PrescribedValues&, const ContactState<Dim>&,          \
+                                                 const WindowProblem<Dim>&);                                 \
+  template bool test_node<Dim>(const ContactModel<Dim>&, int, const std::vector<Pose<Dim>>&,                 \
+                               const ContactNode<Dim>&, const Vector<Dim>&, const Vector<Dim>&,              \
+                               EntryPlaces<Dim>&, const ActiveSetOptions&, ContactNode<Dim>&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

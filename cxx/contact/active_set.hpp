@@ -23,12 +23,12 @@ template <int Dim> struct EntryPlaces {
 /// One linear contact problem: the window of candidates that the factor keeps, and the increment without
 /// contact.
 template <int Dim> struct WindowProblem {
-  const std::vector<int>* window = nullptr;   ///< candidate numbers (index into ContactModel::candidates)
-  ActiveCholesky* flexibility = nullptr;      ///< C over the window, Dim*window square; its selection changes
-  Eigen::VectorXd added_stiffness;            ///< see ContactBlockInput, Dim*window, or empty
-  Eigen::VectorXd free_increment;             ///< (K^-1(-R)) on the window [length]
-  const Eigen::VectorXd* u = nullptr;         ///< displacement at the linearization point, num_dofs
-  const Eigen::VectorXd* R = nullptr;         ///< residual force there, num_dofs
+  const std::vector<int>* window = nullptr; ///< candidate numbers (index into ContactModel::candidates)
+  ActiveCholesky* flexibility = nullptr;    ///< C over the window, Dim*window square; its selection changes
+  Eigen::VectorXd added_stiffness;          ///< see ContactBlockInput, Dim*window, or empty
+  Eigen::VectorXd free_increment;           ///< (K^-1(-R)) on the window [length]
+  const Eigen::VectorXd* u = nullptr;       ///< displacement at the linearization point, num_dofs
+  const Eigen::VectorXd* R = nullptr;       ///< residual force there, num_dofs
   EntryPlaces<Dim>* entry = nullptr;
   bool adapt = true; ///< false: states stay as they are (event stepping)
   ActiveSetOptions options;

@@ -41,8 +41,8 @@ void contact_node(const ContactModel<Dim>& model, int candidate, const ContactNo
     }
   }
   const bool off = offset_to(model, candidate, at.surface, x).norm() > tolerance.offset;
-  result.inconsistent += off || law.contradicts(node.state, force, slip_of(model, node), at.m, node.tributary_area,
-                                                {tolerance.force, tolerance.gap});
+  result.inconsistent += off || law.contradicts(node.state, force, slip_of(model, node), at.m,
+                                                node.tributary_area, {tolerance.force, tolerance.gap});
 }
 
 // Tool rows over their lever arms.
@@ -99,9 +99,9 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
   return result;
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                                       \
-  template Balance balance<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&, const ContactState<Dim>&,              \
-                                const PrescribedValues&, const Eigen::VectorXd&, const Eigen::VectorXd&,               \
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template Balance balance<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&, const ContactState<Dim>&,    \
+                                const PrescribedValues&, const Eigen::VectorXd&, const Eigen::VectorXd&,     \
                                 const BalanceTolerance&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)

@@ -23,7 +23,8 @@ template <int Dim> bool constrains_rigid_motions(const BodyView<Dim>& body) {
   constexpr int modes = Dim + Dim * (Dim - 1) / 2;
   constexpr double least = 1e-9; // smallest eigenvalue of the modes' Gram matrix, over the largest one
   using Motion = Eigen::Matrix<double, modes, 1>;
-  const Eigen::Map<const Eigen::Matrix<double, Dim, Eigen::Dynamic>> nodes(body.X.data(), Dim, body.X.size() / Dim);
+  const Eigen::Map<const Eigen::Matrix<double, Dim, Eigen::Dynamic>> nodes(body.X.data(), Dim,
+                                                                           body.X.size() / Dim);
   const Vector<Dim> middle = nodes.rowwise().mean();
   const double size = (nodes.colwise() - middle).norm() / std::sqrt(static_cast<double>(nodes.cols()));
   Eigen::Matrix<double, modes, modes> gram = Eigen::Matrix<double, modes, modes>::Zero();

@@ -43,8 +43,8 @@ template <int Dim> void Condensation<Dim>::build_pattern(const NodeBlockMatrix<D
 
 template <int Dim>
 void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                                  const Eigen::VectorXd& R, const PrescribedValues& prescribed, GeometricTerms terms,
-                                  RightHandSide right) {
+                                  const Eigen::VectorXd& R, const PrescribedValues& prescribed,
+                                  GeometricTerms terms, RightHandSide right) {
   const auto poses = m_model.poses(state.q);
   m_nodes.clear();
   m_contact_of.assign(m_body.X.size() / Dim, -1);
@@ -161,7 +161,8 @@ void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const
 // The geometric terms in the columns of coordinates under motion are known: they go to the right-hand side.
 // The rest of those columns is there already (m_shift).
 template <int Dim>
-void Condensation<Dim>::move_geometric_columns(const PrescribedValues& prescribed, const ContactState<Dim>& state) {
+void Condensation<Dim>::move_geometric_columns(const PrescribedValues& prescribed,
+                                               const ContactState<Dim>& state) {
   const int ndof = static_cast<int>(m_body.X.size());
   for (const auto& node : m_nodes)
     for (Eigen::Index k = 0; k < node.geo_sq.cols(); ++k) {
@@ -170,13 +171,15 @@ void Condensation<Dim>::move_geometric_columns(const PrescribedValues& prescribe
       const double dq = prescribed.value[q] - state.q[q];
       m_full.rhs.segment(ndof + m_model.first[node.tool], node.geo_qq.rows()) -= dq * node.geo_qq.col(k);
       if (node.sliding)
-        m_full.rhs.template segment<Dim - 1>(Dim * m_model.candidates[node.candidate]) -= dq * node.geo_sq.col(k);
+        m_full.rhs.template segment<Dim - 1>(Dim * m_model.candidates[node.candidate]) -=
+            dq * node.geo_sq.col(k);
     }
 }
 
 // Given unknowns: zero row and column, `scale` on the diagonal.
 template <int Dim>
-void Condensation<Dim>::set_given(const PrescribedValues& prescribed, const ContactState<Dim>& state, double scale) {
+void Condensation<Dim>::set_given(const PrescribedValues& prescribed, const ContactState<Dim>& state,
+                                  double scale) {
   const int ndof = static_cast<int>(m_body.X.size());
   m_given.assign(m_full.n, 0);
   Eigen::VectorXd given = Eigen::VectorXd::Zero(m_full.n);
@@ -206,7 +209,8 @@ void Condensation<Dim>::keep_candidate_rows(const NodeBlockMatrix<Dim>& K, const
   for (std::size_t i = 0; i < m_model.candidates.size(); ++i) {
     const int node = m_model.candidates[i];
     m_candidate_R.template segment<Dim>(Dim * i) = R.template segment<Dim>(Dim * node);
-    m_candidate_rows.insert(m_candidate_rows.end(), K.block(K.row_start[node]), K.block(K.row_start[node + 1]));
+    m_candidate_rows.insert(m_candidate_rows.end(), K.block(K.row_start[node]),
+                            K.block(K.row_start[node + 1]));
   }
 }
 
@@ -227,10 +231,10 @@ template <int Dim> void Condensation<Dim>::keep_lower() {
 }
 
 template <int Dim>
-const CondensedSystem& Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
-                                                   const Step& step, const Eigen::VectorXd& u,
-                                                   const Eigen::VectorXd& R, GeometricTerms terms,
-                                                   RightHandSide right, bool half) {
+const CondensedSystem& Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K,
+                                                   const ContactState<Dim>& state, const Step& step,
+                                                   const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                                                   GeometricTerms terms, RightHandSide right, bool half) {
   require(K.size() == m_body.X.size(), "condense", "size of K", K.size(),
           "number of dofs of the contact's space");
   if (half && !m_model.symmetric()) fail("condense", "symmetric storage needs a contact without friction");

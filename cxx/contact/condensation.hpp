@@ -38,15 +38,16 @@ public:
   /// num_dofs
   /// @param half store the lower triangle only (no friction, COMPLETE or NONE terms)
   /// @throws std::invalid_argument if K has another size than the body, or half with friction
-  const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state, const Step& step,
-                                  const Eigen::VectorXd& u, const Eigen::VectorXd& R, GeometricTerms terms,
-                                  RightHandSide right, bool half);
+  const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
+                                  const Step& step, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                                  GeometricTerms terms, RightHandSide right, bool half);
   /// Solution in nodes, slips, coordinates and the contact forces that it predicts.
   struct Expansion {
     Eigen::VectorXd du;   ///< num_dofs [length]
     Eigen::MatrixXd slip; ///< Dim-1 x candidates, in the tangents E, 0 unless sliding [length]
     Eigen::VectorXd dq;   ///< per coordinate
-    Eigen::VectorXd F;    ///< R + K du on the candidates, Dim*candidates: of those in contact their force [force]
+    Eigen::VectorXd
+        F; ///< R + K du on the candidates, Dim*candidates: of those in contact their force [force]
   };
   /// @throws std::invalid_argument if z has not the size of the last condensed system or holds NaN
   Expansion expand(const Eigen::VectorXd& z) const;
@@ -76,8 +77,8 @@ private:
   CondensedSystem m_full, m_half;
   std::vector<int> m_contact_of; // per node: index into m_nodes or -1
   std::vector<NodeLinearization<Dim>> m_nodes;
-  std::vector<char> m_given; // per unknown
-  Eigen::VectorXd m_shift;   // displacement increment that is known: offsets and motions
+  std::vector<char> m_given;            // per unknown
+  Eigen::VectorXd m_shift;              // displacement increment that is known: offsets and motions
   std::vector<double> m_candidate_rows; // blocks of K in the rows of the candidates, one row after another
   Eigen::VectorXd m_candidate_R;        // Dim*candidates
 };

@@ -20,7 +20,8 @@ std::vector<int> count_free(std::size_t nodes, int dim, const std::vector<int>& 
 }
 
 template <int Dim>
-Columns<Dim> assemble_columns(const ContactModel<Dim>& model, const std::vector<NodeLinearization<Dim>>& nodes,
+Columns<Dim> assemble_columns(const ContactModel<Dim>& model,
+                              const std::vector<NodeLinearization<Dim>>& nodes,
                               const std::vector<int>& free) {
   Columns<Dim> c;
   const std::vector<int> count = count_free(nodes.size(), Dim, free);
@@ -84,8 +85,9 @@ void prescribe_motion(const PrescribedValues& prescribed, const Eigen::VectorXd&
 // Solves with rows and columns equilibrated; reports the coordinate that nothing resists.
 bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eigen::Index first,
                   Eigen::VectorXd& z, int& weakest) {
-  constexpr double least_diagonal = 1e-12; // of the largest entry beside it: smaller ones do not set the scale
-  constexpr double least_rcond = 1e-15;    // of the scaled matrix: below, it counts as singular
+  constexpr double least_diagonal =
+      1e-12;                            // of the largest entry beside it: smaller ones do not set the scale
+  constexpr double least_rcond = 1e-15; // of the scaled matrix: below, it counts as singular
   const Eigen::Index n = matrix.rows();
   Eigen::VectorXd scale(n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -121,10 +123,10 @@ Eigen::VectorXd scattered(const Eigen::VectorXd& part, const std::vector<int>& a
 
 // W' SA + Geo and its right-hand side, from S A and the forces F0 at z = 0.
 template <int Dim>
-void assemble_block(const ContactModel<Dim>& model, const PrescribedValues& prescribed, const Eigen::VectorXd& q,
-                    const std::vector<NodeLinearization<Dim>>& nodes, const Columns<Dim>& c,
-                    const Eigen::MatrixXd& SA, const Eigen::VectorXd& F0, Eigen::MatrixXd& matrix,
-                    Eigen::VectorXd& rhs) {
+void assemble_block(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                    const Eigen::VectorXd& q, const std::vector<NodeLinearization<Dim>>& nodes,
+                    const Columns<Dim>& c, const Eigen::MatrixXd& SA, const Eigen::VectorXd& F0,
+                    Eigen::MatrixXd& matrix, Eigen::VectorXd& rhs) {
   matrix = c.W.transpose() * SA;
   rhs = -c.W.transpose() * F0;
   add_geometric_terms(model, nodes, c, matrix);
@@ -139,8 +141,9 @@ void assemble_block(const ContactModel<Dim>& model, const PrescribedValues& pres
 } // namespace
 
 template <int Dim>
-ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                                              const Eigen::VectorXd& q, const ContactBlockInput<Dim>& input) {
+ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model,
+                                              const PrescribedValues& prescribed, const Eigen::VectorXd& q,
+                                              const ContactBlockInput<Dim>& input) {
   const auto& nodes = *input.nodes;
   const std::vector<int>& free = *input.free;
   const Columns<Dim> c = assemble_columns(model, nodes, free);

@@ -28,15 +28,17 @@ template <int Dim> struct ContactBlockSolution {
   int weakest_coordinate = -1; ///< if singular: coordinate that nothing resists, or -1
   Eigen::MatrixXd slip;        ///< Dim-1 x nodes, in the tangents E (0 for sticking ones) [length]
   Eigen::VectorXd dq;          ///< all coordinates
-  Eigen::VectorXd load;        ///< F plus what the added stiffness carries: the load of the factor, Dim*nodes [force]
-  Eigen::VectorXd F;           ///< total contact force on the nodes, Dim*nodes [force]
+  Eigen::VectorXd
+      load;          ///< F plus what the added stiffness carries: the load of the factor, Dim*nodes [force]
+  Eigen::VectorXd F; ///< total contact force on the nodes, Dim*nodes [force]
 };
 
 /// Solves for slips, coordinates and contact forces at fixed states.
 /// Equations: sliding node W'F + constant + Geo = 0; coordinate under force sum X_k.F + Geo = Q_k; under
 /// motion dq_k = value - q_k; force F = S (offset + A z - free_increment).
 template <int Dim>
-ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                                              const Eigen::VectorXd& q, const ContactBlockInput<Dim>& input);
+ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model,
+                                              const PrescribedValues& prescribed, const Eigen::VectorXd& q,
+                                              const ContactBlockInput<Dim>& input);
 
 } // namespace burnish

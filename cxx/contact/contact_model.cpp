@@ -114,16 +114,17 @@ Vector<Dim> offset_to(const ContactModel<Dim>& model, int candidate, const Surfa
   return p.n.dot(p.x - x) * admissible_normal(model, candidate, p.n);
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                                       \
-  template struct ContactModel<Dim>;                                                                                   \
-  template NearestTool<Dim> nearest_tool<Dim>(const ContactModel<Dim>&, const std::vector<Pose<Dim>>&,                 \
-                                              const Vector<Dim>&, const ContactNode<Dim>&, int);                       \
-  template ContactPoint<Dim> contact_point<Dim>(const ContactModel<Dim>&, const std::vector<Pose<Dim>>&,               \
-                                                const ContactNode<Dim>&);                                              \
-  template Vector<Dim> admissible_normal<Dim>(const ContactModel<Dim>&, int, const Vector<Dim>&);                      \
-  template NodalForce<Dim> nodal_force<Dim>(const ContactModel<Dim>&, int, const SurfacePoint<Dim>&,                   \
-                                            const Vector<Dim>&);                                                       \
-  template Vector<Dim> offset_to<Dim>(const ContactModel<Dim>&, int, const SurfacePoint<Dim>&, const Vector<Dim>&);
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template struct ContactModel<Dim>;                                                                         \
+  template NearestTool<Dim> nearest_tool<Dim>(const ContactModel<Dim>&, const std::vector<Pose<Dim>>&,       \
+                                              const Vector<Dim>&, const ContactNode<Dim>&, int);             \
+  template ContactPoint<Dim> contact_point<Dim>(const ContactModel<Dim>&, const std::vector<Pose<Dim>>&,     \
+                                                const ContactNode<Dim>&);                                    \
+  template Vector<Dim> admissible_normal<Dim>(const ContactModel<Dim>&, int, const Vector<Dim>&);            \
+  template NodalForce<Dim> nodal_force<Dim>(const ContactModel<Dim>&, int, const SurfacePoint<Dim>&,         \
+                                            const Vector<Dim>&);                                             \
+  template Vector<Dim> offset_to<Dim>(const ContactModel<Dim>&, int, const SurfacePoint<Dim>&,               \
+                                      const Vector<Dim>&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

@@ -149,7 +149,8 @@ ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>
                              const EventTolerance& tolerance, bool support) {
   const ContactNode<Dim>& node = step.start->nodes[i];
   if (in_contact(node.state)) return contact_event(model, body, step, poses0, poses1, i, tolerance, support);
-  const double f = node.state == NodeState::FREE ? touch_fraction(model, body, step, i, tolerance.gap) : NEVER;
+  const double f =
+      node.state == NodeState::FREE ? touch_fraction(model, body, step, i, tolerance.gap) : NEVER;
   return make_event(body, step, model, i, EventKind::TOUCH, f, node.tool);
 }
 
@@ -247,16 +248,17 @@ void settle_released(const ContactModel<Dim>& model, const BodyView<Dim>& body, 
   }
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                                       \
-  template std::vector<ContactEvent<Dim>> earliest_events<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,         \
-                                                               const StepEnds<Dim>&, const EventTolerance&,            \
-                                                               const std::vector<int>&);                               \
-  template std::vector<ContactEvent<Dim>> state_changes<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,           \
-                                                             const StepEnds<Dim>&);                                    \
-  template void apply_events<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                                      \
-                                  const std::vector<ContactEvent<Dim>>&, const Eigen::VectorXd&, ContactState<Dim>&);  \
-  template void settle_released<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&, const Eigen::VectorXd&, double,   \
-                                     ContactState<Dim>&);
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template std::vector<ContactEvent<Dim>> earliest_events<Dim>(                                              \
+      const ContactModel<Dim>&, const BodyView<Dim>&, const StepEnds<Dim>&, const EventTolerance&,           \
+      const std::vector<int>&);                                                                              \
+  template std::vector<ContactEvent<Dim>> state_changes<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&, \
+                                                             const StepEnds<Dim>&);                          \
+  template void apply_events<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                            \
+                                  const std::vector<ContactEvent<Dim>>&, const Eigen::VectorXd&,             \
+                                  ContactState<Dim>&);                                                       \
+  template void settle_released<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&, const Eigen::VectorXd&, \
+                                     double, ContactState<Dim>&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

@@ -5,8 +5,9 @@
 namespace burnish {
 
 template <int Dim>
-FacetFit<Dim>::FacetFit(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-                        const std::vector<Facet<Dim>>& facets, const Eigen::VectorXd& u, const Eigen::VectorXd& area) {
+FacetFit<Dim>::FacetFit(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                        const ContactState<Dim>& state, const std::vector<Facet<Dim>>& facets,
+                        const Eigen::VectorXd& u, const Eigen::VectorXd& area) {
   const std::vector<int> candidate = model.candidate_of_node(static_cast<int>(body.X.size()) / Dim);
   const double least = area.size() ? NO_AREA * area.maxCoeff() : 0;
   m_row.assign(state.nodes.size(), -1);
@@ -35,7 +36,8 @@ FacetFit<Dim>::FacetFit(const ContactModel<Dim>& model, const BodyView<Dim>& bod
   for (const auto& facet : m_facets)
     for (int v = 0; v < Dim; ++v)
       for (std::size_t i = 0; i < facet.nodes.size() && m_column[facet.nodes[v]] >= 0; ++i)
-        entries.emplace_back(m_row[facet.nodes[i]], m_column[facet.nodes[v]], facet.mass(static_cast<int>(i), v));
+        entries.emplace_back(m_row[facet.nodes[i]], m_column[facet.nodes[v]],
+                             facet.mass(static_cast<int>(i), v));
   Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(m_nodes.size()),
                                      static_cast<Eigen::Index>(m_vertices.size()));
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -47,7 +49,8 @@ Eigen::VectorXd FacetFit<Dim>::fit(const Eigen::VectorXd& force, Eigen::VectorXd
   Eigen::VectorXd right(static_cast<Eigen::Index>(m_nodes.size()));
   for (std::size_t r = 0; r < m_nodes.size(); ++r) right[static_cast<Eigen::Index>(r)] = force[m_nodes[r]];
   const Eigen::VectorXd values = m_solver.solve(right);
-  for (std::size_t c = 0; c < m_vertices.size(); ++c) nodal[m_vertices[c]] = values[static_cast<Eigen::Index>(c)];
+  for (std::size_t c = 0; c < m_vertices.size(); ++c)
+    nodal[m_vertices[c]] = values[static_cast<Eigen::Index>(c)];
   for (const auto& facet : m_facets)
     for (int e = 0; e < num_edges<Dim - 1>; ++e) {
       const auto [a, b] = SimplexEdges<Dim - 1>::ends[e];

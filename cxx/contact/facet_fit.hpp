@@ -23,8 +23,8 @@ private:
     std::vector<int> nodes; // candidate numbers, vertices first
     Eigen::MatrixXd mass;
   };
-  std::vector<Quadratic> m_facets;   // in contact
-  std::vector<int> m_row, m_column;  // per candidate: of the least-squares problem, -1: none
+  std::vector<Quadratic> m_facets;      // in contact
+  std::vector<int> m_row, m_column;     // per candidate: of the least-squares problem, -1: none
   std::vector<int> m_nodes, m_vertices; // candidates of its rows and columns
   Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> m_solver;
 };

@@ -36,8 +36,10 @@ NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const Cont
 }
 
 template NodeLinearization<2> linearize_node<2>(const ContactModel<2>&, const ContactNode<2>&, int,
-                                                const std::vector<Pose<2>>&, const Vector<2>&, GeometricTerms);
+                                                const std::vector<Pose<2>>&, const Vector<2>&,
+                                                GeometricTerms);
 template NodeLinearization<3> linearize_node<3>(const ContactModel<3>&, const ContactNode<3>&, int,
-                                                const std::vector<Pose<3>>&, const Vector<3>&, GeometricTerms);
+                                                const std::vector<Pose<3>>&, const Vector<3>&,
+                                                GeometricTerms);
 
 } // namespace burnish

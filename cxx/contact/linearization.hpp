@@ -18,7 +18,8 @@ template <int Dim> struct NodeLinearization {
   bool in_contact = true; ///< false: its displacement is unknown, no force acts on it (ContactBlockInput)
   bool sliding = false;   ///< has unknown slips, Dim-1 of them
   SurfacePoint<Dim> point;
-  PerCoordinate<Dim> x_q; ///< displacement per coordinate: X_,k, or along the admissible normal of a constrained node
+  PerCoordinate<Dim>
+      x_q; ///< displacement per coordinate: X_,k, or along the admissible normal of a constrained node
   Tangents<Dim> W = Tangents<Dim>::Zero();
   Param<Dim> constant = Param<Dim>::Zero();
   // geometric terms

@@ -26,7 +26,8 @@ void move_by(const ContactModel<Dim>& model, const typename Condensation<Dim>::E
 }
 
 template <int Dim>
-void shorten(const ContactModel<Dim>& model, const ContactState<Dim>& start, double fraction, ContactState<Dim>& end) {
+void shorten(const ContactModel<Dim>& model, const ContactState<Dim>& start, double fraction,
+             ContactState<Dim>& end) {
   end.q = (start.q + fraction * (end.q - start.q)).eval();
   for (std::size_t i = 0; i < end.nodes.size(); ++i) {
     ContactNode<Dim>& node = end.nodes[i];
@@ -36,8 +37,8 @@ void shorten(const ContactModel<Dim>& model, const ContactState<Dim>& start, dou
 }
 
 template <int Dim>
-double contact_speed(const ContactModel<Dim>& model, const ContactState<Dim>& state, const Eigen::VectorXd& q_old,
-                     double dt) {
+double contact_speed(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                     const Eigen::VectorXd& q_old, double dt) {
   double speed = 0;
   const auto poses = model.poses(state.q);
   for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
@@ -52,12 +53,14 @@ double contact_speed(const ContactModel<Dim>& model, const ContactState<Dim>& st
   return speed;
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                                       \
-  template void measure_slips<Dim>(const ContactModel<Dim>&, double, ContactState<Dim>&);                              \
-  template void move_by<Dim>(const ContactModel<Dim>&, const Condensation<Dim>::Expansion&, ContactState<Dim>&);       \
-  template void shorten<Dim>(const ContactModel<Dim>&, const ContactState<Dim>&, double, ContactState<Dim>&);          \
-  template double contact_speed<Dim>(const ContactModel<Dim>&, const ContactState<Dim>&, const Eigen::VectorXd&,       \
-                                     double);
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template void measure_slips<Dim>(const ContactModel<Dim>&, double, ContactState<Dim>&);                    \
+  template void move_by<Dim>(const ContactModel<Dim>&, const Condensation<Dim>::Expansion&,                  \
+                             ContactState<Dim>&);                                                            \
+  template void shorten<Dim>(const ContactModel<Dim>&, const ContactState<Dim>&, double,                     \
+                             ContactState<Dim>&);                                                            \
+  template double contact_speed<Dim>(const ContactModel<Dim>&, const ContactState<Dim>&,                     \
+                                     const Eigen::VectorXd&, double);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

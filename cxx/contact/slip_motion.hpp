@@ -14,12 +14,13 @@ void move_by(const ContactModel<Dim>& model, const typename Condensation<Dim>::E
 
 /// State at the fraction of a step that is linear: slips and coordinates. @param end in: at its end; out: there
 template <int Dim>
-void shorten(const ContactModel<Dim>& model, const ContactState<Dim>& start, double fraction, ContactState<Dim>& end);
+void shorten(const ContactModel<Dim>& model, const ContactState<Dim>& start, double fraction,
+             ContactState<Dim>& end);
 
 /// Speed of the contact along the body: tangential motion of the contact nodes with their tool's carrier, from the
 /// coordinates q_old in the time dt [length/time].
 template <int Dim>
-double contact_speed(const ContactModel<Dim>& model, const ContactState<Dim>& state, const Eigen::VectorXd& q_old,
-                     double dt);
+double contact_speed(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                     const Eigen::VectorXd& q_old, double dt);
 
 } // namespace burnish

@@ -19,7 +19,8 @@ void read_forces(const ContactModel<Dim>& model, const BodyView<Dim>& body, cons
       continue;
     }
     const auto p = model.tools[node.tool]->point(poses[node.tool], node.place);
-    const auto force = nodal_force(model, candidate, p, Vector<Dim>(R.template segment<Dim>(Dim * mesh_node)));
+    const auto force =
+        nodal_force(model, candidate, p, Vector<Dim>(R.template segment<Dim>(Dim * mesh_node)));
     report.normal_force[i] = force.part.N;
     report.tangential_force.col(i) = force.part.T;
   }
@@ -54,9 +55,9 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
   return report;
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                                       \
-  template SurfaceReport<Dim> surface_report<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                      \
-                                                  const ContactState<Dim>&, const std::vector<Facet<Dim>>&,            \
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template SurfaceReport<Dim> surface_report<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,            \
+                                                  const ContactState<Dim>&, const std::vector<Facet<Dim>>&,  \
                                                   const Eigen::VectorXd&, const Eigen::VectorXd&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)

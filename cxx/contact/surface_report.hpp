@@ -8,11 +8,12 @@ namespace burnish {
 /// present configuration. A node without such an area (a vertex on the axis of quadratic elements) takes the fitted
 /// values.
 template <int Dim> struct SurfaceReport {
-  Eigen::VectorXd gap;                 ///< positive = open, zero in contact [length]
-  Eigen::VectorXd normal_force;        ///< N >= 0 [force]
-  Eigen::MatrixXd tangential_force;    ///< of the tool on the body, Dim-1 x candidates, in the tangents E [force]
-  Eigen::VectorXd area;                ///< tributary area [length, in space and axisymmetric: area]
-  Eigen::VectorXd pressure;            ///< [stress]
+  Eigen::VectorXd gap;          ///< positive = open, zero in contact [length]
+  Eigen::VectorXd normal_force; ///< N >= 0 [force]
+  Eigen::MatrixXd
+      tangential_force;     ///< of the tool on the body, Dim-1 x candidates, in the tangents E [force]
+  Eigen::VectorXd area;     ///< tributary area [length, in space and axisymmetric: area]
+  Eigen::VectorXd pressure; ///< [stress]
   Eigen::MatrixXd traction_tangential; ///< on the body, Dim-1 x candidates [stress]
   /// The pressure and traction that are linear on every facet and whose consistent nodal forces fit the nodal
   /// forces in least squares (zero at free ends; middle nodes: mean of the ends): without the alternation of

@@ -5,7 +5,8 @@
 namespace burnish {
 
 template <int Dim>
-TangentialLaw<Dim>::TangentialLaw(std::shared_ptr<const FrictionLaw> friction) : m_friction(std::move(friction)) {
+TangentialLaw<Dim>::TangentialLaw(std::shared_ptr<const FrictionLaw> friction)
+    : m_friction(std::move(friction)) {
   if (!m_friction) fail("TangentialLaw", "no friction law");
 }
 
@@ -22,7 +23,8 @@ Change TangentialLaw<Dim>::test(NodeState state, const SurfaceForce<Dim>& force,
 }
 
 template <int Dim>
-double TangentialLaw<Dim>::sliding_residual(const SurfaceForce<Dim>& force, const Param<Dim>& m, double area) const {
+double TangentialLaw<Dim>::sliding_residual(const SurfaceForce<Dim>& force, const Param<Dim>& m,
+                                            double area) const {
   return (force.T + m * m_friction->limit(force.N, area)).norm();
 }
 
@@ -41,8 +43,8 @@ template <int Dim> Param<Dim> TangentialLaw<Dim>::slip_against(const Param<Dim>&
 }
 
 template <int Dim>
-SlidingRows<Dim> TangentialLaw<Dim>::rows(const SurfacePoint<Dim>& p, const Vector<Dim>& F, const Param<Dim>& m,
-                                          double area) const {
+SlidingRows<Dim> TangentialLaw<Dim>::rows(const SurfacePoint<Dim>& p, const Vector<Dim>& F,
+                                          const Param<Dim>& m, double area) const {
   const double N = F.dot(p.n), g = m_friction->limit(N, area), slope = m_friction->slope(N, area);
   const Param<Dim> T = p.E.transpose() * F;
   SlidingRows<Dim> rows;

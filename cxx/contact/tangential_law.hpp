@@ -24,10 +24,10 @@ struct ContactTolerance {
 
 /// Rows of a sliding node and their geometric terms, see NodeLinearization.
 template <int Dim> struct SlidingRows {
-  Tangents<Dim> W;             ///< rows W'F + constant = 0
-  Param<Dim> constant;         ///< [force]
-  Curvature<Dim> by_slip;      ///< change with the node's own slip, at constant F [force/length]
-  Eigen::MatrixXd by_q;        ///< change with the coordinates of its tool, Dim-1 x q
+  Tangents<Dim> W;        ///< rows W'F + constant = 0
+  Param<Dim> constant;    ///< [force]
+  Curvature<Dim> by_slip; ///< change with the node's own slip, at constant F [force/length]
+  Eigen::MatrixXd by_q;   ///< change with the coordinates of its tool, Dim-1 x q
 };
 
 /// A friction law along the surface. m is the direction of slip in the tangents E of the surface point, a unit vector,
@@ -50,8 +50,8 @@ public:
   Change test(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip, const Param<Dim>& m,
               double area, const ContactTolerance& tolerance) const;
   /// Whether forces or slip contradict the state, by the same conditions.
-  bool contradicts(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip, const Param<Dim>& m,
-                   double area, const ContactTolerance& tolerance) const {
+  bool contradicts(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip,
+                   const Param<Dim>& m, double area, const ContactTolerance& tolerance) const {
     return test(state, force, slip, m, area, tolerance) != Change::NONE;
   }
   /// Unbalanced tangential force of a sliding node, |T + m g(N)| [force].
@@ -70,7 +70,8 @@ public:
   }
 
   /// Linearization of T + m g(N) = 0 at the force F on the node (Dim numbers, space).
-  SlidingRows<Dim> rows(const SurfacePoint<Dim>& point, const Vector<Dim>& F, const Param<Dim>& m, double area) const;
+  SlidingRows<Dim> rows(const SurfacePoint<Dim>& point, const Vector<Dim>& F, const Param<Dim>& m,
+                        double area) const;
 
 private:
   std::shared_ptr<const FrictionLaw> m_friction;

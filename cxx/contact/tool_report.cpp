@@ -58,11 +58,12 @@ Vector<Dim> tool_resultant(const ContactModel<Dim>& model, const ContactState<Di
   return sum;
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                                       \
-  template std::vector<std::string> coordinate_names<Dim>(const std::vector<std::shared_ptr<const Tool<Dim>>>&);       \
-  template long count_nodes<Dim>(const ContactState<Dim>&, const std::string&, const char*, int);                      \
-  template Vector<Dim> tool_resultant<Dim>(const ContactModel<Dim>&, const ContactState<Dim>&, const Eigen::VectorXd&, \
-                                           int);
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template std::vector<std::string> coordinate_names<Dim>(                                                   \
+      const std::vector<std::shared_ptr<const Tool<Dim>>>&);                                                 \
+  template long count_nodes<Dim>(const ContactState<Dim>&, const std::string&, const char*, int);            \
+  template Vector<Dim> tool_resultant<Dim>(const ContactModel<Dim>&, const ContactState<Dim>&,               \
+                                           const Eigen::VectorXd&, int);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

@@ -4,12 +4,13 @@
 namespace burnish {
 namespace {
 
-constexpr double ALONG = 1e-9; // motion along the normal over the motion itself: below, a coordinate moves along the surface
+constexpr double ALONG =
+    1e-9; // motion along the normal over the motion itself: below, a coordinate moves along the surface
 
 // Slips of a tool's nodes, and what its coordinates do to them.
 struct ToolContact {
   bool any = false, sticks = false;
-  int least_slip = -1;         // candidate
+  int least_slip = -1;          // candidate
   Eigen::VectorXd normal, size; // per coordinate: largest |n.X_k|, |X_k|
 };
 
@@ -39,8 +40,8 @@ ToolContact contact_of(const ContactModel<Dim>& model, const std::vector<Pose<Di
 } // namespace
 
 template <int Dim>
-int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed, ContactState<Dim>& state,
-                      const std::vector<char>& refused) {
+int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                      ContactState<Dim>& state, const std::vector<char>& refused) {
   const auto poses = model.poses(state.q);
   for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
     if (model.laws[t].frictionless()) continue;
@@ -62,7 +63,8 @@ bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& s
   double smallest = 0;
   bool neutral = false;
   const auto poses = model.poses(state.q);
-  std::vector<Vector<Dim>> direction(model.tools.size(), Vector<Dim>::Zero()); // of a tool's first sliding node
+  std::vector<Vector<Dim>> direction(model.tools.size(),
+                                     Vector<Dim>::Zero()); // of a tool's first sliding node
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const auto& node = state.nodes[i];
     if (!in_contact(node.state) || model.is_constrained(static_cast<int>(i))) continue;
@@ -82,13 +84,15 @@ bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& s
 
 template <int Dim>
 void support_after_events(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                          const std::vector<ContactEvent<Dim>>& events, bool pass_on, ContactState<Dim>& state) {
+                          const std::vector<ContactEvent<Dim>>& events, bool pass_on,
+                          ContactState<Dim>& state) {
   const std::vector<ContactNode<Dim>> before = state.nodes;
   std::vector<char> refused(before.size(), 0);
   for (const auto& event : events) {
     if (!pass_on || event.candidate < 0 || event.kind != EventKind::STICK_TO_SLIP) continue;
     for (std::size_t i = 0; i < before.size(); ++i)
-      if (before[i].tool == event.tool && before[i].slip_direction.dot(event.slip_direction) > 0) refused[i] = 1;
+      if (before[i].tool == event.tool && before[i].slip_direction.dot(event.slip_direction) > 0)
+        refused[i] = 1;
   }
   for (int i; (i = stick_unsupported(model, prescribed, state, refused)) >= 0;) {
     place_at(state.nodes[i], before[i].place); // from here on, not from the start of the step
@@ -115,13 +119,14 @@ std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedV
   return result;
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                                       \
-  template int stick_unsupported<Dim>(const ContactModel<Dim>&, const PrescribedValues&, ContactState<Dim>&,           \
-                                      const std::vector<char>&);                                                       \
-  template bool stick_at_neutral_point<Dim>(const ContactModel<Dim>&, ContactState<Dim>&, const std::vector<char>&);   \
-  template void support_after_events<Dim>(const ContactModel<Dim>&, const PrescribedValues&,                           \
-                                          const std::vector<ContactEvent<Dim>>&, bool, ContactState<Dim>&);            \
-  template std::vector<int> sole_supports<Dim>(const ContactModel<Dim>&, const PrescribedValues&,                      \
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template int stick_unsupported<Dim>(const ContactModel<Dim>&, const PrescribedValues&, ContactState<Dim>&, \
+                                      const std::vector<char>&);                                             \
+  template bool stick_at_neutral_point<Dim>(const ContactModel<Dim>&, ContactState<Dim>&,                    \
+                                            const std::vector<char>&);                                       \
+  template void support_after_events<Dim>(const ContactModel<Dim>&, const PrescribedValues&,                 \
+                                          const std::vector<ContactEvent<Dim>>&, bool, ContactState<Dim>&);  \
+  template std::vector<int> sole_supports<Dim>(const ContactModel<Dim>&, const PrescribedValues&,            \
                                                const ContactState<Dim>&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)

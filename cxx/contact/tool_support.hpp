@@ -9,8 +9,8 @@ namespace burnish {
 /// @param refused per candidate: sticking was tried and exceeded the friction, taken last; may be empty
 /// @returns its candidate number or -1 if nothing had to be done
 template <int Dim>
-int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed, ContactState<Dim>& state,
-                      const std::vector<char>& refused = {});
+int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                      ContactState<Dim>& state, const std::vector<char>& refused = {});
 
 /// A body that only its tools hold slides one way before the neutral point of a tool, the other way behind it.
 /// If no node sticks there, nothing but the curvature of the contact holds it along the tool, and the solution
@@ -26,7 +26,8 @@ bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& s
 ///        not in balance, and nodes would take turns without end (article's scheme: 4208 events)
 template <int Dim>
 void support_after_events(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                          const std::vector<ContactEvent<Dim>>& events, bool pass_on, ContactState<Dim>& state);
+                          const std::vector<ContactEvent<Dim>>& events, bool pass_on,
+                          ContactState<Dim>& state);
 
 /// Candidates whose stick is the only one that supports their tool.
 template <int Dim>

@@ -3,7 +3,8 @@
 namespace burnish {
 
 template <int Dim>
-std::vector<Vector<Dim>> places_of(const BodyView<Dim>& body, const Facet<Dim>& facet, const Eigen::VectorXd& u) {
+std::vector<Vector<Dim>> places_of(const BodyView<Dim>& body, const Facet<Dim>& facet,
+                                   const Eigen::VectorXd& u) {
   std::vector<Vector<Dim>> places;
   for (const int node : nodes_of(facet)) places.push_back(body.position(u, node));
   return places;
@@ -25,9 +26,9 @@ Eigen::VectorXd tributary_areas(const ContactModel<Dim>& model, const BodyView<D
 
 template std::vector<Vector<2>> places_of<2>(const BodyView<2>&, const Facet<2>&, const Eigen::VectorXd&);
 template std::vector<Vector<3>> places_of<3>(const BodyView<3>&, const Facet<3>&, const Eigen::VectorXd&);
-template Eigen::VectorXd tributary_areas<2>(const ContactModel<2>&, const BodyView<2>&, const std::vector<Facet<2>>&,
-                                            const Eigen::VectorXd&);
-template Eigen::VectorXd tributary_areas<3>(const ContactModel<3>&, const BodyView<3>&, const std::vector<Facet<3>>&,
-                                            const Eigen::VectorXd&);
+template Eigen::VectorXd tributary_areas<2>(const ContactModel<2>&, const BodyView<2>&,
+                                            const std::vector<Facet<2>>&, const Eigen::VectorXd&);
+template Eigen::VectorXd tributary_areas<3>(const ContactModel<3>&, const BodyView<3>&,
+                                            const std::vector<Facet<3>>&, const Eigen::VectorXd&);
 
 } // namespace burnish

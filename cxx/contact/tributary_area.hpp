@@ -11,7 +11,8 @@ inline constexpr double NO_AREA = 1e-9;
 
 /// Present places of a facet's nodes, for FacetMeasure.
 template <int Dim>
-std::vector<Vector<Dim>> places_of(const BodyView<Dim>& body, const Facet<Dim>& facet, const Eigen::VectorXd& u);
+std::vector<Vector<Dim>> places_of(const BodyView<Dim>& body, const Facet<Dim>& facet,
+                                   const Eigen::VectorXd& u);
 
 /// Integral of each candidate's shape function over the facets in their present place: in the plane 1/2 : 1/2
 /// of a linear edge, 1/6 : 2/3 : 1/6 of a quadratic one. @param u displacement, num_dofs [length]

@@ -38,7 +38,8 @@ Param<2> ProfileSurface::slip(const SurfacePlace<2>& from, const SurfacePlace<2>
 
 int ProfileSurface::piece(const SurfacePlace<2>& place) const { return m_profile->piece(place.hint); }
 
-SurfacePlace<2> ProfileSurface::between(const SurfacePlace<2>& from, const SurfacePlace<2>& to, double f) const {
+SurfacePlace<2> ProfileSurface::between(const SurfacePlace<2>& from, const SurfacePlace<2>& to,
+                                        double f) const {
   return at((from.hint + f * (to.hint - from.hint))[0]);
 }
 

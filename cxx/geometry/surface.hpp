@@ -9,9 +9,10 @@ namespace burnish {
 
 /// A place on a surface.
 template <int Dim> struct SurfacePlace {
-  Vector<Dim> y = Vector<Dim>::Zero();    ///< the point, in the tool's frame [length]
-  Param<Dim> hint = Param<Dim>::Zero();   ///< where the surface's own search starts: its parameters there. It belongs to
-                                          ///< the surface; no formula of the contact uses it
+  Vector<Dim> y = Vector<Dim>::Zero(); ///< the point, in the tool's frame [length]
+  Param<Dim> hint =
+      Param<Dim>::Zero(); ///< where the surface's own search starts: its parameters there. It belongs to
+                          ///< the surface; no formula of the contact uses it
 };
 
 /// Local geometry at a place, all in the tool's frame: dy = E d(eta), dn = E B d(eta) along the surface.
@@ -48,7 +49,8 @@ public:
   /// piece to piece has an event (METHOD.md 4).
   virtual int piece(const SurfacePlace<Dim>&) const { return 0; }
   /// The place at the part f (0..1) of the way from one place to another. In space: the foot of the chord's point.
-  virtual SurfacePlace<Dim> between(const SurfacePlace<Dim>& from, const SurfacePlace<Dim>& to, double f) const {
+  virtual SurfacePlace<Dim> between(const SurfacePlace<Dim>& from, const SurfacePlace<Dim>& to,
+                                    double f) const {
     return foot((1 - f) * from.y + f * to.y, from.hint).place;
   }
   /// Part of that way just beyond the joint where the piece of `from` ends; infinity if both are on one piece.

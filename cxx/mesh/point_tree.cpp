@@ -22,7 +22,8 @@ template <int Dim> struct PointTree<Dim>::Impl {
 };
 
 template <int Dim>
-PointTree<Dim>::PointTree(std::vector<Vector<Dim>> points) : m_impl(std::make_unique<Impl>(std::move(points))) {
+PointTree<Dim>::PointTree(std::vector<Vector<Dim>> points)
+    : m_impl(std::make_unique<Impl>(std::move(points))) {
   if (!empty()) m_impl->tree.buildIndex();
 }
 template <int Dim> PointTree<Dim>::~PointTree() = default;

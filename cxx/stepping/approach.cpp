@@ -7,13 +7,15 @@
 namespace burnish {
 namespace {
 
-constexpr int ITERATIONS = 1000;     // bound; a far tool advances by half its gap or more each time
-constexpr double TOUCH = 1e-9;       // gap that counts as touch, over the spacing of candidates
-constexpr double SAME_GAP = 1e-9;    // nodes whose gaps differ by less touch together, same scale
-constexpr double NO_SLOPE = 1e-9;    // change of the gap over the motion: below, the coordinate does not close it
-constexpr double GAP_SHARE = 1.5;    // no point of the tool moves further than this part of the gap in an iteration ...
-constexpr double LEAST_WAY = 0.05;   // ... or this part of the spacing
-constexpr double FROM_INSIDE = 0.5;  // cosine between the tool's normal and the body's outward normal
+constexpr int ITERATIONS = 1000;  // bound; a far tool advances by half its gap or more each time
+constexpr double TOUCH = 1e-9;    // gap that counts as touch, over the spacing of candidates
+constexpr double SAME_GAP = 1e-9; // nodes whose gaps differ by less touch together, same scale
+constexpr double NO_SLOPE =
+    1e-9; // change of the gap over the motion: below, the coordinate does not close it
+constexpr double GAP_SHARE =
+    1.5; // no point of the tool moves further than this part of the gap in an iteration ...
+constexpr double LEAST_WAY = 0.05;  // ... or this part of the spacing
+constexpr double FROM_INSIDE = 0.5; // cosine between the tool's normal and the body's outward normal
 
 struct SmallestGap {
   double gap = 0, slope = 0, lever = 0; // gap, its change with the coordinate, motion of the foot with it
@@ -23,8 +25,8 @@ struct SmallestGap {
 
 // Smallest gap of a tool, and its change with coordinate k; places the candidates' feet in the state.
 template <int Dim>
-SmallestGap smallest_gap(const ContactSetup<Dim>& setup, ContactState<Dim>& state, const Eigen::VectorXd& u, int tool,
-                         int k) {
+SmallestGap smallest_gap(const ContactSetup<Dim>& setup, ContactState<Dim>& state, const Eigen::VectorXd& u,
+                         int tool, int k) {
   const auto& model = setup.model();
   const auto pose = model.tools[tool]->coordinates().pose(model.tool_q(state.q, tool));
   const double same = SAME_GAP * setup.body().spacing;
@@ -43,14 +45,14 @@ SmallestGap smallest_gap(const ContactSetup<Dim>& setup, ContactState<Dim>& stat
     result.slope = -p.n.dot(p.x_q.col(k));
     result.lever = p.x_q.col(k).norm();
     result.nodes.push_back(i);
-    if (node.tool == tool || !in_contact(node.state)) node.place = foot.place; // not where another tool touches
+    if (node.tool == tool || !in_contact(node.state))
+      node.place = foot.place; // not where another tool touches
   }
   return result;
 }
 
 // Mean normal out of the workpiece of the facets at a node; zero if there is none.
-template <int Dim>
-Vector<Dim> outward(const ContactSetup<Dim>& setup, int node, const Eigen::VectorXd& u) {
+template <int Dim> Vector<Dim> outward(const ContactSetup<Dim>& setup, int node, const Eigen::VectorXd& u) {
   Vector<Dim> sum = Vector<Dim>::Zero();
   const auto& mesh = setup.mesh();
   for (const Facet<Dim>& facet : setup.surface()) {
@@ -72,8 +74,8 @@ Vector<Dim> outward(const ContactSetup<Dim>& setup, int node, const Eigen::Vecto
 
 // A tool inside the workpiece has nodes at a positive gap, too, and reaches the surface from within.
 template <int Dim>
-void check_from_outside(const ContactSetup<Dim>& setup, const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                        int tool, const std::vector<std::size_t>& touching) {
+void check_from_outside(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                        const Eigen::VectorXd& u, int tool, const std::vector<std::size_t>& touching) {
   const auto& model = setup.model();
   const auto pose = model.tools[tool]->coordinates().pose(model.tool_q(state.q, tool));
   for (const std::size_t i : touching) {
@@ -104,8 +106,8 @@ template <int Dim> [[noreturn]] void fail_approach(const ContactSetup<Dim>& setu
 } // namespace
 
 template <int Dim>
-ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> state, const Eigen::VectorXd& u,
-                             int tool, int k) {
+ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> state,
+                             const Eigen::VectorXd& u, int tool, int k) {
   double& q = state.q[setup.model().first[tool] + k];
   const double spacing = setup.body().spacing;
   for (int iteration = 0; iteration < ITERATIONS; ++iteration) {
@@ -132,7 +134,9 @@ ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> s
   fail_approach(setup, tool, k);
 }
 
-template ContactState<2> approached<2>(const ContactSetup<2>&, ContactState<2>, const Eigen::VectorXd&, int, int);
-template ContactState<3> approached<3>(const ContactSetup<3>&, ContactState<3>, const Eigen::VectorXd&, int, int);
+template ContactState<2> approached<2>(const ContactSetup<2>&, ContactState<2>, const Eigen::VectorXd&, int,
+                                       int);
+template ContactState<3> approached<3>(const ContactSetup<3>&, ContactState<3>, const Eigen::VectorXd&, int,
+                                       int);
 
 } // namespace burnish

@@ -9,7 +9,7 @@ namespace burnish {
 /// @returns the state with the tool moved and the touching nodes in contact
 /// @throws std::invalid_argument if it cannot touch by this coordinate alone, or would touch from inside
 template <int Dim>
-ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> state, const Eigen::VectorXd& u,
-                             int tool, int k);
+ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> state,
+                             const Eigen::VectorXd& u, int tool, int k);
 
 } // namespace burnish

@@ -62,7 +62,8 @@ SchemeTask ArticleScheme<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen:
   if (m_cut) return take_piece(u, R);
   double fraction = 2;
   if (!m_blind)
-    fraction = this->earliest(u, R, o.elements == ElementEvents::CUT, 0, 2 * o.at_once * m_dt / this->m_solve.dt);
+    fraction =
+        this->earliest(u, R, o.elements == ElementEvents::CUT, 0, 2 * o.at_once * m_dt / this->m_solve.dt);
   if (fraction * this->m_solve.dt <= o.at_once * m_dt) return change_at_once(u, R);
   if (fraction <= 1) this->m_contact.log_elements(this->m_body.pending());
   if (fraction >= 1) return take_piece(u, R);

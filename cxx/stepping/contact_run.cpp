@@ -33,8 +33,8 @@ template <int Dim> ContactRunState<Dim> ContactRun<Dim>::state() const {
 }
 
 template <int Dim> void ContactRun<Dim>::set_state(const ContactRunState<Dim>& state) {
-  require(state.contact.nodes.size() == m_setup->candidates().size(), "contact", "number of nodes in the state",
-          state.contact.nodes.size(), "that of the candidates");
+  require(state.contact.nodes.size() == m_setup->candidates().size(), "contact",
+          "number of nodes in the state", state.contact.nodes.size(), "that of the candidates");
   m_accepted = state;
   m_corrector.restore(state.corrector);
   m_corrector.set_counts(state.counts);
@@ -49,12 +49,14 @@ template <int Dim> void ContactRun<Dim>::set_state(const ContactRunState<Dim>& s
 template <int Dim> void ContactRun<Dim>::update_tools() {
   for (std::size_t t = 0; t < m_setup->tools().size(); ++t) {
     m_setup->tools()[t]->q() = model().tool_q(m_accepted.contact.q, static_cast<int>(t));
-    m_setup->tools()[t]->generalized_force() = model().tool_q(m_accepted.generalized_force, static_cast<int>(t));
+    m_setup->tools()[t]->generalized_force() =
+        model().tool_q(m_accepted.generalized_force, static_cast<int>(t));
   }
 }
 
 // Every node's tributary area, for laws of pressure and traction.
-template <int Dim> void ContactRun<Dim>::take_areas(ContactState<Dim>& state, const Eigen::VectorXd& u) const {
+template <int Dim>
+void ContactRun<Dim>::take_areas(ContactState<Dim>& state, const Eigen::VectorXd& u) const {
   const Eigen::VectorXd area = tributary_areas(model(), body(), m_setup->surface(), u);
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
     state.nodes[i].tributary_area = area[static_cast<Eigen::Index>(i)];
@@ -128,9 +130,10 @@ template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, dou
   m_prescribed_start = start_values();
   auto prediction = predicted(u);
   u = prediction.u;
-  const bool keep = stepping == Stepping::EVENT && m_corrector.factor_age() < m_corrector.options().steps_per_factor;
-  m_corrector.begin(m_prescribed, prediction.state, std::move(prediction.entry), stepping == Stepping::IMPLICIT,
-                    keep);
+  const bool keep =
+      stepping == Stepping::EVENT && m_corrector.factor_age() < m_corrector.options().steps_per_factor;
+  m_corrector.begin(m_prescribed, prediction.state, std::move(prediction.entry),
+                    stepping == Stepping::IMPLICIT, keep);
   // a step of pure rates is solved once and not checked
   m_stage = stepping == Stepping::RATES ? Stage::CHECKED : Stage::BEGUN;
 }
@@ -260,8 +263,8 @@ const CondensedSystem& ContactRun<Dim>::condense(const NodeBlockMatrix<Dim>& K, 
   if (!R.allFinite()) fail("contact.condense", "the force array holds NaN or Inf");
   m_corrector.count_condensation();
   m_corrector.prepare_condensed();
-  return m_condensation.condense(K, m_corrector.state(), {&m_prescribed, &m_prescribed_start}, u, R, terms, right,
-                                 half);
+  return m_condensation.condense(K, m_corrector.state(), {&m_prescribed, &m_prescribed_start}, u, R, terms,
+                                 right, half);
 }
 
 template <int Dim> double ContactRun<Dim>::expand(const Eigen::VectorXd& z, Eigen::VectorXd& u) {
@@ -280,7 +283,8 @@ template <int Dim> double ContactRun<Dim>::expand(const Eigen::VectorXd& z, Eige
 template <int Dim> void ContactRun<Dim>::cut(Eigen::VectorXd& u, double fraction) {
   const char* where = "contact.cut";
   require_begun(where);
-  if (m_stepping != Stepping::RATES) fail(where, "only a step of pure rates is linear: begin it with rates=true");
+  if (m_stepping != Stepping::RATES)
+    fail(where, "only a step of pure rates is linear: begin it with rates=true");
   require(fraction > 0 && fraction <= 1, where, "fraction", fraction, "0 < fraction <= 1");
   require(u.size() == m_accepted.u.size(), where, "size of u", u.size(), "number of dofs");
   u = (m_u_start + fraction * (u - m_u_start)).eval();

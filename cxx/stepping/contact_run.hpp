@@ -66,14 +66,16 @@ public:
   /// Element events of the present step, logged with its acceptance.
   void log_elements(const std::vector<ElementEvent<Dim>>& events) { m_log.add(events, m_t, m_dt); }
   /// The end of the step becomes the accepted state. @param events those located at the end (event stepping)
-  void accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R, const std::vector<ContactEvent<Dim>>& events);
+  void accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+              const std::vector<ContactEvent<Dim>>& events);
   /// A step of no length: the states change by these events, nothing moves.
   void accept_events(const std::vector<ContactEvent<Dim>>& events);
   void revert();
 
   // --- the same step by a sparse solver of the caller's choice
   const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u,
-                                  const Eigen::VectorXd& R, GeometricTerms terms, RightHandSide right, bool half);
+                                  const Eigen::VectorXd& R, GeometricTerms terms, RightHandSide right,
+                                  bool half);
   /// Takes the solution as one iteration: u, slips and coordinates move; in a step of IMPLICIT the contact states are
   /// tested with the forces that it predicts, and contact nodes are put onto their tools. In a step of RATES everything
   /// is linear in the solution, so contact nodes leave a curved tool by the square of the step.

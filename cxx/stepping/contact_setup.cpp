@@ -8,8 +8,8 @@ ContactSetup<Dim>::ContactSetup(Mesh<Dim> mesh, std::vector<Facet<Dim>> surface,
                                 std::shared_ptr<const FacetMeasure<Dim>> measure, StepOptions options)
     : m_mesh(std::move(mesh)), m_surface(std::move(surface)), m_options(options) {
   require_valid(m_mesh, "contact");
-  require(static_cast<int>(fixed.size()) == m_mesh.num_dofs(), "contact", "number of fixed flags", fixed.size(),
-          "one per degree of freedom");
+  require(static_cast<int>(fixed.size()) == m_mesh.num_dofs(), "contact", "number of fixed flags",
+          fixed.size(), "one per degree of freedom");
   if (!measure) fail("contact", "no measure of the surface");
   for (const int node : nodes_along(m_surface)) {
     ConstrainedComponents<Dim> constrained;
@@ -61,7 +61,8 @@ template <int Dim> void ContactSetup<Dim>::close() {
 
 template <int Dim> Eigen::VectorXd ContactSetup<Dim>::placed() const {
   Eigen::VectorXd q(m_model.num_coordinates());
-  for (std::size_t t = 0; t < m_tools.size(); ++t) q.segment(m_model.first[t], m_tools[t]->q().size()) = m_tools[t]->q();
+  for (std::size_t t = 0; t < m_tools.size(); ++t)
+    q.segment(m_model.first[t], m_tools[t]->q().size()) = m_tools[t]->q();
   return q;
 }
 

@@ -43,8 +43,8 @@ void ContactWarnings<Dim>::check_conflicts(const ContactSetup<Dim>& setup, const
       const std::string &a = tools[node.tool]->name(), &b = tools[other]->name();
       std::ostringstream text;
       text << "tools \"" << a << "\" and \"" << b << "\" reach for the same node " << mesh_node << " at "
-           << x.transpose().format(PLACE_FORMAT) << ", t = " << t << ": it stays with \"" << a << "\", and \"" << b
-           << "\" overlaps it by " << -gap << "; a node touches at most one tool";
+           << x.transpose().format(PLACE_FORMAT) << ", t = " << t << ": it stays with \"" << a << "\", and \""
+           << b << "\" overlaps it by " << -gap << "; a node touches at most one tool";
       add("node " + a + " " + b, text.str());
     }
   }
@@ -52,8 +52,9 @@ void ContactWarnings<Dim>::check_conflicts(const ContactSetup<Dim>& setup, const
 }
 
 template <int Dim>
-void ContactWarnings<Dim>::check_elements(const ContactSetup<Dim>& setup, const std::vector<int>& tool_of_node,
-                                          const Eigen::VectorXd& u, double t) {
+void ContactWarnings<Dim>::check_elements(const ContactSetup<Dim>& setup,
+                                          const std::vector<int>& tool_of_node, const Eigen::VectorXd& u,
+                                          double t) {
   const auto& mesh = setup.mesh();
   for (int e = 0; e < mesh.num_elements; ++e) {
     int first = -1;

@@ -19,8 +19,8 @@ std::vector<Vector<Dim>> contact_places(const ContactModel<Dim>& model, const Bo
 } // namespace
 
 template <int Dim>
-double contact_width(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-                     const Eigen::VectorXd& u, int tool) {
+double contact_width(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                     const ContactState<Dim>& state, const Eigen::VectorXd& u, int tool) {
   return diameter(contact_places(model, body, state, u, tool));
 }
 
@@ -58,7 +58,8 @@ std::vector<int> near_contact(const ContactModel<Dim>& model, const BodyView<Dim
 }
 
 template <int Dim>
-Eigen::VectorXd on_window(const ContactModel<Dim>& model, const std::vector<int>& window, const Eigen::VectorXd& full) {
+Eigen::VectorXd on_window(const ContactModel<Dim>& model, const std::vector<int>& window,
+                          const Eigen::VectorXd& full) {
   Eigen::VectorXd part(Dim * static_cast<Eigen::Index>(window.size()));
   for (std::size_t w = 0; w < window.size(); ++w)
     part.template segment<Dim>(Dim * w) = full.template segment<Dim>(Dim * model.candidates[window[w]]);
@@ -74,14 +75,15 @@ Eigen::VectorXd scatter_window(const ContactModel<Dim>& model, const std::vector
   return full;
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                                       \
-  template double contact_width<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&, const ContactState<Dim>&,         \
-                                     const Eigen::VectorXd&, int);                                                     \
-  template std::vector<int> near_contact<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                          \
-                                              const ContactState<Dim>&, const Eigen::VectorXd&, double, double,        \
-                                              const StepOptions&);                                                     \
-  template Eigen::VectorXd on_window<Dim>(const ContactModel<Dim>&, const std::vector<int>&, const Eigen::VectorXd&);  \
-  template Eigen::VectorXd scatter_window<Dim>(const ContactModel<Dim>&, const std::vector<int>&,                      \
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template double contact_width<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                         \
+                                     const ContactState<Dim>&, const Eigen::VectorXd&, int);                 \
+  template std::vector<int> near_contact<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                \
+                                              const ContactState<Dim>&, const Eigen::VectorXd&, double,      \
+                                              double, const StepOptions&);                                   \
+  template Eigen::VectorXd on_window<Dim>(const ContactModel<Dim>&, const std::vector<int>&,                 \
+                                          const Eigen::VectorXd&);                                           \
+  template Eigen::VectorXd scatter_window<Dim>(const ContactModel<Dim>&, const std::vector<int>&,            \
                                                const Eigen::VectorXd&, Eigen::Index);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)

@@ -8,8 +8,8 @@ namespace burnish {
 
 /// Extent of the contact of a tool: distance between its outermost contact nodes [length].
 template <int Dim>
-double contact_width(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-                     const Eigen::VectorXd& u, int tool);
+double contact_width(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                     const ContactState<Dim>& state, const Eigen::VectorXd& u, int tool);
 
 /// Candidates within a distance of the contact of each tool, or of its closest free node where nothing is in contact;
 /// and those that penetrate.
@@ -23,7 +23,8 @@ std::vector<int> near_contact(const ContactModel<Dim>& model, const BodyView<Dim
 
 /// A vector over all nodes on the window, and a window's among all.
 template <int Dim>
-Eigen::VectorXd on_window(const ContactModel<Dim>& model, const std::vector<int>& window, const Eigen::VectorXd& full);
+Eigen::VectorXd on_window(const ContactModel<Dim>& model, const std::vector<int>& window,
+                          const Eigen::VectorXd& full);
 template <int Dim>
 Eigen::VectorXd scatter_window(const ContactModel<Dim>& model, const std::vector<int>& window,
                                const Eigen::VectorXd& part, Eigen::Index size);

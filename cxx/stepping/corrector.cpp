@@ -152,7 +152,8 @@ template <int Dim>
 FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
   require(K.size() == m_body.X.size(), "contact.factorize", "size of K", K.size(), "number of dofs");
   if (m_window.empty() || !window_covers(u))
-    m_window = near_contact(m_model, m_body, m_state, u, m_options.window_width, m_options.window_nodes, m_options);
+    m_window =
+        near_contact(m_model, m_body, m_state, u, m_options.window_width, m_options.window_nodes, m_options);
   m_rounding = rounding_of_forces(K, m_body.X);
   m_factor_age = 0;
   if (!m_tangent || m_tangent.use_count() > 1) { // a saved state keeps its factor
@@ -293,7 +294,8 @@ template <int Dim> void Corrector<Dim>::project(Eigen::VectorXd& u, bool keep_fr
     const int mesh_node = m_model.candidates[i];
     const Vector<Dim> x = m_body.position(u, mesh_node);
     const auto& tool = *m_model.tools[node.tool];
-    node.place = sticks(node.state) ? node.slip_origin : tool.foot(poses[node.tool], x, node.place.hint).place;
+    node.place =
+        sticks(node.state) ? node.slip_origin : tool.foot(poses[node.tool], x, node.place.hint).place;
     if (keep_fresh && m_fresh[i]) continue;
     u.template segment<Dim>(Dim * mesh_node) +=
         offset_to(m_model, static_cast<int>(i), tool.point(poses[node.tool], node.place), x);

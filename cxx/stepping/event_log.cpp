@@ -15,8 +15,7 @@ template <int Dim> void EventLog<Dim>::add(const std::vector<ContactEvent<Dim>>&
   events.insert(events.end(), more.begin(), more.end());
 }
 
-template <int Dim>
-void EventLog<Dim>::add(const std::vector<ElementEvent<Dim>>& more, double t, double dt) {
+template <int Dim> void EventLog<Dim>::add(const std::vector<ElementEvent<Dim>>& more, double t, double dt) {
   auto first = static_cast<std::ptrdiff_t>(events.size()); // of this step's element events
   while (first > 0 && events[first - 1].candidate < 0 && events[first - 1].t >= t) --first;
   for (const auto& found : more) {
@@ -29,7 +28,8 @@ void EventLog<Dim>::add(const std::vector<ElementEvent<Dim>>& more, double t, do
     event.name = found.name;
     events.push_back(event);
   }
-  std::stable_sort(events.begin() + first, events.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+  std::stable_sort(events.begin() + first, events.end(),
+                   [](const auto& a, const auto& b) { return a.t < b.t; });
 }
 
 template struct EventLog<2>;

@@ -73,8 +73,7 @@ SchemeTask EventScheme<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::V
   else
     fraction = this->earliest(u, R, o.elements == ElementEvents::CUT && m_point_changes < o.max_point_changes,
                               o.event_noise, 2 * o.at_once * m_dt / length);
-  const bool ends =
-      fraction > 1 || (1 - fraction) * length < o.last_piece * m_dt || m_cuts + 1 == o.max_cuts;
+  const bool ends = fraction > 1 || (1 - fraction) * length < o.last_piece * m_dt || m_cuts + 1 == o.max_cuts;
   if (ends && fraction * length > o.at_once * m_dt) return take_piece(u, R);
   cut(fraction, u, R);
   return SchemeTask::SOLVE;

@@ -9,15 +9,15 @@ namespace burnish {
 
 template <int Dim> struct FactoredTangent {
   std::unique_ptr<BodySolver<Dim>> solver;
-  std::vector<int> window;         ///< candidates on the dense block, ascending
+  std::vector<int> window;                            ///< candidates on the dense block, ascending
   std::shared_ptr<const Eigen::MatrixXd> flexibility; ///< C over the window, Dim*window square [length/force]
   Eigen::VectorXd added_stiffness; ///< Dim*window, see ContactBlockInput; empty: none [force/length]
 
   /// Factor of K for this window.
   /// @param floating the supports leave a rigid motion free: stiffness is added to the diagonal of the contact nodes and
   ///        of both ends of the window, which the dense block takes off again
-  FactorStatus factorize(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-                         const NodeBlockMatrix<Dim>& K, bool floating);
+  FactorStatus factorize(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                         const ContactState<Dim>& state, const NodeBlockMatrix<Dim>& K, bool floating);
   /// Reads the flexibility out of the factor.
   void condense();
 };

@@ -4,7 +4,8 @@
 namespace burnish {
 namespace {
 
-constexpr double CARRY = 1.5; // a state is carried from a candidate that stood this many spacings away at most
+constexpr double CARRY =
+    1.5; // a state is carried from a candidate that stood this many spacings away at most
 
 // Coordinates under motion go to their target, those under force continue at their last rate.
 template <int Dim>
@@ -37,7 +38,8 @@ template <int Dim> struct Predictor<Dim>::Shift {
 
 template <int Dim>
 Predictor<Dim>::Predictor(const Mesh<Dim>& mesh, const ContactModel<Dim>& model, const BodyView<Dim>& body)
-    : m_mesh(mesh), m_model(model), m_body(body), m_locator(mesh), m_candidates(reference_places(model, body)) {}
+    : m_mesh(mesh), m_model(model), m_body(body), m_locator(mesh),
+      m_candidates(reference_places(model, body)) {}
 
 template <int Dim>
 typename Predictor<Dim>::Shift Predictor<Dim>::shift_of(int tool, const Eigen::VectorXd& q_older,
@@ -57,14 +59,15 @@ typename Predictor<Dim>::Shift Predictor<Dim>::shift_of(int tool, const Eigen::V
 // u + ratio * turned last increment, taken from where the point was seen from the tool one step ago.
 template <int Dim>
 Eigen::VectorXd Predictor<Dim>::carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                                                const StepHistory<Dim>& history, const std::vector<Shift>& shifts,
-                                                double ratio) const {
+                                                const StepHistory<Dim>& history,
+                                                const std::vector<Shift>& shifts, double ratio) const {
   Eigen::VectorXd result = u;
   const auto poses = m_model.poses(state.q);
   std::vector<double> N(static_cast<std::size_t>(m_mesh.nodes_per_element));
   for (int a = 0; a < m_mesh.num_nodes; ++a) {
     int tool = 0;
-    if (shifts.size() > 1) tool = nearest_tool(m_model, poses, m_body.position(u, a), ContactNode<Dim>{}, -1).tool;
+    if (shifts.size() > 1)
+      tool = nearest_tool(m_model, poses, m_body.position(u, a), ContactNode<Dim>{}, -1).tool;
     const Shift& shift = shifts[tool];
     const Vector<Dim> P = shift.mean_inverse(m_mesh.node(a));
     const int element = m_locator.find(P, a);
@@ -147,7 +150,8 @@ void Predictor<Dim>::place_contact_nodes(bool may_stick, ContactState<Dim>& stat
       make_stick(node);
       node.state = kept;
     }
-    u.template segment<Dim>(Dim * a) += offset_to(m_model, candidate, tool.point(poses[node.tool], node.place), x);
+    u.template segment<Dim>(Dim * a) +=
+        offset_to(m_model, candidate, tool.point(poses[node.tool], node.place), x);
   }
 }
 

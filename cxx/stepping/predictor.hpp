@@ -31,7 +31,8 @@ public:
   /// @param state, u accepted state at the start of the step; slips are counted from here
   /// @param carry also carry the contact states along (false: states stay, event stepping)
   Prediction<Dim> predict(const PrescribedValues& prescribed, const ContactState<Dim>& state,
-                          const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt, bool carry) const;
+                          const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt,
+                          bool carry) const;
   /// The accepted state as it is: the start of a step of pure rates.
   Prediction<Dim> rest(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
 
@@ -43,7 +44,8 @@ private:
                                   const StepHistory<Dim>& history, const std::vector<Shift>& shifts,
                                   double ratio) const;
   std::vector<ContactNode<Dim>> entry_nodes(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
-  void carry_states(const ContactState<Dim>& old, const std::vector<Shift>& shifts, ContactState<Dim>& state) const;
+  void carry_states(const ContactState<Dim>& old, const std::vector<Shift>& shifts,
+                    ContactState<Dim>& state) const;
   void place_contact_nodes(bool may_stick, ContactState<Dim>& state, Eigen::VectorXd& u) const;
 
   const Mesh<Dim>& m_mesh;

@@ -6,10 +6,11 @@
 namespace burnish {
 namespace {
 
-constexpr int SAMPLES = 32;            // of a closed tool's surface, to tell whether it lies in the body
-constexpr double INSIDE = 1e-3;        // penetration at the start that does not count, over the spacing of candidates
-constexpr double UNRESISTED = 1e-9;    // motion along the normal over the motion: below, nothing resists
-constexpr double DEPENDENT = 1e-9;     // pivot of the QR of the motions, over the largest one
+constexpr int SAMPLES = 32; // of a closed tool's surface, to tell whether it lies in the body
+constexpr double INSIDE =
+    1e-3; // penetration at the start that does not count, over the spacing of candidates
+constexpr double UNRESISTED = 1e-9; // motion along the normal over the motion: below, nothing resists
+constexpr double DEPENDENT = 1e-9;  // pivot of the QR of the motions, over the largest one
 
 template <int Dim> std::string coordinate(const DrivenTool<Dim>& tool, Eigen::Index k) {
   const std::string& name = tool.tool().coordinates().names()[static_cast<std::size_t>(k)];
@@ -18,13 +19,14 @@ template <int Dim> std::string coordinate(const DrivenTool<Dim>& tool, Eigen::In
 
 // Whether a closed tool lies between the nodes altogether, at the reference place of the workpiece.
 template <int Dim>
-bool within_body(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& locator, const ContactState<Dim>& state,
-                 int tool) {
+bool within_body(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& locator,
+                 const ContactState<Dim>& state, int tool) {
   const auto& surface = setup.model().tools[tool]->surface();
   if (!surface.closed()) return false;
   const auto pose = setup.model().tools[tool]->coordinates().pose(setup.model().tool_q(state.q, tool));
   for (const auto& place : surface.samples(SAMPLES))
-    if (locator.find(setup.model().tools[tool]->position(pose, place), setup.candidates()[0], 0) < 0) return false;
+    if (locator.find(setup.model().tools[tool]->position(pose, place), setup.candidates()[0], 0) < 0)
+      return false;
   return true;
 }
 
@@ -71,8 +73,8 @@ void check_not_inside(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& lo
     const auto nearest = nearest_tool(setup.model(), poses, x, state.nodes[i], static_cast<int>(i));
     if (nearest.foot.gap >= -INSIDE * body.spacing) continue;
     std::ostringstream text;
-    text << "tool \"" << setup.tools()[nearest.tool]->name() << "\" starts inside the workpiece: node " << node
-         << " at " << x.transpose().format(PLACE_FORMAT) << " penetrates by " << -nearest.foot.gap
+    text << "tool \"" << setup.tools()[nearest.tool]->name() << "\" starts inside the workpiece: node "
+         << node << " at " << x.transpose().format(PLACE_FORMAT) << " penetrates by " << -nearest.foot.gap
          << "; place the tool outside and call approach, or, if its profile has the body on the wrong "
          << "side, turn it: inside=true, or the points in the other order";
     fail("contact.begin", text.str());
@@ -99,7 +101,8 @@ std::vector<std::string> hold_unresisted(const ContactSetup<Dim>& setup, const C
       const int q = model.first[t] + static_cast<int>(k);
       if (prescribed.is_motion[q] || normal[k] > UNRESISTED * size[k]) continue;
       if (prescribed.value[q] != 0)
-        fail("contact.begin", coordinate(*setup.tools()[t], k) + " has a force but without friction nothing " +
+        fail("contact.begin", coordinate(*setup.tools()[t], k) +
+                                  " has a force but without friction nothing " +
                                   "resists it; give it a motion or friction");
       prescribed.is_motion[q] = 1;
       prescribed.value[q] = state.q[q];
@@ -119,9 +122,10 @@ void check_support(const ContactSetup<Dim>& setup, const ContactState<Dim>& stat
     if (touches) continue;
     for (int k = 0; k < setup.tools()[t]->q().size(); ++k)
       if (!prescribed.is_motion[setup.model().first[t] + k])
-        fail("contact.begin", coordinate(*setup.tools()[t], k) +
-                                  " is under force but the tool touches nothing, so it has no support; bring the tool "
-                                  "into contact by motion or with approach first, or give the coordinate a motion");
+        fail("contact.begin",
+             coordinate(*setup.tools()[t], k) +
+                 " is under force but the tool touches nothing, so it has no support; bring the tool "
+                 "into contact by motion or with approach first, or give the coordinate a motion");
   }
 }
 
@@ -153,15 +157,17 @@ void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& 
   }
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                                       \
-  template PrescribedValues prescribed_values<Dim>(const ContactSetup<Dim>&);                                          \
-  template void check_not_placed<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&);                             \
-  template void check_not_inside<Dim>(const ContactSetup<Dim>&, const MeshLocator<Dim>&, const ContactState<Dim>&,     \
-                                      const Eigen::VectorXd&);                                                         \
-  template std::vector<std::string> hold_unresisted<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,           \
-                                                         PrescribedValues&);                                           \
-  template void check_support<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&, const PrescribedValues&);       \
-  template void check_independent<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&, const PrescribedValues&);
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template PrescribedValues prescribed_values<Dim>(const ContactSetup<Dim>&);                                \
+  template void check_not_placed<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&);                   \
+  template void check_not_inside<Dim>(const ContactSetup<Dim>&, const MeshLocator<Dim>&,                     \
+                                      const ContactState<Dim>&, const Eigen::VectorXd&);                     \
+  template std::vector<std::string> hold_unresisted<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&, \
+                                                         PrescribedValues&);                                 \
+  template void check_support<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,                       \
+                                   const PrescribedValues&);                                                 \
+  template void check_independent<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,                   \
+                                       const PrescribedValues&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

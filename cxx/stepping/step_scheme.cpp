@@ -26,8 +26,8 @@ template <int Dim> void StepScheme<Dim>::log_all_elements() {
 }
 
 template <int Dim>
-double StepScheme<Dim>::earliest(const Eigen::VectorXd& u, const Eigen::VectorXd& R, bool elements, double noise,
-                                 double least) {
+double StepScheme<Dim>::earliest(const Eigen::VectorXd& u, const Eigen::VectorXd& R, bool elements,
+                                 double noise, double least) {
   const double tolerance = m_options.event_tolerance;
   double inside = 2, user = 2;
   if (elements) {

@@ -16,18 +16,22 @@ enum class ElementEvents {
 
 struct SchemeOptions {
   ElementEvents elements = ElementEvents::NONE;
-  double event_tolerance = 1e-3; ///< events this close to the earliest one are taken with it, fraction of the step
-  double event_noise = 1e-4;     ///< stress that the residual's tolerance leaves, over the yield stress (event steps)
-  double at_once = 1e-6;         ///< a piece shorter than this part of the step has no length: states change, nothing moves
-  double rest = 1e-9;            ///< a rest of the step shorter than this part of it is none
-  double last_piece = 1e-3;      ///< an event this close to the end of a piece, over the step, counts as at its end
-  int max_cuts = 12;             ///< shortenings of one piece; the last one is taken as it is
-  int max_changes = 3;           ///< contact states may change this often at one instant; then a piece with the states
-                                 ///< inside the iteration finds the ones that agree
-  int max_point_changes = 2;     ///< the same of element events; then they are passed over at this instant
-  double adapt = 0.02;           ///< length of such a piece over the step
-  int max_pieces = 100;          ///< article: pieces of a step between events; the rest is then taken blindly
-  int max_retries = 4;           ///< article: changes of state at one instant; a blind piece leads away from there
+  double event_tolerance =
+      1e-3; ///< events this close to the earliest one are taken with it, fraction of the step
+  double event_noise =
+      1e-4; ///< stress that the residual's tolerance leaves, over the yield stress (event steps)
+  double at_once =
+      1e-6; ///< a piece shorter than this part of the step has no length: states change, nothing moves
+  double rest = 1e-9; ///< a rest of the step shorter than this part of it is none
+  double last_piece =
+      1e-3;            ///< an event this close to the end of a piece, over the step, counts as at its end
+  int max_cuts = 12;   ///< shortenings of one piece; the last one is taken as it is
+  int max_changes = 3; ///< contact states may change this often at one instant; then a piece with the states
+                       ///< inside the iteration finds the ones that agree
+  int max_point_changes = 2; ///< the same of element events; then they are passed over at this instant
+  double adapt = 0.02;       ///< length of such a piece over the step
+  int max_pieces = 100;      ///< article: pieces of a step between events; the rest is then taken blindly
+  int max_retries = 4; ///< article: changes of state at one instant; a blind piece leads away from there
 };
 
 /// What the caller has to do next, or how the step ended.
@@ -45,11 +49,11 @@ struct Solve {
 };
 
 struct SchemeCounts {
-  long pieces = 0;      ///< accepted pieces of steps
-  long pileups = 0;     ///< steps or pieces taken with the states inside the iteration because events piled up
-  long at_once = 0;     ///< changes of state without progress
-  long blind = 0;       ///< article: pieces that located no event
-  double excess = -1;   ///< article: largest q/sigma_y - 1 met
+  long pieces = 0;    ///< accepted pieces of steps
+  long pileups = 0;   ///< steps or pieces taken with the states inside the iteration because events piled up
+  long at_once = 0;   ///< changes of state without progress
+  long blind = 0;     ///< article: pieces that located no event
+  double excess = -1; ///< article: largest q/sigma_y - 1 met
 };
 
 template <int Dim> class StepScheme {
@@ -68,12 +72,14 @@ protected:
   /// Back to the accepted state.
   void revert(Eigen::VectorXd& u, Eigen::VectorXd& R);
   /// Logs the user-defined events of the piece and accepts it. @param events contact events at its end
-  void accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R, const std::vector<ContactEvent<Dim>>& events);
+  void accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+              const std::vector<ContactEvent<Dim>>& events);
   void log_all_elements();
   /// Earliest event of the piece, contact's, elements' and user-defined; 2 if there is none. Contact events found are in
   /// m_events, element events stay pending with the body; those later than the tolerance after the earliest are dropped.
   /// @param least user-defined events earlier than this fraction need no cut, since they change nothing
-  double earliest(const Eigen::VectorXd& u, const Eigen::VectorXd& R, bool elements, double noise, double least);
+  double earliest(const Eigen::VectorXd& u, const Eigen::VectorXd& R, bool elements, double noise,
+                  double least);
 
   ContactRun<Dim>& m_contact;
   RunBody<Dim>& m_body;

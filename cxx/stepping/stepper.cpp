@@ -4,7 +4,8 @@
 namespace burnish {
 
 template <int Dim>
-Stepper<Dim>::Stepper(ContactRun<Dim>& contact, RunBody<Dim>& body, StepControl control, StepperOptions options)
+Stepper<Dim>::Stepper(ContactRun<Dim>& contact, RunBody<Dim>& body, StepControl control,
+                      StepperOptions options)
     : m_contact(contact), m_body(body), m_control(std::move(control)), m_options(options),
       m_implicit(contact, body, m_options.events, m_counts.scheme),
       m_event(contact, body, m_options.events, m_counts.scheme),
@@ -67,7 +68,8 @@ template <int Dim> Task Stepper<Dim>::begin_solve(Eigen::VectorXd& u) {
   const Solve& solve = m_scheme->solve();
   m_contact.begin(u, solve.from, solve.dt, solve.stepping);
   m_iteration = 0;
-  return solve.stepping == Stepping::RATES ? ask(Task::SOLVE, Phase::SOLVE) : ask(Task::FORCES, Phase::FORCES);
+  return solve.stepping == Stepping::RATES ? ask(Task::SOLVE, Phase::SOLVE)
+                                           : ask(Task::FORCES, Phase::FORCES);
 }
 
 template <int Dim> Task Stepper<Dim>::check(Eigen::VectorXd& u, Eigen::VectorXd& R) {

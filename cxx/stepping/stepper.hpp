@@ -8,9 +8,9 @@ namespace burnish {
 
 /// What the caller of a run does next.
 enum class Task {
-  PROGRAM,  ///< set motion or force of every coordinate for the instant target()
-  FORCES,   ///< update the stress at u for a step of length dt(), iteration(); its nodal forces, less external ones, into R;
-            ///< refuse() if the material cannot follow
+  PROGRAM, ///< set motion or force of every coordinate for the instant target()
+  FORCES, ///< update the stress at u for a step of length dt(), iteration(); its nodal forces, less external ones, into R;
+          ///< refuse() if the material cannot follow
   TANGENT,  ///< factorize a tangent at u (ContactRun::factorize); refuse() if there is none
   SOLVE,    ///< pure rates: tangent, condense, solve, expand into u; refuse() if that fails
   RECORD,   ///< a step has been accepted: u, R and time() hold it
@@ -24,8 +24,9 @@ struct StepperOptions {
   Scheme scheme = Scheme::IMPLICIT;
   SchemeOptions events;
   double nodes_per_step = 1; ///< a rolling step is at least this many node spacings long
-  double width_steps = 14;   ///< as StepControlOptions::steps_per_width: the contact counts as that many spacings wide
-  int max_tries = 5;         ///< an event step that failed so often is taken with the states inside the iteration
+  double width_steps =
+      14; ///< as StepControlOptions::steps_per_width: the contact counts as that many spacings wide
+  int max_tries = 5; ///< an event step that failed so often is taken with the states inside the iteration
 };
 
 struct StepperCounts {
@@ -54,8 +55,8 @@ public:
   void stop(const std::string& reason);
 
   double target() const { return m_scheme->solve().from + m_scheme->solve().dt; } ///< PROGRAM
-  double dt() const { return m_scheme->solve().dt; }                              ///< FORCES: length of the piece
-  int iteration() const { return m_iteration; } ///< FORCES: 0, 1, 2, ... in this equilibrium
+  double dt() const { return m_scheme->solve().dt; } ///< FORCES: length of the piece
+  int iteration() const { return m_iteration; }      ///< FORCES: 0, 1, 2, ... in this equilibrium
   double time() const { return m_control.time(); }
   const StepControl& control() const { return m_control; }
   const StepperCounts& counts() const { return m_counts; }

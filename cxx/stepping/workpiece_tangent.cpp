@@ -11,7 +11,8 @@ bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece
   require(size == mesh.num_dofs(), "contact.factorize", "degrees of freedom of the material", size,
           (std::to_string(mesh.num_dofs()) + " as the contact's space").c_str());
   if (workpiece.discretization().axisymmetric != mesh.axisymmetric)
-    fail("contact.factorize", "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
+    fail("contact.factorize",
+         "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
   do {
     workpiece.tangent(K, TangentKind::CONSISTENT, contact.corrector().elastic_blend());
     if (contact.factorize(K, u) == FactorStatus::OK) return true;
@@ -19,6 +20,7 @@ bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece
   return false;
 }
 
-template bool factorize_tangent<2>(ContactRun<2>&, const Workpiece<2>&, NodeBlockMatrix<2>&, const Eigen::VectorXd&);
+template bool factorize_tangent<2>(ContactRun<2>&, const Workpiece<2>&, NodeBlockMatrix<2>&,
+                                   const Eigen::VectorXd&);
 
 } // namespace burnish

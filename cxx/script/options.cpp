@@ -1,0 +1,142 @@
+#include "script/options.hpp"
+#include "base/error.hpp"
+#include "script/text.hpp"
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+
+namespace burnish {
+namespace {
+
+// FreeFEM reads these anywhere on the command line; one with a value takes the next word.
+const std::vector<std::string> FREEFEM{"-f",  "-v",    "-nw",     "-ne",   "-ns",
+                                       "-cd", "-wait", "-nowait", "-glut", "-fglut"};
+const std::vector<std::string> FREEFEM_WITH_VALUE{"-f", "-v", "-glut", "-fglut"};
+
+bool among(const std::vector<std::string>& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+bool is_script(const std::string& word) {
+  const std::string end = ".edp";
+  return word.size() > end.size() && word.compare(word.size() - end.size(), end.size(), end) == 0;
+}
+
+} // namespace
+
+ScriptOptions::ScriptOptions(const std::vector<std::string>& words) {
+  const auto script = std::find_if(words.begin(), words.end(), is_script);
+  if (script == words.end()) return;
+  m_script = *script;
+  for (auto word = script + 1; word != words.end(); ++word) {
+    if (*word == "-h" || *word == "--help")
+      m_help = true;
+    else if (!word->empty())
+      m_words.push_back(*word);
+  }
+}
+
+std::string ScriptOptions::folder() const {
+  const std::size_t slash = m_script.rfind('/');
+  return slash == std::string::npos ? "." : m_script.substr(0, slash + (slash == 0));
+}
+
+// The last one counts.
+const std::string* ScriptOptions::find(const std::string& name) const {
+  const std::string* value = nullptr;
+  for (std::size_t i = 0; i < m_words.size(); ++i) {
+    if (m_words[i] != name) continue;
+    if (i + 1 == m_words.size()) fail("option " + name, "it has no value");
+    value = &m_words[i + 1];
+  }
+  return value;
+}
+
+void ScriptOptions::note(const std::string& name, const std::string& value, const std::string& json,
+                         const std::string& unit, const std::string& meaning) {
+  require(name.size() > 1 && name[0] == '-', "option", "name", "\"" + name + "\"",
+          "a dash and a word, such as -R");
+  if (among(FREEFEM, name) || name == "-h" || name == "--help")
+    fail("option " + name, "the name is one of FreeFEM's own or asks for help; choose another, such as -" +
+                               std::string(2, name.back()));
+  const auto known =
+      std::find_if(m_options.begin(), m_options.end(), [&](const Option& o) { return o.name == name; });
+  const Option option{name, value, json, unit, meaning};
+  if (known == m_options.end())
+    m_options.push_back(option);
+  else
+    *known = option;
+}
+
+double ScriptOptions::real(const std::string& name, double otherwise, const std::string& unit,
+                           const std::string& meaning) {
+  const std::string* given = find(name);
+  const double value =
+      given ? parse_number(*given, "option " + name + " has the value \"" + *given + "\", expected a number")
+            : otherwise;
+  note(name, json_number(value), json_number(value), unit, meaning);
+  return value;
+}
+
+long ScriptOptions::integer(const std::string& name, long otherwise, const std::string& unit,
+                            const std::string& meaning) {
+  long value = otherwise;
+  if (const std::string* given = find(name)) {
+    const std::string wrong = "option " + name + " has the value \"" + *given + "\", expected a whole number";
+    const double number = parse_number(*given, wrong);
+    if (number != std::rint(number) || std::abs(number) > 1e15) throw std::invalid_argument(wrong);
+    value = static_cast<long>(number);
+  }
+  note(name, std::to_string(value), std::to_string(value), unit, meaning);
+  return value;
+}
+
+std::string ScriptOptions::text(const std::string& name, const std::string& otherwise,
+                                const std::string& unit, const std::string& meaning) {
+  const std::string* given = find(name);
+  const std::string value = given ? *given : otherwise;
+  note(name, value, json_text(value), unit, meaning);
+  return value;
+}
+
+void ScriptOptions::refuse_unknown() const {
+  for (std::size_t i = 0; i < m_words.size(); ++i) {
+    const std::string& word = m_words[i];
+    if (among(FREEFEM, word)) {
+      i += among(FREEFEM_WITH_VALUE, word);
+      continue;
+    }
+    std::string list;
+    bool known = false;
+    for (const Option& option : m_options) {
+      known = known || option.name == word;
+      list += " " + option.name;
+    }
+    if (!known) throw std::invalid_argument("unknown option " + word + ", expected one of" + list);
+    ++i; // its value
+  }
+}
+
+std::string ScriptOptions::help() const {
+  std::size_t name = 0, value = 0, unit = 0;
+  for (const Option& option : m_options) {
+    name = std::max(name, option.name.size());
+    value = std::max(value, option.value.size());
+    unit = std::max(unit, option.unit.size());
+  }
+  std::ostringstream text;
+  for (const Option& o : m_options)
+    text << "  " << std::left << std::setw(static_cast<int>(name)) << o.name << "  "
+         << std::setw(static_cast<int>(value)) << (o.value.empty() ? "\"\"" : o.value) << "  "
+         << std::setw(static_cast<int>(unit)) << o.unit << "  " << o.meaning << "\n";
+  return text.str();
+}
+
+std::string ScriptOptions::json() const {
+  std::string text;
+  for (const Option& o : m_options)
+    text += (text.empty() ? "" : ", ") + json_text(o.name.substr(1)) + ": " + o.json;
+  return text;
+}
+
+} // namespace burnish

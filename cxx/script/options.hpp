@@ -1,0 +1,45 @@
+#pragma once
+// Options of a script, -name value: read, checked, listed, refused if unknown.
+#include <string>
+#include <vector>
+
+namespace burnish {
+
+class ScriptOptions {
+public:
+  /// @param words all words of the command line; those after the first that ends in ".edp" are the script's
+  explicit ScriptOptions(const std::vector<std::string>& words);
+  const std::string& script() const { return m_script; } ///< path of the script, "" if there is none
+  std::string folder() const;                            ///< of the script, "." if it is here
+
+  /// Value of an option, or the default. @param name with its dash; @param unit, meaning for the help; may be empty
+  /// @throws std::invalid_argument for a name that FreeFEM takes for itself, an option without a value, a value that is
+  ///         no number, or no whole one
+  double real(const std::string& name, double otherwise, const std::string& unit, const std::string& meaning);
+  long integer(const std::string& name, long otherwise, const std::string& unit, const std::string& meaning);
+  std::string text(const std::string& name, const std::string& otherwise, const std::string& unit,
+                   const std::string& meaning);
+
+  /// @throws std::invalid_argument naming a word that is no option that was asked for, and those that are
+  void refuse_unknown() const;
+  bool wants_help() const { return m_help; } ///< -h or --help is among the words
+  /// One line an option: name, value, unit, meaning.
+  std::string help() const;
+  /// The values used: "name": value, ... without braces.
+  std::string json() const;
+
+private:
+  struct Option {
+    std::string name, value, json, unit, meaning;
+  };
+  const std::string* find(const std::string& name) const;
+  void note(const std::string& name, const std::string& value, const std::string& json,
+            const std::string& unit, const std::string& meaning);
+
+  std::string m_script;
+  std::vector<std::string> m_words; // of the script
+  std::vector<Option> m_options;    // asked for
+  bool m_help = false;
+};
+
+} // namespace burnish

@@ -1,0 +1,92 @@
+// Options of a script, -name value after its name on the command line; read all of them in one block.
+//   real R = rcReal("-R", 15e-3, "m", "radius of the roller");      default, unit and meaning for the help; or without them
+//   int n = rcInt("-n", 10);  string e = rcText("-element", "P2");
+//   rcOptionsEnd(0);                refuses unknown options; with -h the help is printed and the script ends there,
+//                                   with -options list all options with their values, as one line of JSON
+//   rcOptionsJson(0)                the values used, "R": 0.015, ...;  rcScriptFolder(0) folder of the script
+#include "base/error.hpp"
+#include "leave.hpp"
+#include "plugin.hpp"
+#include "script/text.hpp"
+#include "script_options.hpp"
+
+extern KN<String>* pkarg; // FreeFEM's ARGV
+
+namespace burnish {
+
+ScriptOptions& script_options() {
+  static ScriptOptions read = [] {
+    std::vector<std::string> words;
+    for (long i = 0; pkarg && i < pkarg->N(); ++i)
+      words.push_back(static_cast<const string&>((*pkarg)[static_cast<int>(i)]));
+    return ScriptOptions(words);
+  }();
+  return read;
+}
+
+namespace {
+
+double real_option(string* const& name, const double& otherwise) {
+  return guarded([&] { return script_options().real(*name, otherwise, "", ""); });
+}
+double real_with_help(string* const& name, const double& otherwise, string* const& unit,
+                      string* const& meaning) {
+  return guarded([&] { return script_options().real(*name, otherwise, *unit, *meaning); });
+}
+long int_option(string* const& name, const long& otherwise) {
+  return guarded([&] { return script_options().integer(*name, otherwise, "", ""); });
+}
+long int_with_help(string* const& name, const long& otherwise, string* const& unit, string* const& meaning) {
+  return guarded([&] { return script_options().integer(*name, otherwise, *unit, *meaning); });
+}
+string* text_option(Stack stack, string* const& name, string* const& otherwise) {
+  return guarded([&] { return new_string(stack, script_options().text(*name, *otherwise, "", "")); });
+}
+string* text_with_help(Stack stack, string* const& name, string* const& otherwise, string* const& unit,
+                       string* const& meaning) {
+  return guarded([&] { return new_string(stack, script_options().text(*name, *otherwise, *unit, *meaning)); });
+}
+bool options_end(const long&) {
+  return guarded([&] {
+    const std::string list =
+        script_options().text("-options", "", "", "list: prints all options with their values, as JSON");
+    script_options().refuse_unknown();
+    if (script_options().wants_help()) {
+      cout << "options of " << script_options().script() << ", with defaults and units:\n" << script_options().help();
+      leave(0);
+    }
+    if (!list.empty()) {
+      cout << "{" << script_options().json() << "}\n";
+      leave(0);
+    }
+    return true;
+  });
+}
+string* options_json(Stack stack, const long&) { return new_string(stack, script_options().json()); }
+string* script_folder(Stack stack, const long&) { return new_string(stack, script_options().folder()); }
+double number(string* const& name, string* const& text) {
+  return guarded([&] {
+    return parse_number(*text, "option " + *name + " has the value \"" + *text + "\", expected a number");
+  });
+}
+string* json_of_number(Stack stack, const double& value) { return new_string(stack, json_number(value)); }
+string* json_of_text(Stack stack, string* const& value) { return new_string(stack, json_text(*value)); }
+
+} // namespace
+
+void register_options() {
+  Global.Add("rcReal", "(", new OneOperator2_<double, string*, double>(real_option));
+  Global.Add("rcReal", "(", new OneOperator4_<double, string*, double, string*, string*>(real_with_help));
+  Global.Add("rcInt", "(", new OneOperator2_<long, string*, long>(int_option));
+  Global.Add("rcInt", "(", new OneOperator4_<long, string*, long, string*, string*>(int_with_help));
+  Global.Add("rcText", "(", new OneOperator2s_<string*, string*, string*>(text_option));
+  Global.Add("rcText", "(", new OneOperator4s_<string*, string*, string*, string*, string*>(text_with_help));
+  Global.Add("rcOptionsEnd", "(", new OneOperator1_<bool, long>(options_end));
+  Global.Add("rcOptionsJson", "(", new OneOperator1s_<string*, long>(options_json));
+  Global.Add("rcScriptFolder", "(", new OneOperator1s_<string*, long>(script_folder));
+  Global.Add("rcNumber", "(", new OneOperator2_<double, string*, string*>(number));
+  Global.Add("rcJson", "(", new OneOperator1s_<string*, double>(json_of_number));
+  Global.Add("rcJson", "(", new OneOperator1s_<string*, string*>(json_of_text));
+}
+
+} // namespace burnish

@@ -1,0 +1,51 @@
+// int code = rcPictures(folder);   draws the pictures of a run's results: by a plot.py beside the script, else those of
+// any scene. The program is started without a shell, by $PYTHON or python3. 0: drawn; failing to draw is a warning.
+#include "plugin.hpp"
+#include "script_options.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <spawn.h>
+#include <sys/wait.h>
+
+extern char** environ;
+
+namespace burnish {
+namespace {
+
+std::string environment(const char* name, const std::string& otherwise) {
+  const char* value = std::getenv(name);
+  return value && *value ? value : otherwise;
+}
+
+std::string plot_program() {
+  const std::string beside = script_options().folder() + "/plot.py";
+  if (std::filesystem::exists(beside)) return beside;
+  return environment("BURNISH_TOP", ".") + "/cases/plotting/scene.py";
+}
+
+/// Exit status of a program, -1 if it cannot be started.
+int run(std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t process = 0;
+  if (posix_spawnp(&process, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) return -1;
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0)
+    if (errno != EINTR) return -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+long pictures(string* const& folder) {
+  cout.flush();
+  const int code = run({environment("PYTHON", "python3"), plot_program(), *folder});
+  if (code != 0) cout << "burnish: warning: the pictures could not be drawn (exit status " << code << ")" << endl;
+  return code;
+}
+
+} // namespace
+
+void register_pictures() { Global.Add("rcPictures", "(", new OneOperator1_<long, string*>(pictures)); }
+
+} // namespace burnish

@@ -1,0 +1,256 @@
+// Script type `stepcontrol`: the length of the steps, and the loop over them turned inside out (edp/rcRun.idp).
+//   stepcontrol S(tend, dtmax=0.05);         also named: dtmin, stepsperwidth=14, output=times hit exactly,
+//     scheme="implicit" | "event" | "article"; elementevents="none" | "log" | "cut": yield and unloading of points
+//     ("log": located in every accepted step and logged; "cut": the step is cut at them and at user-defined events);
+//     eventtolerance=1e-3 events this close to the earliest one are taken with it, fraction of the step;
+//     eventnoise=1e-4 stress that the residual's tolerance leaves, over the yield stress (event steps);
+//     nodesperstep=1 a rolling step is at least this many node spacings long; widthsteps=14 as stepsperwidth, for narrow
+//     contacts; maxpieces=100, maxretries=4: scheme "article", pieces of a step, changes of state at one instant
+//   A run:   S.start(C, M);   long task = S.next(u[], R);   what has to be done next:
+//     rcProgram  set every coordinate for S.target     rcForces  M.update(u, S.piece, S.iteration), nodal forces into R
+//     rcTangent  C.factorize(M, u)    rcSolve  pure rates: condense, solve, expand    rcRecord  a step has been accepted
+//     rcFinished  rcStopped: S.reason tells why, S.atfloor whether no step is short enough
+//     S.refuse(text)  the task cannot be done: the step is tried shorter;   S.stop(text)  ends the run at the accepted state
+//     S.count("steps" | "rejected" | "pieces" | "pileups" | "atonce" | "blind"), S.excess (article: largest q/sigma_y - 1)
+//     S.crawls, S.lastrejection, S.rejecteddt: steps far below dtmax after a failure; why the last step was rejected
+//   A loop of one's own:   S.propose(width, speed), S.accepted(), S.rejected() (false: below the floor), S.cut(f)
+//   S.t, S.dt, S.tend, S.finished, S.atoutput
+#include "base/error.hpp"
+#include "named.hpp"
+#include "stepping/stepper.hpp"
+#include "types.hpp"
+
+namespace burnish {
+namespace {
+
+struct ControlObject {
+  static constexpr const char* TYPE = "stepcontrol";
+  std::unique_ptr<StepControl> control;
+  StepperOptions options;
+  std::shared_ptr<ContactObject> contact; // of the run
+  std::shared_ptr<MaterialObject> material;
+  std::unique_ptr<Stepper<2>> stepper;
+  const StepControl& now() const { return stepper ? stepper->control() : *control; }
+  Stepper<2>& running(const char* where) const {
+    if (!stepper) fail(where, "no run has been started, call start first");
+    return *stepper;
+  }
+};
+using H = Handle<ControlObject>;
+
+Scheme scheme_of(const std::string& name) {
+  if (name == "implicit") return Scheme::IMPLICIT;
+  if (name == "event") return Scheme::EVENT;
+  if (name == "article") return Scheme::ARTICLE;
+  fail("stepcontrol", "unknown scheme \"" + name + "\", expected implicit, event or article");
+}
+ElementEvents elements_of(const std::string& name, Scheme scheme) {
+  if (name == "default") return scheme == Scheme::ARTICLE ? ElementEvents::CUT : ElementEvents::NONE;
+  if (name == "none") return ElementEvents::NONE;
+  if (name == "log") return ElementEvents::LOG;
+  if (name == "cut") return ElementEvents::CUT;
+  fail("stepcontrol", "unknown elementevents \"" + name + "\", expected none, log, cut or default");
+}
+
+struct Construct {
+  static const int n = 12;
+  static basicAC_F0::name_and_type names[n];
+  static double positive(const Named& a, const char* name, double otherwise) {
+    if (!a.has(name)) return otherwise;
+    const double value = a.real(name, 0);
+    require(std::isfinite(value) && value > 0, "stepcontrol", name, value, "a finite number > 0");
+    return value;
+  }
+  static int count(const Named& a, const char* name, int otherwise) {
+    const long value = a.integer(name, otherwise);
+    require(value > 0 && value < 1000000, "stepcontrol", name, value, "1 to 999999");
+    return static_cast<int>(value);
+  }
+  static H* call(const Named& a, H* handle, double t_end) {
+    handle->init();
+    StepControlOptions control;
+    control.t_end = t_end;
+    control.dt_max = positive(a, "dtmax", control.dt_max);
+    control.dt_min = positive(a, "dtmin", control.dt_min);
+    control.steps_per_width = a.real("stepsperwidth", control.steps_per_width);
+    if (a.has("output")) {
+      const Eigen::VectorXd times = to_vector(a.array("output"), "stepcontrol", "output");
+      control.output_times.assign(times.data(), times.data() + times.size());
+    }
+    auto object = std::make_shared<ControlObject>();
+    StepperOptions& options = object->options;
+    options.scheme = scheme_of(a.text("scheme", "implicit"));
+    options.events.elements = elements_of(a.text("elementevents", "default"), options.scheme);
+    options.events.event_tolerance = positive(a, "eventtolerance", options.events.event_tolerance);
+    options.events.event_noise = positive(a, "eventnoise", options.events.event_noise);
+    options.nodes_per_step = positive(a, "nodesperstep", options.nodes_per_step);
+    options.width_steps = positive(a, "widthsteps", options.width_steps);
+    options.events.max_pieces = count(a, "maxpieces", options.events.max_pieces);
+    options.events.max_retries = count(a, "maxretries", options.events.max_retries);
+    object->control = called("stepcontrol", [&] { return std::make_unique<StepControl>(0, control); });
+    handle->set(std::move(object));
+    return handle;
+  }
+};
+basicAC_F0::name_and_type Construct::names[] = {
+    {"dtmax", &typeid(double)},          {"dtmin", &typeid(double)},      {"stepsperwidth", &typeid(double)},
+    {"output", &typeid(KN_<double>)},    {"scheme", &typeid(string*)},    {"elementevents", &typeid(string*)},
+    {"eventtolerance", &typeid(double)}, {"eventnoise", &typeid(double)}, {"nodesperstep", &typeid(double)},
+    {"widthsteps", &typeid(double)},     {"maxpieces", &typeid(long)},    {"maxretries", &typeid(long)}};
+
+struct StartTag {};
+bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, MaterialHandle* const& material) {
+  return guarded([&] {
+    ControlObject& object = m->get();
+    object.stepper.reset();
+    object.contact = contact->share();
+    object.material = material->share();
+    object.stepper = std::make_unique<Stepper<2>>(object.contact->run(), *object.material->body,
+                                                  *object.control, object.options);
+    return true;
+  });
+}
+
+struct NextTag {};
+long next(Stack, const Method<H, NextTag>& m, const KN_<double>& u, const KN_<double>& R) {
+  return guarded([&] {
+    ControlObject& object = m->get();
+    Stepper<2>& stepper = object.running("stepcontrol.next");
+    const CpuTimer timer(object.contact->event_seconds);
+    const long n = object.contact->setup->mesh().num_dofs();
+    Eigen::VectorXd v = to_dofs(u, n, "stepcontrol.next", "u"),
+                    force = to_dofs(R, n, "stepcontrol.next", "R");
+    const Task task = called("contact.begin", [&] { return stepper.next(v, force); });
+    to_array(v, u, "stepcontrol.next");
+    to_array(force, R, "stepcontrol.next");
+    *object.control = stepper.control();
+    return static_cast<long>(task);
+  });
+}
+struct RefuseTag {};
+struct StopTag {};
+bool refuse(const Method<H, RefuseTag>& m, string* const& reason) {
+  return guarded([&] { return m->get().running("stepcontrol.refuse").refuse(*reason), true; });
+}
+bool stop(const Method<H, StopTag>& m, string* const& reason) {
+  return guarded([&] { return m->get().running("stepcontrol.stop").stop(*reason), true; });
+}
+
+struct CountTag {};
+long count(const Method<H, CountTag>& m, string* const& name) {
+  return guarded([&] {
+    const StepperCounts counts = m->get().stepper ? m->get().stepper->counts() : StepperCounts{};
+    if (*name == "steps") return counts.steps;
+    if (*name == "rejected") return counts.rejected;
+    if (*name == "pieces") return counts.scheme.pieces;
+    if (*name == "pileups") return counts.scheme.pileups;
+    if (*name == "atonce") return counts.scheme.at_once;
+    if (*name == "blind") return counts.scheme.blind;
+    fail("stepcontrol.count",
+         "unknown name \"" + *name + "\", expected steps, rejected, pieces, pileups, atonce or blind");
+  });
+}
+
+template <double (*read)(const ControlObject&)> double number(H* const& h) {
+  return guarded([&] { return read(h->get()); });
+}
+double target(const ControlObject& o) { return o.running("stepcontrol.target").target(); }
+double piece(const ControlObject& o) { return o.running("stepcontrol.piece").dt(); }
+double excess(const ControlObject& o) { return o.running("stepcontrol.excess").counts().scheme.excess; }
+double rejected_dt(const ControlObject& o) { return o.stepper ? o.stepper->rejected_dt() : 0; }
+double time_of(const ControlObject& o) { return o.now().time(); }
+double dt_of(const ControlObject& o) { return o.now().dt(); }
+double end_of(const ControlObject& o) { return o.now().options().t_end; }
+long iteration(H* const& h) {
+  return guarded([&] { return static_cast<long>(h->get().running("stepcontrol.iteration").iteration()); });
+}
+bool finished(H* const& h) { return h->get().now().finished(); }
+bool at_output(H* const& h) { return h->get().now().at_output(); }
+bool at_floor(H* const& h) { return h->get().stepper && h->get().stepper->at_floor(); }
+bool crawls(H* const& h) { return h->get().now().crawls(); }
+string* reason(Stack stack, H* const& h) {
+  return new_string(stack, h->get().stepper ? h->get().stepper->reason() : "");
+}
+string* last_rejection(Stack stack, H* const& h) {
+  return new_string(stack, h->get().stepper ? h->get().stepper->last_rejection() : "");
+}
+
+// --- a loop of one's own
+struct ProposeTag {};
+struct AcceptedTag {};
+struct RejectedTag {};
+struct CutTag {};
+StepControl& proposed(H* handle, const char* where) {
+  StepControl& control = *handle->get().control;
+  if (control.dt() <= 0) fail(where, "there is no step yet, call propose first");
+  return control;
+}
+double propose(const Method<H, ProposeTag>& m, const double& width, const double& speed) {
+  return guarded([&] { return m->get().control->propose(width, speed); });
+}
+bool accepted(const Method<H, AcceptedTag>& m) {
+  return guarded([&] { return proposed(m.object, "stepcontrol.accepted").accepted(), true; });
+}
+bool rejected(const Method<H, RejectedTag>& m) {
+  return guarded([&] { return proposed(m.object, "stepcontrol.rejected").rejected(); });
+}
+double cut(const Method<H, CutTag>& m, const double& f) {
+  return guarded([&] {
+    require(f > 0 && f <= 1, "stepcontrol.cut", "fraction", f, "0 < fraction <= 1");
+    proposed(m.object, "stepcontrol.cut").cut(f);
+    return m->get().control->dt();
+  });
+}
+
+void register_own_loop() {
+  add_method<H, ProposeTag>(
+      "propose", [] { return new OneOperator3_<double, Method<H, ProposeTag>, double, double>(propose); });
+  add_method<H, AcceptedTag>("accepted",
+                             [] { return new OneOperator1_<bool, Method<H, AcceptedTag>>(accepted); });
+  add_method<H, RejectedTag>("rejected",
+                             [] { return new OneOperator1_<bool, Method<H, RejectedTag>>(rejected); });
+  add_method<H, CutTag>("cut", [] { return new OneOperator2_<double, Method<H, CutTag>, double>(cut); });
+}
+
+void register_values() {
+  Add<H*>("t", ".", new OneOperator1_<double, H*>(number<time_of>));
+  Add<H*>("dt", ".", new OneOperator1_<double, H*>(number<dt_of>));
+  Add<H*>("tend", ".", new OneOperator1_<double, H*>(number<end_of>));
+  Add<H*>("target", ".", new OneOperator1_<double, H*>(number<target>));
+  Add<H*>("piece", ".", new OneOperator1_<double, H*>(number<piece>));
+  Add<H*>("excess", ".", new OneOperator1_<double, H*>(number<excess>));
+  Add<H*>("rejecteddt", ".", new OneOperator1_<double, H*>(number<rejected_dt>));
+  Add<H*>("iteration", ".", new OneOperator1_<long, H*>(iteration));
+  Add<H*>("finished", ".", new OneOperator1_<bool, H*>(finished));
+  Add<H*>("atoutput", ".", new OneOperator1_<bool, H*>(at_output));
+  Add<H*>("atfloor", ".", new OneOperator1_<bool, H*>(at_floor));
+  Add<H*>("crawls", ".", new OneOperator1_<bool, H*>(crawls));
+  Add<H*>("reason", ".", new OneOperator1s_<string*, H*>(reason));
+  Add<H*>("lastrejection", ".", new OneOperator1s_<string*, H*>(last_rejection));
+}
+
+} // namespace
+
+void register_step_control() {
+  Dcl_Type<H*>(InitP<H>, Destroy<H>);
+  zzzfff->Add("stepcontrol", atype<H*>());
+  TheOperators->Add("<-", new NamedOperator<Construct, H*, H*, double>);
+  add_method<H, StartTag>("start", [] {
+    return new OneOperator3_<bool, Method<H, StartTag>, ContactHandle*, MaterialHandle*>(start);
+  });
+  add_method<H, NextTag>(
+      "next", [] { return new OneOperator3s_<long, Method<H, NextTag>, KN_<double>, KN_<double>>(next); });
+  add_method<H, RefuseTag>("refuse",
+                           [] { return new OneOperator2_<bool, Method<H, RefuseTag>, string*>(refuse); });
+  add_method<H, StopTag>("stop", [] { return new OneOperator2_<bool, Method<H, StopTag>, string*>(stop); });
+  add_method<H, CountTag>("count",
+                          [] { return new OneOperator2_<long, Method<H, CountTag>, string*>(count); });
+  register_values();
+  register_own_loop();
+  long number = 0;
+  for (const char* name :
+       {"rcProgram", "rcForces", "rcTangent", "rcSolve", "rcRecord", "rcFinished", "rcStopped"})
+    Global.New(name, CConstant<long>(number++));
+}
+
+} // namespace burnish
