@@ -1,4 +1,4 @@
-// Events of a script's own at the points of a material. They are found and logged; nothing changes by them.
+// User-defined events at the points of a material. They are found and logged; nothing changes by them.
 //   M.parameter("D", 0.1);                  a number by name for the formulas of later calls of event
 //   M.event("damage", "ep - D*exp(-1.5*sm/seq)");
 //     happens at a point where the formula passes through zero from < 0 to >= 0. Names: ep plastic strain,
@@ -26,7 +26,8 @@ struct LogTag {};
 
 double parameter(const Method<M, ParameterTag>& m, string* const& name, const double& value) {
   return guarded([&] {
-    check_formula_names("material.parameter", {point_event_variables(), {{*name, value}}});
+    check_formula_names("material.parameter",
+                        {PointVariables<2>(m->get().body->law()).names(), {{*name, value}}});
     return m->get().parameters[*name] = value;
   });
 }
@@ -34,32 +35,37 @@ bool event(const Method<M, EventTag>& m, string* const& name, string* const& for
   return guarded([&] {
     for (char kind = 0; kind <= static_cast<char>(EventKind::SCRIPT); ++kind)
       if (*name == name_of(static_cast<EventKind>(kind)))
-        fail("material.event", "name \"" + *name + "\" is that of an event of its own kind");
+        fail("material.event", "name \"" + *name + "\" is that of a built-in kind of event");
     MaterialObject& object = m->get();
-    called("material.event", [&] { object.own.add(*object.body, *name, *formula, object.parameters); });
+    called("material.event",
+           [&] { object.user_events.add(*object.body, *name, *formula, object.parameters); });
     return true;
   });
 }
 KN_<double> points(Stack stack, const Method<M, PointsTag>& m, string* const& name) {
   return guarded([&] {
-    const auto counts = called("material.eventpoints", [&] { return m->get().own.counts(*name); });
+    const auto counts = called("material.eventpoints", [&] { return m->get().user_events.counts(*name); });
     return new_array(stack, std::vector<double>(counts.begin(), counts.end()));
   });
 }
 long number(const Method<M, NumberTag>& m, string* const& name) {
-  return guarded([&] { return called("material.eventnumber", [&] { return m->get().own.number(*name); }); });
+  return guarded(
+      [&] { return called("material.eventnumber", [&] { return m->get().user_events.number(*name); }); });
 }
 double earliest(const Method<M, EarliestTag>& m, const double& tolerance, const double& least) {
   return guarded([&] {
-    return called("material.pointevents",
-                  [&] { return m->get().own.earliest(*m->get().body, tolerance, least); });
+    PointEvents<2>& events = m->get().user_events;
+    return called("material.pointevents", [&] {
+      events.set_overshoot(tolerance);
+      return events.earliest(*m->get().body, least);
+    });
   });
 }
 long log_points(const Method<ContactHandle, LogTag>& c, M* const& material) {
   return guarded([&] {
     require_stage(c->get(), ContactObject::BEGUN, "contact.logpoints");
     const CpuTimer timer(c->get().event_seconds);
-    const auto events = material->get().own.find(*material->get().body);
+    const auto events = material->get().user_events.find(*material->get().body);
     c->get().session->log(events);
     return static_cast<long>(events.size());
   });

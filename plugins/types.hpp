@@ -20,8 +20,8 @@ struct MaterialObject {
   static constexpr const char* TYPE = "material";
   std::unique_ptr<Workpiece<2>> body;
   NodeBlockMatrix<2> tangent;
-  std::vector<ElementEvent<2>> pending;     // found by events(), used by switchpoints() and logevents()
-  PointEvents<2> own;                       // events by the script's formulas
+  std::vector<ElementEvent<2>> pending;     // found by events(), used by acceptevents() and logevents()
+  PointEvents<2> user_events;               // by the script's formulas
   std::map<std::string, double> parameters; // numbers by name for them
   double update_seconds = 0, assembly_seconds = 0; // CPU
 };
