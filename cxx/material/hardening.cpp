@@ -7,15 +7,17 @@ namespace {
 
 // --- the laws, and their table -----------------------------------------------------------------------------------------
 
+/// sigma_y = sigY + H ep.
 class LinearHardening final : public HardeningLaw {
 public:
   LinearHardening(double yield_stress, double hardening_modulus)
-      : HardeningLaw(true), m_yield_stress(yield_stress), m_hardening_modulus(hardening_modulus) {}
-  YieldStress at(double plastic_strain_eq) const override {
-    return {m_yield_stress + m_hardening_modulus * plastic_strain_eq, m_hardening_modulus};
-  }
+      : HardeningLaw({yield_stress, hardening_modulus}), m_yield_stress(yield_stress),
+        m_hardening_modulus(hardening_modulus) {}
 
 private:
+  YieldStress evaluate(double plastic_strain_eq) const override {
+    return {m_yield_stress + m_hardening_modulus * plastic_strain_eq, m_hardening_modulus};
+  }
   double m_yield_stress, m_hardening_modulus;
 };
 
@@ -34,13 +36,15 @@ const std::vector<HardeningEntry>& table() {
 
 // --- what is the same for all --------------------------------------------------------------------------------------------
 
-// Root of q - stiffness x - sigma_y(ep + x), which falls from >= 0 at 0 to < 0 at q/stiffness.
-double bracketed_increment(const HardeningLaw& hardening, double plastic_strain_eq, double q,
-                           double stiffness, double x) {
-  constexpr int MAX_ITERATIONS = 100;      // bisection alone would need some 50
+} // namespace
+
+// The root of q - stiffness x - sigma_y(ep + x), which falls from >= 0 at 0 to < 0 at q/stiffness.
+double local_solve(const HardeningLaw& hardening, double plastic_strain_eq, double q, double stiffness,
+                   double start) {
+  constexpr int MAX_PASSES = 100;          // bisection alone would need some 50
   constexpr double RELATIVE_ERROR = 1e-15; // of q: rounding
-  double low = 0, high = q / stiffness;
-  for (int k = 0; k < MAX_ITERATIONS; ++k) {
+  double low = 0, high = q / stiffness, x = start;
+  for (int k = 0; k < MAX_PASSES; ++k) {
     if (!(x > low && x < high)) x = 0.5 * (low + high);
     const YieldStress yield = hardening.at(plastic_strain_eq + x);
     const double excess = q - stiffness * x - yield.value;
@@ -51,15 +55,6 @@ double bracketed_increment(const HardeningLaw& hardening, double plastic_strain_
     x = next;
   }
   return x;
-}
-
-} // namespace
-
-double plastic_increment(const HardeningLaw& hardening, const YieldStress& yield, double plastic_strain_eq,
-                         double q, double stiffness) {
-  const double tangent = (q - yield.value) / (stiffness + yield.slope);
-  if (hardening.is_linear()) return tangent;
-  return bracketed_increment(hardening, plastic_strain_eq, q, stiffness, tangent);
 }
 
 const std::vector<HardeningEntry>& hardening_laws() { return table(); }

@@ -17,23 +17,39 @@ class HardeningLaw {
 public:
   virtual ~HardeningLaw() = default;
   /// @param plastic_strain_eq ep >= 0 [-]
-  virtual YieldStress at(double plastic_strain_eq) const = 0;
-  /// Slope constant: one step of a local Newton iteration is exact.
+  YieldStress at(double plastic_strain_eq) const {
+    if (!m_linear) return evaluate(plastic_strain_eq);
+    return {m_start.value + m_start.slope * plastic_strain_eq, m_start.slope};
+  }
+  /// Slope constant: returns have a closed form.
   bool is_linear() const { return m_linear; }
 
 protected:
-  explicit HardeningLaw(bool is_linear) : m_linear(is_linear) {}
+  HardeningLaw() = default;
+  /// A law that is a straight line, by its value and slope at ep = 0: at() then calls nothing virtual in the innermost loop.
+  explicit HardeningLaw(const YieldStress& start) : m_start(start), m_linear(true) {}
 
 private:
-  bool m_linear;
+  /// at() by the law's formula.
+  virtual YieldStress evaluate(double plastic_strain_eq) const = 0;
+  YieldStress m_start;
+  bool m_linear = false;
 };
 
-/// Plastic increment x >= 0 of a return along a direction: q - stiffness x = sigma_y(ep + x) [-]. Closed form where
-/// hardening is linear, (q - sigma_y)/(stiffness + H'); else Newton's method within a bracket, to rounding.
+/// Plastic increment x >= 0 of a return along a direction: q - stiffness x = sigma_y(ep + x) [-]: Newton's method within a
+/// bracket, to rounding. @param start where it begins; the others as plastic_increment
+double local_solve(const HardeningLaw& hardening, double plastic_strain_eq, double q, double stiffness,
+                   double start);
+
+/// The same in closed form where hardening is linear, (q - sigma_y)/(stiffness + H'), else by local_solve.
 /// @param yield of ep; @param q >= yield.value: equivalent stress of the trial [stress]
 /// @param stiffness > 0: what q loses per plastic strain, 3G for the radial return [stress]
-double plastic_increment(const HardeningLaw& hardening, const YieldStress& yield, double plastic_strain_eq,
-                         double q, double stiffness);
+inline double plastic_increment(const HardeningLaw& hardening, const YieldStress& yield,
+                                double plastic_strain_eq, double q, double stiffness) {
+  const double on_tangent = (q - yield.value) / (stiffness + yield.slope);
+  if (hardening.is_linear()) return on_tangent;
+  return local_solve(hardening, plastic_strain_eq, q, stiffness, on_tangent);
+}
 
 /// One line of the table of hardening laws.
 struct HardeningEntry {

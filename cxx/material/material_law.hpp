@@ -11,12 +11,12 @@ namespace burnish {
 /// Fraction of what does not happen in a step.
 inline constexpr double NEVER = std::numeric_limits<double>::infinity();
 
-/// A point at the start or at the end of a step.
+/// A point at the start or at the end of a step: a view of arrays that somebody else owns.
 template <int Dim> struct PointState {
-  Gradient<Dim> F;                  ///< deformation gradient [-]
-  Stress<Dim> stress;               ///< Kirchhoff stress tau [stress]
-  const double* internal = nullptr; ///< internal variables, MaterialLaw::internal_variables().size() numbers
-  Stress<Dim> strain_increment;     ///< dd of the step that ended here, in its frame [-]
+  Eigen::Map<const Gradient<Dim>> F;              ///< deformation gradient [-]
+  Eigen::Map<const Stress<Dim>> stress;           ///< Kirchhoff stress tau [stress]
+  const double* internal = nullptr;               ///< internal variables, InternalVariables::size() numbers
+  Eigen::Map<const Stress<Dim>> strain_increment; ///< dd of the step that ended here, in its frame [-]
   bool plastic = false; ///< inelastic flow happened in that step, or an event put the point on the surface
 };
 

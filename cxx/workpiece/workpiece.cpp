@@ -62,6 +62,13 @@ Gradient<Dim> deformation_gradient(const Discretization<Dim>& mesh, int element,
   return F;
 }
 
+template <int Dim> Gradient<Dim> piola_of(const WorkpieceState<Dim>& state, int point) {
+  const std::size_t p = point;
+  const Gradient<Dim> F = Eigen::Map<const Gradient<Dim>>(state.F.data() + p * num_gradient<Dim>);
+  return first_piola(Stress<Dim>(Eigen::Map<const Stress<Dim>>(state.stress.data() + p * num_stress<Dim>)),
+                     inverse(F));
+}
+
 } // namespace
 
 template <int Dim>
@@ -120,8 +127,9 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
   const int per_element = m_discretization.points_per_element;
   for (int e = 0; e < m_discretization.num_elements; ++e)
     for (int p = e * per_element; p < (e + 1) * per_element; ++p) {
-      const Gradient<Dim> F = deformation_gradient(m_discretization, e, p, displacement);
-      const PointResult result = update_point(p, {point_old(p), F, ratio, iteration, m_options});
+      const PointResult result =
+          update_point(p, {point_old(p), deformation_gradient(m_discretization, e, p, displacement), ratio,
+                           iteration, m_options});
       if (result.status != UpdateStatus::OK) return {result.status, p, result.value};
     }
   // a node of no element
@@ -132,10 +140,8 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
 
 template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal_force() const {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(m_discretization.num_dofs());
-  for (int p = 0; p < m_discretization.num_points(); ++p) {
-    const PointState<Dim> now = point_now(p);
-    add_force<Dim>(m_discretization, p, first_piola(now.stress, inverse(now.F)), force);
-  }
+  for (int p = 0; p < m_discretization.num_points(); ++p)
+    add_force<Dim>(m_discretization, p, piola_of(m_state, p), force);
   return force;
 }
 
@@ -176,8 +182,7 @@ PiolaTangent<Dim> Workpiece<Dim>::point_moduli(int point, TangentKind kind, doub
 
 template <int Dim> Gradient<Dim> Workpiece<Dim>::point_piola(int point) const {
   require_point("Workpiece::point_piola", point);
-  const PointState<Dim> now = point_now(point);
-  return first_piola(now.stress, inverse(now.F));
+  return piola_of(m_state, point);
 }
 
 template <int Dim> void Workpiece<Dim>::accept() {

@@ -7,9 +7,9 @@ namespace burnish {
 
 /// What the update takes from the start of the step, besides the turned stress.
 template <int Dim> struct J2Start {
-  double plastic_strain_eq = 0; ///< ep [-]
-  Stress<Dim> strain_increment; ///< dd_p of the step that ended here [-]
-  bool plastic = false;         ///< on the surface: plastic flow happened in that step, or by an event
+  double plastic_strain_eq = 0;                   ///< ep [-]
+  Eigen::Map<const Stress<Dim>> strain_increment; ///< dd_p of the step that ended here [-]
+  bool plastic = false; ///< on the surface: plastic flow happened in that step, or by an event
 };
 
 /// What it gives.

@@ -16,11 +16,12 @@ template <int Dim> struct ReturnDerivative {
 /// @return x >= 0
 template <int Dim>
 double radial_return(const J2Parameters& material, Stress<Dim>& s, double& plastic_strain_eq) {
-  const YieldStress yield = material.yield_stress(plastic_strain_eq);
+  const HardeningLaw& hardening = *material.hardening;
+  const YieldStress yield = hardening.at(plastic_strain_eq);
   const double q2 = squared_equivalent<Dim>(s);
   if (q2 <= yield.value * yield.value) return 0;
   const double q = std::sqrt(q2), G = material.elastic.G;
-  const double increment = plastic_increment(*material.hardening, yield, plastic_strain_eq, q, 3 * G);
+  const double increment = plastic_increment(hardening, yield, plastic_strain_eq, q, 3 * G);
   plastic_strain_eq += increment;
   s *= 1 - 3 * G * increment / q;
   return increment;

@@ -13,8 +13,7 @@ namespace {
 /// sigma_y = sigma_0 + Q (1 - exp(-b ep)): steep at first, flat later.
 class Saturating final : public HardeningLaw {
 public:
-  Saturating() : HardeningLaw(false) {}
-  YieldStress at(double plastic_strain_eq) const override {
+  YieldStress evaluate(double plastic_strain_eq) const override {
     const double rest = std::exp(-40 * plastic_strain_eq);
     return {2e8 + 3e8 * (1 - rest), 3e8 * 40 * rest};
   }
@@ -23,8 +22,7 @@ public:
 /// sigma_y = sigma_0 (1 + ep/a)^n with an infinite slope just before the start: Newton's first step overshoots.
 class Power final : public HardeningLaw {
 public:
-  Power() : HardeningLaw(false) {}
-  YieldStress at(double plastic_strain_eq) const override {
+  YieldStress evaluate(double plastic_strain_eq) const override {
     const double base = 1 + plastic_strain_eq / 1e-9;
     return {1e6 * std::pow(base, 0.3), 1e6 * 0.3 * std::pow(base, -0.7) / 1e-9};
   }

@@ -1,4 +1,4 @@
-// State of the workpiece: update, substeps, accept and revert, failures, bad input.
+// The step of a workpiece: update, substeps, failures, bad input.
 #include "unit/material/j2/point_walk.hpp"
 #include "unit/workpiece/patch.hpp"
 #include <limits>
@@ -77,24 +77,6 @@ TEST(Workpiece, UpdateDependsOnStateOldOnly) {
   fresh.update(second, 1, 0);
   EXPECT_TRUE(same(body.state(), fresh.state()));
   EXPECT_FALSE(same(body.state(), body.state_old()));
-}
-
-TEST(Workpiece, AcceptAndRevert) {
-  Workpiece<2> body = workpiece(6);
-  const WorkpieceState<2> start = body.state();
-  body.update(bent(body.discretization(), 1, 0.005), 1, 0);
-  const WorkpieceState<2> end = body.state();
-  EXPECT_TRUE(same(body.state_old(), start));
-  body.revert();
-  EXPECT_TRUE(same(body.state(), start));
-  body.update(bent(body.discretization(), 1, 0.005), 1, 0);
-  body.accept();
-  EXPECT_TRUE(same(body.state_old(), end));
-  EXPECT_TRUE(same(body.state(), end));
-  Workpiece<2> restarted = workpiece(6);
-  restarted.set_state(end);
-  for (Workpiece<2>* w : {&body, &restarted}) w->update(bent(w->discretization(), 1, 0.008), 0.7, 0);
-  EXPECT_TRUE(same(body.state(), restarted.state())); // restart to the last bit
 }
 
 TEST(Workpiece, SubstepsGrowThenFreeze) {
@@ -225,28 +207,4 @@ TEST(Workpiece, ErrorsOfUpdate) {
   expect_invalid([&] { body.update(u, 1, -1); }, "Workpiece::update: iteration = -1, expected >= 0");
   body.options().substep_strain = -1;
   expect_invalid([&] { body.update(u, 1, 0); }, "Workpiece::update: substep_strain = -1, expected > 0");
-}
-
-TEST(Workpiece, ErrorsOfSetState) {
-  Workpiece<2> body = workpiece();
-  const WorkpieceState<2> good = body.state();
-  const auto expect_state = [&](auto change, const std::string& text) {
-    WorkpieceState<2> state = good;
-    change(state);
-    expect_invalid([&] { body.set_state(state); }, "Workpiece::set_state: " + text);
-    EXPECT_TRUE(same(body.state(), good));
-  };
-  expect_state([](auto& s) { s.displacement.resize(3); }, "size of displacement = 3, expected 18");
-  expect_state([](auto& s) { s.F.pop_back(); }, "size of F = 39, expected 40");
-  expect_state([](auto& s) { s.stress.pop_back(); }, "size of stress = 31, expected 32");
-  expect_state([](auto& s) { s.strain_increment.pop_back(); }, "size of strain_increment = 31, expected 32");
-  expect_state([](auto& s) { s.internal.pop_back(); }, "size of internal = 7, expected 8");
-  expect_state([](auto& s) { s.plastic.pop_back(); }, "size of plastic = 7, expected 8");
-  expect_state([](auto& s) { s.stress[5] = NOT_A_NUMBER; }, "stress = nan, expected finite numbers");
-  expect_state([](auto& s) { s.displacement[5] = NOT_A_NUMBER; },
-               "displacement = nan, expected finite numbers");
-  expect_state([](auto& s) { s.F[5] = -1; }, "det F = -1, expected > 0");
-  expect_state([](auto& s) { s.F[4] = -2; }, "det F = -2, expected > 0");
-  expect_state([](auto& s) { s.F[0] = s.F[4] = -2; }, "det F = -4, expected > 0"); // turned over twice
-  expect_state([](auto& s) { s.dt = -1; }, "dt = -1, expected finite >= 0");
 }

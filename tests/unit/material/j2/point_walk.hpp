@@ -70,7 +70,9 @@ struct PointWalk {
   Point old;
 
   StepKinematics<2> kinematics(const AnyGradient& F) const { return step_kinematics(old.F, F, frame); }
-  J2Start<2> start() const { return {old.plastic_strain_eq, old.strain_increment, old.plastic}; }
+  J2Start<2> start() const {
+    return {old.plastic_strain_eq, Eigen::Map<const Stress<2>>(old.strain_increment.data()), old.plastic};
+  }
   ElasticTrial<2> trial(const AnyGradient& F) const {
     return elastic_trial<2>(material.elastic, kinematics(F), old.stress);
   }
