@@ -1,7 +1,7 @@
 // Script type `material`: plasticity with isotropic hardening, plane strain or axisymmetric, on a [P1,P1] or [P2,P2]
 // space.
 //   material M = rcMaterial(Vh, G=..., nu=..., sigY=..., H=...);    or E=...;
-//     hardening="linear" (default): sigY + H*ep; cxx/material/hardening.cpp has the table of the laws and their parameters
+//     hardening="linear" (default): sigY + H*ep; the laws and their parameters are listed in cxx/material/hardening.cpp
 //     update="substepped" | "single" | "euler", pathlimit=1.5
 //     axisymmetric=true   x >= 0 is the radius, y runs along the axis, [u, v] = [u_r, u_z], no torsion; forces are those
 //                         of the whole ring [force]. The script holds u_r = 0 on the axis: on(axis, u=0)
@@ -14,7 +14,7 @@
 //   real f = M.events(1e-3, 1e-4);    without changes of q near the surface below 1e-4 sigma_y;
 //   real f = M.events();              all of the step, for the log
 //   M.keepplastic(1e-4);              before accept, goes with the noise above
-//   int n = M.acceptevents();         after accept or revert: the points of these events yield or unload;  M.dropevents();
+//   int n = M.acceptevents();         after accept or revert: their points yield or unload;  M.dropevents();
 #include "base/error.hpp"
 #include "material/make_law.hpp"
 #include "matrix.hpp"

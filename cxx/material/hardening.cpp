@@ -5,7 +5,7 @@
 namespace burnish {
 namespace {
 
-// --- the laws, and their table -----------------------------------------------------------------------------------------
+// --- the laws, and their table: here is where a new one goes -----------------------------------------
 
 /// sigma_y = sigY + H ep.
 class LinearHardening final : public HardeningLaw {
@@ -34,7 +34,7 @@ const std::vector<HardeningEntry>& table() {
   return entries;
 }
 
-// --- what is the same for all --------------------------------------------------------------------------------------------
+// --- what is the same for all -------------------------------------------------------------------------
 
 } // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
-// Isotropic hardening: the yield stress as a function of the accumulated plastic strain. The laws themselves and their
-// table are in hardening.cpp; a new one touches that file only.
+// Isotropic hardening: the yield stress as a function of the accumulated plastic strain. The laws themselves
+// and their table are in hardening.cpp; a new one touches that file only.
 #include "material/law_parameter.hpp"
 #include <memory>
 
@@ -26,7 +26,8 @@ public:
 
 protected:
   HardeningLaw() = default;
-  /// A law that is a straight line, by its value and slope at ep = 0: at() then calls nothing virtual in the innermost loop.
+  /// A law that is a straight line, by its value and slope at ep = 0: at() then calls nothing virtual in the
+  /// innermost loop.
   explicit HardeningLaw(const YieldStress& start) : m_start(start), m_linear(true) {}
 
 private:
@@ -36,8 +37,8 @@ private:
   bool m_linear = false;
 };
 
-/// Plastic increment x >= 0 of a return along a direction: q - stiffness x = sigma_y(ep + x) [-]: Newton's method within a
-/// bracket, to rounding. @param start where it begins; the others as plastic_increment
+/// Plastic increment x >= 0 of a return along a direction: q - stiffness x = sigma_y(ep + x) [-]: Newton's
+/// method within a bracket, to rounding. @param start where it begins; the others as plastic_increment
 double local_solve(const HardeningLaw& hardening, double plastic_strain_eq, double q, double stiffness,
                    double start);
 
@@ -63,7 +64,8 @@ const std::vector<HardeningEntry>& hardening_laws();
 
 /// The law of that name.
 /// @param numbers all of its parameters; others may be there
-/// @throws std::invalid_argument "where: ..." if the name is unknown (lists the table), a parameter is missing or out of
+/// @throws std::invalid_argument "where: ..." if the name is unknown (lists the table), a parameter is
+/// missing or out of
 ///         its range
 std::shared_ptr<const HardeningLaw> make_hardening(const std::string& name, const LawNumbers& numbers,
                                                    const char* where);

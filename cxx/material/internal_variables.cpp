@@ -8,7 +8,7 @@ InternalVariables<Dim>::InternalVariables(std::vector<InternalVariable> list) : 
   for (std::size_t k = 0; k < m_list.size(); ++k) {
     const std::string& name = m_list[k].name;
     require(!name.empty() && find(name) == static_cast<int>(k), "InternalVariables", "name", name,
-            "a name of its own");
+            "a name, and each once");
     m_offset.push_back(m_size);
     m_size += num_components<Dim>(m_list[k].kind);
   }

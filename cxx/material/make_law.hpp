@@ -14,7 +14,8 @@ struct LawInput {
 const std::vector<LawParameter>& law_parameters();
 
 /// J2 with isotropic hardening.
-/// @throws std::invalid_argument "where: ..." for an unknown hardening, a number that is missing, out of its range, or that
+/// @throws std::invalid_argument "where: ..." for an unknown hardening, a number that is missing, out of its
+/// range, or that
 ///         no part of the chosen law reads
 template <int Dim> std::shared_ptr<const MaterialLaw<Dim>> make_law(const LawInput& input, const char* where);
 

@@ -57,7 +57,8 @@ enum class TangentKind {
   ELASTIC,    ///< elastic moduli with the geometric terms
 };
 
-/// How the stress drives a point through its yield surface: powers s:dd of the deviator on strain increments [stress].
+/// How the stress drives a point through its yield surface: powers s:dd of the deviator on strain increments
+/// [stress].
 struct PointLoading {
   double old = 0; ///< in the step that ended at the start
   double now = 0; ///< in this step, R s_old R':dd; > 0 loads, < 0 unloads, 0: neutral but for rounding
@@ -70,8 +71,8 @@ public:
   const std::string& name() const { return m_name; }
   const InternalVariables<Dim>& internal_variables() const { return m_internal; }
 
-  /// Stress and internal variables at the end of a step. Never throws: what cannot be computed is a status, and `now` is
-  /// then of no use. @param trial of the same step's last iteration in, of this one out
+  /// Stress and internal variables at the end of a step. Never throws: what cannot be computed is a status,
+  /// and `now` is then of no use. @param trial of the same step's last iteration in, of this one out
   virtual PointResult update(const PointStep<Dim>& step, PointTrial& trial, PointUpdate<Dim>& now) const = 0;
   /// A_iJkL = dP_iJ/dF_kL at the end of a step, not symmetrized [stress].
   /// @param trial as update left it; @param now end of the step as update found it, F included
@@ -84,8 +85,9 @@ public:
   virtual double yield_distance(const Stress<Dim>& stress, const double* internal) const;
   /// Whether a strain rate d makes the point flow: on the surface (or put there, at.plastic), and s:d > 0.
   virtual bool loads(const PointState<Dim>& at, const Stress<Dim>& strain_rate) const;
-  /// Fraction of the step at which its elastic path, linear in F, leaves the yield surface to the outside: 0 if the point
-  /// is on it, or outside, and loads; NEVER if not before `last` (the elastic path goes on beyond the end of the step).
+  /// Fraction of the step at which its elastic path, linear in F, leaves the yield surface to the outside: 0
+  /// if the point is on it, or outside, and loads; NEVER if not before `last` (the elastic path goes on
+  /// beyond the end of the step).
   /// @param noise [fraction of sigma_y] on the surface within this; NEVER if the step does not leave it by more
   virtual double yield_fraction(const PointStep<Dim>& step, double last, double noise) const;
   virtual PointLoading loading(const PointStep<Dim>& step) const;

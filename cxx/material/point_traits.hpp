@@ -1,5 +1,5 @@
 #pragma once
-// How many components the tensors of a point have, and which: the only place that tells the plane from space.
+// How many components the tensors of a point have, and which: here the plane and space differ by numbers.
 #include "base/types.hpp"
 #include <array>
 

@@ -1,7 +1,7 @@
 #pragma once
-// Events of quadrature points that a script defines by a formula on the state of a point (damage, healing, a yield
-// condition, a place that is reached; article section 2, METHOD.md 4). They only report: nothing in the workpiece changes
-// by them. Knows no tool.
+// Events of quadrature points that a script defines by a formula on the state of a point (damage, healing, a
+// yield condition, a place that is reached; article section 2, METHOD.md 4). They only report: nothing in the
+// workpiece changes by them. Knows no tool.
 #include "base/formula.hpp"
 #include "workpiece/element_events.hpp"
 #include "workpiece/point_variables.hpp"
@@ -19,13 +19,13 @@ struct PointEventState {
 /// Of all events, in the order of their definition: what is needed to go on from an accepted step. Plain data.
 using PointEventsState = std::vector<PointEventState>;
 
-/// Named events of one workpiece, by formulas in the names of PointVariables. An event happens at a point where its
-/// formula passes through zero upwards, from < 0 to >= 0. A point that is not below zero (at the beginning, or since its
-/// event happened) has no event until the formula has fallen below zero.
+/// Named events of one workpiece, by formulas in the names of PointVariables. An event happens at a point
+/// where its formula passes through zero upwards, from < 0 to >= 0. A point that is not below zero (at the
+/// beginning, or since its event happened) has no event until the formula has fallen below zero.
 ///
-/// Inside a step stress, internal variables and position are linear between the accepted state and the end of the step;
-/// the formula is evaluated there at eighths of the step, and its root is found between two of them. Changes that
-/// come and go within an eighth are not seen.
+/// Inside a step stress, internal variables and position are linear between the accepted state and the end of
+/// the step; the formula is evaluated there at eighths of the step, and its root is found between two of
+/// them. Changes that come and go within an eighth are not seen.
 template <int Dim> class PointEvents {
 public:
   bool empty() const { return m_formulas.empty(); }
@@ -52,8 +52,8 @@ public:
 
   /// The accepted state.
   const PointEventsState& state() const { return m_state; }
-  /// Replaces it (resume, copies). @throws std::invalid_argument unless it has these events, in this order, each with the
-  /// same number of points as now; nothing has changed then
+  /// Replaces it (resume, copies). @throws std::invalid_argument unless it has these events, in this order,
+  /// each with the same number of points as now; nothing has changed then
   void set_state(const PointEventsState& state);
 
   /// How often the event has happened, per point and in all.

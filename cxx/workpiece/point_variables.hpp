@@ -4,10 +4,10 @@
 
 namespace burnish {
 
-/// Names: the scalar internal variables of the law by their symbols (ep accumulated plastic strain [-]); of the Kirchhoff
-/// stress [stress]: seq von Mises, sm mean, sxx syy szz sxy (in space syz szx) components, s1 and s3 largest and smallest
-/// principal stress; x, y (in space z) present position [length]. seq is at least 1e-300, so that sm/seq is 0 without
-/// stress.
+/// Names: the scalar internal variables of the law by their symbols (ep accumulated plastic strain [-]); of
+/// the Kirchhoff stress [stress]: seq von Mises, sm mean, sxx syy szz sxy (in space syz szx) components, s1
+/// and s3 largest and smallest principal stress; x, y (in space z) present position [length]. seq is at least
+/// 1e-300, so that sm/seq is 0 without stress.
 template <int Dim> class PointVariables {
 public:
   explicit PointVariables(const MaterialLaw<Dim>& law);

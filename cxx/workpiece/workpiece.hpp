@@ -1,7 +1,7 @@
 #pragma once
 // The deformable body: quadrature-point state at the start and at the end of a step, internal force, tangent.
-// Knows no tool, and of its material only that it is a law. A step can always be repeated: `accept` and `revert` are the
-// only ways between the states.
+// Knows no tool, and of its material only that it is a law. A step can always be repeated: `accept` and
+// `revert` are the only ways between the states.
 #include "workpiece/assembly.hpp"
 #include "workpiece/axis.hpp"
 #include "workpiece/workpiece_state.hpp"
@@ -51,7 +51,7 @@ public:
   void tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, double elastic_blend = 0) const;
   NodeBlockMatrix<Dim> pattern() const { return m_assembly.pattern(); }
   /// Moduli A = dP/dF at a point, symmetrized, rows and columns in the order of Gradient, and first Piola stress P in
-  /// the same order: what a script's own forms need [stress].
+  /// the same order: what forms written in a script need [stress].
   /// @throws std::invalid_argument if point or elastic_blend is out of range
   PiolaTangent<Dim> point_moduli(int point, TangentKind kind, double elastic_blend = 0) const;
   Gradient<Dim> point_piola(int point) const;
@@ -62,7 +62,8 @@ public:
   /// accept_events. @throws std::invalid_argument if point is out of range
   void set_plastic(int point, bool plastic);
   /// Replaces both states (resume, copies).
-  /// @throws std::invalid_argument on wrong sizes, numbers that are not finite, or det F <= 0; nothing has changed then
+  /// @throws std::invalid_argument on wrong sizes, numbers that are not finite, or det F <= 0; nothing has
+  /// changed then
   void set_state(const WorkpieceState<Dim>& state);
 
   /// An internal variable of the law in state(), at all points [its unit].

@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-/// Plain data, can be copied, written and read. Point-major arrays. A workpiece that is given a copy goes on to the same
-/// bits.
+/// Plain data, can be copied, written and read. Point-major arrays. A workpiece that is given a copy goes on
+/// to the same bits.
 template <int Dim> struct WorkpieceState {
   Eigen::VectorXd displacement; ///< num_dofs [length]
   std::vector<double> F;        ///< num_points x num_gradient: deformation gradient (Gradient) [-]

@@ -5,7 +5,7 @@
 namespace burnish {
 namespace {
 
-/// Loading and unloading are told apart from s:dd = +-NEUTRAL |s||dd| on: for rounding only.
+/// Loading and unloading are distinguished from s:dd = +-NEUTRAL |s||dd| on: for rounding only.
 constexpr double NEUTRAL = 1e-12;
 /// A root of the straight path this far beyond `last`, relatively, is not looked at: the true path is close to it.
 constexpr double STRAIGHT_ERROR = 0.01;

@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-/// Fraction at which q(R s_old R' + elastic increment) = sigma_y(ep_old) on the elastic path of the step of that length:
-/// a step cut there ends on the surface. See MaterialLaw::yield_fraction.
+/// Fraction at which q(R s_old R' + elastic increment) = sigma_y(ep_old) on the elastic path of the step of
+/// that length: a step cut there ends on the surface. See MaterialLaw::yield_fraction.
 /// @param plastic_strain_eq ep at the start of the step [-]
 template <int Dim>
 double elastic_yield_fraction(const J2Parameters& material, const PointStep<Dim>& step,

@@ -1,5 +1,6 @@
 #pragma once
-// One step of one quadrature point with J2: stress at its end, and the tangent of the first Piola stress. Pure functions.
+// One step of one quadrature point with J2: stress at its end, and the tangent of the first Piola stress.
+// Pure functions.
 #include "material/j2/substepped_return.hpp"
 #include "material/piola.hpp"
 

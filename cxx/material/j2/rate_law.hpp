@@ -17,7 +17,8 @@ bool loads(const J2Parameters& material, const Stress<Dim>& s, double plastic_st
   return squared_equivalent<Dim>(s) >= yield * yield && contract<Dim>(s, d) > 0;
 }
 
-/// Factor c of the plastic part of D: D:d = E:d - c (s:d) s, c = 3G/(q^2 (1 + H'/(3G))), H' the slope of sigma_y at ep.
+/// Factor c of the plastic part of D: D:d = E:d - c (s:d) s, c = 3G/(q^2 (1 + H'/(3G))), H' the slope of
+/// sigma_y at ep.
 template <int Dim>
 double plastic_factor(const J2Parameters& material, const Stress<Dim>& s, double plastic_strain_eq) {
   const double G3 = 3 * material.elastic.G;

@@ -30,10 +30,10 @@ TEST(InternalVariables, Errors) {
       [] {
         InternalVariables<2>({{"", "", "-"}});
       },
-      "InternalVariables: name = , expected a name of its own");
+      "InternalVariables: name = , expected a name, and each once");
   expect_invalid(
       [] {
         InternalVariables<2>({{"damage", "D", "-"}, {"damage", "", "-"}});
       },
-      "InternalVariables: name = damage, expected a name of its own");
+      "InternalVariables: name = damage, expected a name, and each once");
 }

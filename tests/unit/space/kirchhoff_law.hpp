@@ -1,6 +1,6 @@
 #pragma once
-// A law of space for the tests: St Venant-Kirchhoff, S = lambda tr(E) I + 2 mu E with E = (F'F - I)/2, whose energy density
-// is kept as an internal variable. It "yields" where a test says so.
+// A law of space for the tests: St Venant-Kirchhoff, S = lambda tr(E) I + 2 mu E with E = (F'F - I)/2, whose
+// energy density is kept as an internal variable. It "yields" where a test says so.
 #include "material/material_law.hpp"
 
 namespace burnish::test {

@@ -1,5 +1,5 @@
-// A workpiece in space: what is there (state, assembly, events, fields) with a law of the test; the step kinematics and J2
-// of space are leaves to come.
+// A workpiece in space: what is there (state, assembly, events, fields) with a law of the test; the step
+// kinematics and J2 of space are leaves to come.
 #include "unit/finite_difference.hpp"
 #include "unit/space/kirchhoff_law.hpp"
 #include "unit/space/tetrahedra.hpp"

@@ -108,7 +108,8 @@ TEST(SubsteppedReturn, EndPointOfAnElasticPathIsExact) {
 }
 
 TEST(SubsteppedReturn, ProportionalPathEqualsTheSingleReturn) {
-  // radial and monotone, linear hardening: the return is exact, the plastic increment (q(De) + q_old - sigma_0)/(3G + H')
+  // radial and monotone, linear hardening: the return is exact, the plastic increment (q(De) + q_old -
+  // sigma_0)/(3G + H')
   PointWalk step;
   const J2Parameters& material = step.material;
   const Tensor<2> F = tensor(1.02, 0.01, 0.01, 0.985);
