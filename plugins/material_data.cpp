@@ -4,17 +4,18 @@
 //   M.stress(i)         Kirchhoff stress xx, yy, zz, xy for i = 0..3 [stress]
 //   M.F(i), M.piola(i)  deformation gradient [-] and first Piola stress [stress]: xx, xy, yx, yy, zz
 //   M.moduli(i, j)      their symmetrized tangent dP_i/dF_j [stress]
-//   M.plasticstraineq, M.stresseq, M.yieldexcess (q/sigma_y - 1)
+//   M.plasticstraineq, M.stresseq, M.yielddistance (q/sigma_y - 1: positive outside the yield surface)
 //   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
 //   M.displacement(i)   x, y over the nodes [length];  M.degree 1 or 2 of the elements;  M.Th their mesh
 #include "base/error.hpp"
 #include "types.hpp"
 #include "workpiece/nodal_average.hpp"
+#include "workpiece/point_fields.hpp"
 
 namespace burnish {
 namespace {
 
-constexpr int GRADIENT = num_gradient<2>;
+constexpr int GRADIENT = num_gradient<2>, STRESS = num_stress<2>;
 
 struct NodalTag {};
 struct StressTag {};
@@ -39,49 +40,31 @@ KN_<double> component(Stack stack, const std::vector<double>& all, long i, long 
 }
 KN_<double> stress(Stack stack, const Method<MaterialHandle, StressTag>& m, const long& i) {
   return guarded(
-      [&] { return component(stack, m->get().workpiece().state().stress, i, 4, "material.stress"); });
+      [&] { return component(stack, m->get().workpiece().state().stress, i, STRESS, "material.stress"); });
 }
 KN_<double> gradient(Stack stack, const Method<MaterialHandle, GradientTag>& m, const long& i) {
   return guarded([&] { return component(stack, m->get().workpiece().state().F, i, GRADIENT, "material.F"); });
 }
 KN_<double> piola(Stack stack, const Method<MaterialHandle, PiolaTag>& m, const long& i) {
-  return guarded([&] {
-    const auto& body = m->get().workpiece();
-    std::vector<double> all(GRADIENT * static_cast<std::size_t>(body.discretization().num_points()));
-    for (int p = 0; p < body.discretization().num_points(); ++p)
-      body.point_piola(p, all.data() + GRADIENT * p);
-    return component(stack, all, i, GRADIENT, "material.piola");
-  });
+  return guarded(
+      [&] { return component(stack, piola_field(m->get().workpiece()), i, GRADIENT, "material.piola"); });
 }
 KN_<double> moduli(Stack stack, const Method<MaterialHandle, ModuliTag>& m, const long& i, const long& j) {
   return guarded([&] {
     constexpr int n = GRADIENT;
     require(i >= 0 && i < n && j >= 0 && j < n, "material.moduli", "index", i >= 0 && i < n ? j : i, "0..4");
-    const auto& body = m->get().workpiece();
-    std::vector<double> all(n * n * static_cast<std::size_t>(body.discretization().num_points()));
-    for (int p = 0; p < body.discretization().num_points(); ++p)
-      body.point_moduli(p, TangentKind::CONSISTENT, 0, all.data() + n * n * p);
-    return component(stack, all, n * i + j, n * n, "material.moduli");
+    return component(stack, moduli_field(m->get().workpiece(), TangentKind::CONSISTENT), n * i + j, n * n,
+                     "material.moduli");
   });
 }
-KN_<double> plastic_strain(Stack stack, MaterialHandle* const& h) {
-  return guarded([&] { return new_array(stack, h->get().workpiece().state().plastic_strain_eq); });
+KN_<double> plastic_strain_eq(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] { return new_array(stack, h->get().workpiece().internal("plastic_strain_eq")); });
 }
 KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
-  return guarded([&] {
-    const auto& body = h->get().workpiece();
-    Eigen::VectorXd q(body.discretization().num_points());
-    for (int p = 0; p < q.size(); ++p) q[p] = body.stress_eq(p);
-    return new_array(stack, q);
-  });
+  return guarded([&] { return new_array(stack, stress_eq_field(h->get().workpiece())); });
 }
-KN_<double> yield_excess(Stack stack, MaterialHandle* const& h) {
-  return guarded([&] {
-    const auto& body = h->get().workpiece();
-    Eigen::VectorXd excess(body.discretization().num_points());
-    for (int p = 0; p < excess.size(); ++p) excess[p] = body.yield_excess(p);
-    return new_array(stack, excess);
-  });
+KN_<double> yield_distance(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] { return new_array(stack, yield_distance_field(h->get().workpiece())); });
 }
 struct DisplacementTag {};
 KN_<double> displacement(Stack stack, const Method<MaterialHandle, DisplacementTag>& m, const long& i) {
@@ -112,9 +95,9 @@ void register_material_data() {
                           [] { return new OneOperator2s_<KN_<double>, Method<H, PiolaTag>, long>(piola); });
   add_method<H, ModuliTag>(
       "moduli", [] { return new OneOperator3s_<KN_<double>, Method<H, ModuliTag>, long, long>(moduli); });
-  Add<H*>("plasticstraineq", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain));
+  Add<H*>("plasticstraineq", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain_eq));
   Add<H*>("stresseq", ".", new OneOperator1s_<KN_<double>, H*>(stress_eq));
-  Add<H*>("yieldexcess", ".", new OneOperator1s_<KN_<double>, H*>(yield_excess));
+  Add<H*>("yielddistance", ".", new OneOperator1s_<KN_<double>, H*>(yield_distance));
   add_method<H, DisplacementTag>("displacement", [] {
     return new OneOperator2s_<KN_<double>, Method<H, DisplacementTag>, long>(displacement);
   });

@@ -1,4 +1,4 @@
-// Events of a script's own at the points of a material. They are found and logged; nothing changes by them.
+// User-defined events at the points of a material. They are found and logged; nothing changes by them.
 //   M.parameter("D", 0.1);                  a number by name for the formulas of later calls of event
 //   M.event("damage", "ep - D*exp(-1.5*sm/seq)");
 //     happens at a point where the formula passes through zero from < 0 to >= 0. Names: ep plastic strain,
@@ -26,7 +26,8 @@ struct LogTag {};
 
 double parameter(const Method<M, ParameterTag>& m, string* const& name, const double& value) {
   return guarded([&] {
-    check_formula_names("material.parameter", {point_event_variables(), {{*name, value}}});
+    check_formula_names("material.parameter",
+                        {PointVariables<2>(m->get().workpiece().law()).names(), {{*name, value}}});
     return m->get().parameters[*name] = value;
   });
 }
@@ -34,7 +35,7 @@ bool event(const Method<M, EventTag>& m, string* const& name, string* const& for
   return guarded([&] {
     for (char kind = 0; kind <= static_cast<char>(EventKind::USER); ++kind)
       if (*name == name_of(static_cast<EventKind>(kind)))
-        fail("material.event", "name \"" + *name + "\" is that of an event of its own kind");
+        fail("material.event", "name \"" + *name + "\" is that of a built-in kind of event");
     MaterialObject& object = m->get();
     called("material.event",
            [&] { object.body->user().add(object.workpiece(), *name, *formula, object.parameters); });

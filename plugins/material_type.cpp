@@ -1,6 +1,7 @@
-// Script type `material`: J2 plasticity with linear isotropic hardening, plane strain or axisymmetric, on a [P1,P1] or
-// [P2,P2] space.
+// Script type `material`: plasticity with isotropic hardening, plane strain or axisymmetric, on a [P1,P1] or [P2,P2]
+// space.
 //   material M = rcMaterial(Vh, G=..., nu=..., sigY=..., H=...);    or E=...;
+//     hardening="linear" (default): sigY + H*ep; the laws and their parameters are listed in cxx/material/hardening.cpp
 //     update="substepped" | "single" | "euler", pathlimit=1.5
 //     axisymmetric=true   x >= 0 is the radius, y runs along the axis, [u, v] = [u_r, u_z], no torsion; forces are those
 //                         of the whole ring [force]. The script holds u_r = 0 on the axis: on(axis, u=0)
@@ -12,9 +13,10 @@
 //   real f = M.events(1e-3);          earliest fraction and all within the tolerance of it, 2 if there is none
 //   real f = M.events(1e-3, 1e-4);    without changes of q near the surface below 1e-4 sigma_y;
 //   real f = M.events();              all of the step, for the log
-//   M.holdpoints(1e-4);               before accept, goes with the noise above
-//   int n = M.switchpoints();         after accept or revert;  M.dropevents();
+//   M.keepplastic(1e-4);              before accept, goes with the noise above
+//   int n = M.acceptevents();         after accept or revert: their points yield or unload;  M.dropevents();
 #include "base/error.hpp"
+#include "material/make_law.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
 #include "types.hpp"
@@ -30,37 +32,41 @@ StressUpdate update_of(const std::string& name) {
 }
 
 struct Construct {
-  static const int n = 8;
-  static basicAC_F0::name_and_type names[n];
+  static std::vector<basicAC_F0::name_and_type> all_names() {
+    std::vector<basicAC_F0::name_and_type> list;
+    for (const LawParameter& parameter : law_parameters()) list.push_back({parameter.name, &typeid(double)});
+    list.push_back({"hardening", &typeid(string*)});
+    list.push_back({"update", &typeid(string*)});
+    list.push_back({"pathlimit", &typeid(double)});
+    list.push_back({"axisymmetric", &typeid(bool)});
+    return list;
+  }
+  static std::vector<basicAC_F0::name_and_type> list;
+  static basicAC_F0::name_and_type* const names;
+  static const int n;
   static Made<MaterialObject> call(const Named& a, pfes* space) {
-    for (const char* name : {"nu", "sigY", "H"})
-      if (!a.has(name))
-        fail("material", std::string("parameter ") + name + " is missing: G= or E=, nu=, sigY=, H=");
-    if (a.has("G") == a.has("E"))
-      fail("material", "give exactly one of G= (shear modulus) and E= (Young's modulus)");
-    const double nu = a.real("nu", 0), sigY = a.real("sigY", 0), H = a.real("H", 0);
-    const auto parameters = called("rcMaterial", [&] {
-      return a.has("G") ? J2Parameters::from_shear(a.real("G", 0), nu, sigY, H)
-                        : J2Parameters::from_young(a.real("E", 0), nu, sigY, H);
-    });
+    LawInput input;
+    for (const LawParameter& parameter : law_parameters())
+      if (a.has(parameter.name)) input.numbers[parameter.name] = a.real(parameter.name, 0);
+    input.hardening = a.text("hardening", input.hardening);
+    auto law = make_law<2>(input, "rcMaterial");
     UpdateOptions options;
     options.update = update_of(a.text("update", "substepped"));
     options.path_limit = a.real("pathlimit", options.path_limit);
+    const bool axisymmetric = a.boolean("axisymmetric", false);
     auto object = std::make_shared<MaterialObject>();
     auto workpiece = std::make_unique<Workpiece<2>>(
-        called("material",
-               [&] { return triangles(mesh_of(space, "material", a.boolean("axisymmetric", false))); }),
-        parameters, options);
+        called("material", [&] { return triangles(mesh_of(space, "material", axisymmetric)); }),
+        std::move(law), options);
     object->mesh = shared_mesh(space, "material");
     object->tangent = workpiece->pattern();
     object->body = std::make_unique<WorkpieceBody<2>>(std::move(workpiece));
     return made(std::move(object));
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {
-    {"G", &typeid(double)},         {"E", &typeid(double)},         {"nu", &typeid(double)},
-    {"sigY", &typeid(double)},      {"H", &typeid(double)},         {"update", &typeid(string*)},
-    {"pathlimit", &typeid(double)}, {"axisymmetric", &typeid(bool)}};
+std::vector<basicAC_F0::name_and_type> Construct::list = Construct::all_names();
+basicAC_F0::name_and_type* const Construct::names = Construct::list.data();
+const int Construct::n = static_cast<int>(Construct::list.size());
 
 struct UpdateTag {};
 struct ForceTag {};
@@ -89,7 +95,7 @@ double force(Stack, const Method<MaterialHandle, ForceTag>& m, const KN_<double>
     const CpuTimer timer(m->get().assembly_seconds);
     const Eigen::VectorXd f = m->get().workpiece().internal_force();
     to_array(f, R, "material.force");
-    return f.cwiseAbs().maxCoeff();
+    return f.lpNorm<Eigen::Infinity>();
   });
 }
 bool accept(const Method<MaterialHandle, AcceptTag>& m) {
@@ -100,9 +106,9 @@ bool revert(const Method<MaterialHandle, RevertTag>& m) {
 }
 
 struct EventsTag {};
-struct SwitchTag {};
+struct AcceptEventsTag {};
 struct DropTag {};
-struct HoldTag {};
+struct KeepTag {};
 double events_but_noise(const Method<MaterialHandle, EventsTag>& m, const double& tolerance,
                         const double& noise) {
   return guarded([&] {
@@ -117,17 +123,16 @@ double earliest_events(const Method<MaterialHandle, EventsTag>& m, const double&
 double all_events(const Method<MaterialHandle, EventsTag>& m) {
   return guarded([&] {
     m->get().body->find_all();
-    const auto& pending = m->get().body->pending();
-    return pending.empty() ? 2 : pending.front().fraction;
+    return first_fraction(m->get().body->pending());
   });
 }
 bool drop_events(const Method<MaterialHandle, DropTag>& m) {
   return guarded([&] { return m->get().body->drop_events(), true; });
 }
-bool hold_points(const Method<MaterialHandle, HoldTag>& m, const double& noise) {
+bool keep_plastic(const Method<MaterialHandle, KeepTag>& m, const double& noise) {
   return guarded([&] { return m->get().body->keep_plastic(noise), true; });
 }
-long switch_points(const Method<MaterialHandle, SwitchTag>& m) {
+long accept_events(const Method<MaterialHandle, AcceptEventsTag>& m) {
   return guarded([&] { return m->get().body->accept_events(); });
 }
 
@@ -157,10 +162,10 @@ void register_material_events() {
       "events", [] { return new OneOperator2_<double, Method<H, EventsTag>, double>(earliest_events); },
       [] { return new OneOperator3_<double, Method<H, EventsTag>, double, double>(events_but_noise); },
       [] { return new OneOperator1_<double, Method<H, EventsTag>>(all_events); });
-  add_method<H, SwitchTag>("switchpoints",
-                           [] { return new OneOperator1_<long, Method<H, SwitchTag>>(switch_points); });
-  add_method<H, HoldTag>("holdpoints",
-                         [] { return new OneOperator2_<bool, Method<H, HoldTag>, double>(hold_points); });
+  add_method<H, AcceptEventsTag>(
+      "acceptevents", [] { return new OneOperator1_<long, Method<H, AcceptEventsTag>>(accept_events); });
+  add_method<H, KeepTag>("keepplastic",
+                         [] { return new OneOperator2_<bool, Method<H, KeepTag>, double>(keep_plastic); });
   add_method<H, DropTag>("dropevents",
                          [] { return new OneOperator1_<bool, Method<H, DropTag>>(drop_events); });
 }

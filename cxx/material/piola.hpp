@@ -1,6 +1,7 @@
 #pragma once
-// Push to the reference configuration: first Piola stress and its tangent (method.md section 1).
-#include "material/step_kinematics.hpp"
+// Push to the reference configuration: first Piola stress and its tangent (METHOD.md 1).
+#include "material/gradient.hpp"
+#include "material/stress_algebra.hpp"
 
 namespace burnish {
 
@@ -16,6 +17,11 @@ inline Gradient<2> first_piola(const Stress<2>& stress, const Gradient<2>& F_inv
   P[ZZ] = stress[2] * g[ZZ];
   return P;
 }
+inline Gradient<3> first_piola(const Stress<3>& stress, const Gradient<3>& F_inverse) {
+  Gradient<3> P;
+  mesh_part<3>(P).noalias() = matrix_of<3>(stress) * mesh_part<3>(F_inverse).transpose();
+  return P;
+}
 
 /// A = dP/dF, rows and columns in the order of Gradient.
 template <int Dim>
@@ -25,16 +31,18 @@ using PiolaTangent = Eigen::Matrix<double, num_gradient<Dim>, num_gradient<Dim>,
 template <int Dim> using StressByF = Eigen::Matrix<double, num_stress<Dim>, num_gradient<Dim>>;
 
 /// A_iJkL = (d tau_im/dF_kL) (F^-1)_Jm - P_iL (F^-1)_Jk, exact, not symmetrized.
-inline PiolaTangent<2> piola_tangent(const StressByF<2>& stress_by_F, const Stress<2>& stress,
-                                     const Gradient<2>& F_inverse) {
-  const Gradient<2> P = first_piola(stress, F_inverse);
-  PiolaTangent<2> A;
-  for (int c = 0; c < 5; ++c) A.col(c) = first_piola(stress_by_F.col(c), F_inverse);
-  for (int i = 0; i < 2; ++i)
-    for (int J = 0; J < 2; ++J)
-      for (int k = 0; k < 2; ++k)
-        for (int L = 0; L < 2; ++L) A(2 * i + J, 2 * k + L) -= P[2 * i + L] * F_inverse[2 * J + k];
-  A(ZZ, ZZ) -= P[ZZ] * F_inverse[ZZ];
+template <int Dim>
+PiolaTangent<Dim> piola_tangent(const StressByF<Dim>& stress_by_F, const Stress<Dim>& stress,
+                                const Gradient<Dim>& F_inverse) {
+  const Gradient<Dim> P = first_piola(stress, F_inverse);
+  PiolaTangent<Dim> A;
+  for (int c = 0; c < num_gradient<Dim>; ++c)
+    A.col(c) = first_piola(Stress<Dim>(stress_by_F.col(c)), F_inverse);
+  for (int i = 0; i < Dim; ++i)
+    for (int J = 0; J < Dim; ++J)
+      for (int k = 0; k < Dim; ++k)
+        for (int L = 0; L < Dim; ++L) A(Dim * i + J, Dim * k + L) -= P[Dim * i + L] * F_inverse[Dim * J + k];
+  if constexpr (PointTraits<Dim>::has_hoop) A(ZZ, ZZ) -= P[ZZ] * F_inverse[ZZ];
   return A;
 }
 

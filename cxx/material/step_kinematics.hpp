@@ -1,14 +1,15 @@
 #pragma once
 // Kinematics of one step at one point: midpoint gradient, strain increment, Hughes-Winget rotation
-// (method.md section 1).
+// (METHOD.md 1).
 #include "material/gradient.hpp"
 #include "material/stress_algebra.hpp"
+#include "material/update_options.hpp"
 
 namespace burnish {
 
 /// The increments y of a step, from which the stress update starts: strain components as Stress<Dim>, then
-/// rotations. Dim 2: (dd_xx, dd_yy, dd_zz, dd_xy, alpha). IncrementByF: dy/dF, columns in the order of
-/// Gradient.
+/// rotations. Dim 2: (dd_xx, dd_yy, dd_zz, dd_xy, alpha). (For Dim 3 the functions of this file do not exist yet.)
+/// IncrementByF: dy/dF, columns in the order of Gradient.
 template <int Dim> using IncrementByF = Eigen::Matrix<double, num_increments<Dim>, num_gradient<Dim>>;
 
 template <int Dim> struct StepKinematics {
@@ -23,7 +24,7 @@ template <int Dim> struct StepKinematics {
 };
 
 /// From F_old to F in one step. A rigid rotation by any angle below pi gives dd = 0 and alpha = that angle.
-/// With StrainFrame::END, dd = Q sym(G) Q' with Q the rotation by alpha/2 (a departure from method.md).
+/// With StrainFrame::END, dd = Q sym(G) Q' with Q the rotation by alpha/2 (a departure from METHOD.md 1).
 /// Never throws: where det_mid is not > 0 the other members are not set.
 inline StepKinematics<2> step_kinematics(const Gradient<2>& F_old, const Gradient<2>& F, StrainFrame frame) {
   StepKinematics<2> kin;

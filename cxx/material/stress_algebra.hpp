@@ -1,14 +1,12 @@
 #pragma once
-// Algebra of symmetric tensors kept as Stress<Dim> (tensor shear components): contraction, deviator,
-// rotation.
-#include "material/j2.hpp"
+// Algebra of symmetric tensors kept as Stress<Dim> (tensor shear components): contraction, deviator, rotation.
+#include "material/point_traits.hpp"
+#include <algorithm>
 #include <cmath>
 
 namespace burnish {
 
-/// A step's increments: the strains of Stress<Dim>, then the rotations (see step_kinematics.hpp).
-template <int Dim> inline constexpr int num_increments = Dim == 2 ? 5 : 9;
-/// Derivative of stress components with respect to them.
+/// Derivative of stress components with respect to a step's increments.
 template <int Dim> using StressByIncrement = Eigen::Matrix<double, num_stress<Dim>, num_increments<Dim>>;
 /// Derivative of a scalar with respect to them.
 template <int Dim> using ScalarByIncrement = Eigen::Matrix<double, 1, num_increments<Dim>>;
@@ -43,6 +41,26 @@ template <int Dim> Eigen::Matrix<double, 1, num_stress<Dim>> contraction_row(con
 /// q^2 = 3/2 s:s and q of a deviator s (von Mises stress).
 template <int Dim> double squared_equivalent(const Stress<Dim>& s) { return 1.5 * contract<Dim>(s, s); }
 template <int Dim> double equivalent(const Stress<Dim>& s) { return std::sqrt(squared_equivalent<Dim>(s)); }
+
+/// The part in the mesh's space as a matrix: all of it in space; in the plane without zz.
+template <int Dim> Tensor<Dim> matrix_of(const Stress<Dim>& t) {
+  Tensor<Dim> T;
+  for (int k = 0; k < num_stress<Dim>; ++k) {
+    const auto [i, j] = PointTraits<Dim>::place[k];
+    if (i >= 0) T(i, j) = T(j, i) = t[k];
+  }
+  return T;
+}
+
+/// Largest and smallest principal stress [stress].
+inline std::array<double, 2> extreme_principals(const Stress<2>& t) {
+  const double middle = 0.5 * (t[0] + t[1]), radius = std::hypot(0.5 * (t[0] - t[1]), t[3]);
+  return {std::max(middle + radius, t[2]), std::min(middle - radius, t[2])};
+}
+inline std::array<double, 2> extreme_principals(const Stress<3>& t) {
+  const Eigen::SelfAdjointEigenSolver<Tensor<3>> solver(matrix_of<3>(t), Eigen::EigenvaluesOnly);
+  return {solver.eigenvalues()[2], solver.eigenvalues()[0]};
+}
 
 /// R t R' for a rotation by the angle alpha in the plane, counter-clockwise positive; zz does not change.
 /// @param cos_2alpha, sin_2alpha of twice the angle

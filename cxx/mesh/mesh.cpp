@@ -8,6 +8,9 @@
 namespace burnish {
 namespace {
 
+/// A radius may be negative by this fraction of the largest coordinate: rounding.
+constexpr double RADIUS_ROUNDING = 1e-12;
+
 template <int Dim> void check_nodes(const Mesh<Dim>& mesh, const char* where) {
   require(mesh.X.size() == static_cast<std::size_t>(Dim) * mesh.num_nodes, where, "size of X", mesh.X.size(),
           "num_nodes x Dim");
@@ -42,7 +45,7 @@ template <int Dim> void check_radii(const Mesh<Dim>& mesh, const char* where) {
   double size = 0;
   for (const double x : mesh.X) size = std::max(size, std::abs(x));
   for (int a = 0; a < mesh.num_nodes; ++a) {
-    if (mesh.node(a)[0] >= -1e-12 * size) continue;
+    if (mesh.node(a)[0] >= -RADIUS_ROUNDING * size) continue;
     std::ostringstream what;
     what << "x of node " << a << " = " << mesh.node(a)[0]
          << ", expected a radius >= 0 (axisymmetric: the axis is x = 0)";

@@ -4,6 +4,12 @@
 #include <map>
 
 namespace burnish {
+namespace {
+
+/// An element contains a point outside by this in barycentric coordinates: rounding.
+constexpr double INSIDE = 1e-10;
+
+} // namespace
 
 template <int Dim> MeshLocator<Dim>::MeshLocator(const Mesh<Dim>& d) : m_mesh(&d) {
   m_neighbor.assign(static_cast<std::size_t>(d.num_elements) * (Dim + 1), -1);
@@ -46,7 +52,7 @@ template <int Dim> int MeshLocator<Dim>::find(const Vector<Dim>& P, int near, do
     for (int tried = 0; tried <= Dim && next < 0;
          ++tried) { // leave through the most negative face that has a neighbor
       Eigen::Index v;
-      if (l.minCoeff(&v) >= -1e-10) break;
+      if (l.minCoeff(&v) >= -INSIDE) break;
       next = m_neighbor[element * (Dim + 1) + static_cast<int>(v)];
       if (next < 0) {
         if (l[v] < -slack) return -1;

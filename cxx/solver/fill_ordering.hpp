@@ -17,6 +17,10 @@ enum class Ordering {
   METIS ///< nested dissection: problems in space; AMD if CHOLMOD was built without METIS
 };
 
+/// The one with less fill for bodies of that dimension.
+template <int Dim> inline constexpr Ordering usual_ordering = Ordering::METIS;
+template <> inline constexpr Ordering usual_ordering<2> = Ordering::AMD;
+
 /// Order of elimination with little fill, postordered (a column stands close to its parent in the elimination
 /// tree, as supernodes need it).
 /// @return order[k] = vertex eliminated at k; empty for an empty graph

@@ -37,7 +37,7 @@ std::vector<std::vector<int>> diagonal_rows(int num_nodes) {
 template <int Dim> void check_triplets(const TripletView& triplets) {
   const char* where = "TripletReader::read";
   require(triplets.n > 0 && triplets.n % Dim == 0, where, "n", triplets.n,
-          Dim == 2 ? "a positive multiple of 2" : "a positive multiple of 3");
+          ("a positive multiple of " + std::to_string(Dim)).c_str());
   if (triplets.nnz > 0 && !(triplets.row && triplets.col && triplets.value))
     fail(where, "row, col or value is a null pointer");
 }

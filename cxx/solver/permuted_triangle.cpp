@@ -65,8 +65,7 @@ void order_dofs(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fi
     for (int dof = Dim * node; dof < Dim * (node + 1); ++dof)
       if (!fixed[dof]) triangle.order.push_back(dof);
   };
-  for (int k : fill_reducing_order(graph, Dim == 2 ? Ordering::AMD : Ordering::METIS))
-    append_free_dofs(interior[k]);
+  for (int k : fill_reducing_order(graph, usual_ordering<Dim>)) append_free_dofs(interior[k]);
   triangle.num_interior = static_cast<int>(triangle.order.size());
   for (int node : candidates) append_free_dofs(node);
 }

@@ -43,7 +43,7 @@ template <int Dim> SchemeTask ArticleScheme<Dim>::take_piece(Eigen::VectorXd& u,
   const std::vector<ContactEvent<Dim>> at_end = std::move(this->m_events);
   this->accept(u, R, at_end);
   this->m_body.accept_events();
-  this->m_counts.excess = std::max(this->m_counts.excess, this->m_body.largest_yield_excess());
+  this->m_counts.excess = std::max(this->m_counts.excess, this->m_body.largest_yield_distance());
   this->m_counts.blind += m_blind;
   ++m_pieces;
   m_retries = 0;

@@ -5,7 +5,7 @@ namespace burnish {
 namespace {
 
 EventKind kind_for(PointChange change) {
-  if (change == PointChange::SCRIPT) return EventKind::USER;
+  if (change == PointChange::USER) return EventKind::USER;
   return change == PointChange::YIELD ? EventKind::YIELD : EventKind::UNLOADING;
 }
 

@@ -15,35 +15,37 @@ template <int Dim> void WorkpieceBody<Dim>::revert() {
 
 template <int Dim> double WorkpieceBody<Dim>::find_earliest(double tolerance, double noise) {
   m_pending = earliest(element_events(*m_workpiece, tolerance, noise), tolerance);
-  return m_pending.empty() ? 2 : m_pending.front().fraction;
+  return first_fraction(m_pending);
 }
 
 template <int Dim> void WorkpieceBody<Dim>::find_all() { m_pending = element_events(*m_workpiece, 0); }
 
 template <int Dim> long WorkpieceBody<Dim>::accept_events() {
-  switch_points(m_pending, *m_workpiece);
+  burnish::accept_events(m_pending, *m_workpiece);
   const auto n = static_cast<long>(m_pending.size());
   m_pending.clear();
   return n;
 }
 
-template <int Dim> void WorkpieceBody<Dim>::keep_plastic(double noise) { hold_points(noise, *m_workpiece); }
+template <int Dim> void WorkpieceBody<Dim>::keep_plastic(double noise) { burnish::keep_plastic(noise, *m_workpiece); }
 
 template <int Dim> double WorkpieceBody<Dim>::find_earliest_user(double overshoot, double least) {
-  return m_user.earliest(*m_workpiece, overshoot, least);
+  m_user.set_overshoot(overshoot);
+  return m_user.earliest(*m_workpiece, least);
 }
 
 template <int Dim> std::vector<ElementEvent<Dim>> WorkpieceBody<Dim>::user_events() const {
   return m_user.find(*m_workpiece);
 }
 
-template <int Dim> double WorkpieceBody<Dim>::largest_yield_excess() const {
+template <int Dim> double WorkpieceBody<Dim>::largest_yield_distance() const {
   double largest = -1;
   for (int p = 0; p < m_workpiece->discretization().num_points(); ++p)
-    largest = std::max(largest, m_workpiece->yield_excess(p));
+    largest = std::max(largest, m_workpiece->yield_distance(p));
   return largest;
 }
 
 template class WorkpieceBody<2>;
+template class WorkpieceBody<3>;
 
 } // namespace burnish

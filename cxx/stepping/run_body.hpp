@@ -31,7 +31,7 @@ public:
   virtual std::vector<ElementEvent<Dim>> user_events() const = 0; ///< all of the step
 
   /// Largest q/sigma_y - 1 of the points: how far the stress has left the yield surface.
-  virtual double largest_yield_excess() const = 0;
+  virtual double largest_yield_distance() const = 0;
 };
 
 /// A workpiece of the core with its user-defined events.
@@ -52,7 +52,7 @@ public:
   void keep_plastic(double noise) override;
   double find_earliest_user(double overshoot, double least) override;
   std::vector<ElementEvent<Dim>> user_events() const override;
-  double largest_yield_excess() const override;
+  double largest_yield_distance() const override;
 
 private:
   std::unique_ptr<Workpiece<Dim>> m_workpiece;

@@ -22,5 +22,7 @@ bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece
 
 template bool factorize_tangent<2>(ContactRun<2>&, const Workpiece<2>&, NodeBlockMatrix<2>&,
                                    const Eigen::VectorXd&);
+template bool factorize_tangent<3>(ContactRun<3>&, const Workpiece<3>&, NodeBlockMatrix<3>&,
+                                   const Eigen::VectorXd&);
 
 } // namespace burnish

@@ -1,77 +1,10 @@
 #include "workpiece/element_events.hpp"
 #include "base/error.hpp"
-#include "material/rate_law.hpp"
 #include "workpiece/point_place.hpp"
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace burnish {
 namespace {
-
-constexpr double NEVER = std::numeric_limits<double>::infinity();
-/// Loading and unloading are told apart from s:dd = +-NEUTRAL |s||dd| on: for rounding only.
-constexpr double NEUTRAL = 1e-12;
-
-// One point's elastic path through the step: the step of the fraction f of the displacement.
-template <int Dim> struct ElasticPath {
-  const J2Parameters& material;
-  StrainFrame frame;
-  Gradient<Dim> F_old, dF;
-  Stress<Dim> stress_old;
-  double yield; // sigma_y(ep) at the start
-
-  ElasticTrial<Dim> at(double f) const {
-    const StepKinematics<Dim> kin = step_kinematics(F_old, F_old + f * dF, frame);
-    return elastic_trial<Dim>(material, kin, stress_old);
-  }
-  double excess(double f) const { // q/sigma_y - 1
-    const ElasticTrial<Dim> trial = at(f);
-    return equivalent<Dim>(trial.s_old + trial.De) / yield - 1;
-  }
-};
-
-template <int Dim> Gradient<Dim> gradient_at(const std::vector<double>& F, int point) {
-  return Eigen::Map<const Gradient<Dim>>(F.data() + static_cast<std::size_t>(num_gradient<Dim>) * point);
-}
-template <int Dim> Stress<Dim> stress_at(const std::vector<double>& all, int point) {
-  return Eigen::Map<const Stress<Dim>>(all.data() + static_cast<std::size_t>(num_stress<Dim>) * point);
-}
-
-// Root of excess(f) near f, with the slope that the straight path has there; secants after the first step.
-template <int Dim> double refined(const ElasticPath<Dim>& path, double f, double slope) {
-  double value = path.excess(f);
-  for (int it = 0; it < 20 && std::abs(value) > 1e-15; ++it) {
-    const double next = std::max(0., f - value / slope), next_value = path.excess(next);
-    if (next == f) break;
-    const double secant = (next_value - value) / (next - f);
-    if (secant > 0.1 * slope) slope = secant;
-    f = next;
-    value = next_value;
-  }
-  return f;
-}
-
-// Fraction at which the trial stress leaves the surface through its outer side, NEVER if not before `last`.
-// Straight path first: q^2(f) - sigma_y^2 = a f^2 + 2 b f + c.
-template <int Dim>
-double yield_fraction(const ElasticPath<Dim>& path, const ElasticTrial<Dim>& trial, double last,
-                      double noise) {
-  const double a = squared_equivalent<Dim>(trial.De), b = 1.5 * contract<Dim>(trial.s_old, trial.De);
-  const double q2 = squared_equivalent<Dim>(trial.s_old), c = q2 - path.yield * path.yield;
-  if (a == 0) return NEVER;
-  const bool near = noise > 0 && q2 >= std::pow((1 - noise) * path.yield, 2);
-  if (near && a + 2 * b + q2 <= std::pow((1 + noise) * path.yield, 2)) return NEVER;
-  const bool outside = near || q2 >= std::pow(YIELD_FRACTION * path.yield, 2);
-  if (outside && b >= 0) return b > NEUTRAL * std::sqrt(a * q2) ? 0 : NEVER;
-  const double discriminant = b * b - a * c;
-  if (discriminant <= 0)
-    return -b / a <= last ? -b / a : NEVER; // outside all along: from where it loads again
-  const double root = std::sqrt(discriminant), f = (root - b) / a;
-  if (f > 1.01 * last) return NEVER; // the true path is close to the straight one
-  const double found = refined(path, f, root / (path.yield * path.yield)); // dq/df = (a f + b)/q
-  return found <= last ? found : NEVER;
-}
 
 // Instant of the change of sign between the mean rates of two steps, which belong to their middles.
 double sign_change(double rate_old, double dt_old, double rate, double dt) {
@@ -87,26 +20,19 @@ public:
       : m_body(body), m_last(1 + overshoot), m_noise(noise) {}
 
   void add_events_of(int point) {
-    const WorkpieceState<Dim>&old = m_body.state_old(), &now = m_body.state();
-    const ElasticPath<Dim> path = path_of(point);
-    const StepKinematics<Dim> kin = step_kinematics(path.F_old, path.F_old + path.dF, path.frame);
-    if (!(kin.det_mid > 0)) return; // the update of the step has failed
-    const ElasticTrial<Dim> trial = elastic_trial<Dim>(m_body.material(), kin, path.stress_old);
-    if (!old.plastic[point]) {
-      add(point, PointChange::YIELD, yield_fraction(path, trial, m_last, m_noise));
+    const PointStep<Dim> step = m_body.point_step(point);
+    if (!step.old.plastic) {
+      add(point, PointChange::YIELD, m_body.law().yield_fraction(step, m_last, m_noise));
       return;
     }
-    const double loading = contract<Dim>(trial.s_old, kin.strain);
-    if (loading >= -NEUTRAL * trial.s_old.norm() * kin.strain.norm()) return;
-    const double again = yield_fraction(path, trial, m_last, m_noise);
-    const bool stays = equivalent<Dim>(trial.s_old + trial.De) >= (1 - m_noise) * path.yield;
-    if (m_noise > 0 && stays && again == NEVER) return;
-    if (now.plastic[point] && again == NEVER) return;
-    const double before = old.dt > 0 ? contract<Dim>(deviator<Dim>(path.stress_old),
-                                                     stress_at<Dim>(old.strain_increment, point)) /
-                                           old.dt
-                                     : 0;
-    const double f = sign_change(before, old.dt, loading / now.dt, now.dt);
+    const PointLoading loading = m_body.law().loading(step);
+    if (loading.now >= 0) return;
+    const double again = m_body.law().yield_fraction(step, m_last, m_noise);
+    if (m_noise > 0 && loading.elastic_distance >= -m_noise && again == NEVER) return;
+    if (m_body.state().plastic[point] && again == NEVER) return;
+    const double dt_old = m_body.state_old().dt, dt = m_body.state().dt;
+    const double before = dt_old > 0 ? loading.old / dt_old : 0;
+    const double f = sign_change(before, dt_old, loading.now / dt, dt);
     add(point, PointChange::UNLOADING, f);
     add(point, PointChange::YIELD, std::max(f, again));
   }
@@ -118,17 +44,6 @@ public:
   }
 
 private:
-  ElasticPath<Dim> path_of(int point) const {
-    const WorkpieceState<Dim>&old = m_body.state_old(), &now = m_body.state();
-    const Gradient<Dim> F_old = gradient_at<Dim>(old.F, point);
-    return {m_body.material(),
-            m_body.options().strain_frame,
-            F_old,
-            gradient_at<Dim>(now.F, point) - F_old,
-            stress_at<Dim>(old.stress, point),
-            yield_stress_at(m_body.material(), old.plastic_strain_eq[point])};
-  }
-
   void add(int point, PointChange change, double fraction) {
     if (fraction == NEVER) return;
     const double f = std::min(fraction, 1.);
@@ -168,24 +83,34 @@ std::vector<ElementEvent<Dim>> earliest(const std::vector<ElementEvent<Dim>>& ev
   return first;
 }
 
+template <int Dim> double first_fraction(const std::vector<ElementEvent<Dim>>& events) {
+  return events.empty() ? 2 : events.front().fraction;
+}
+
 template <int Dim>
-void switch_points(const std::vector<ElementEvent<Dim>>& events, Workpiece<Dim>& workpiece) {
+void accept_events(const std::vector<ElementEvent<Dim>>& events, Workpiece<Dim>& workpiece) {
   for (const auto& event : events)
-    if (event.change != PointChange::SCRIPT)
+    if (event.change != PointChange::USER)
       workpiece.set_plastic(event.point, event.change == PointChange::YIELD);
 }
 
-template <int Dim> void hold_points(double noise, Workpiece<Dim>& workpiece) {
-  require(noise >= 0, "hold_points", "noise", noise, ">= 0");
+template <int Dim> void keep_plastic(double noise, Workpiece<Dim>& workpiece) {
+  require(noise >= 0, "keep_plastic", "noise", noise, ">= 0");
   for (int p = 0; p < workpiece.discretization().num_points(); ++p)
     if (workpiece.state_old().plastic[p] && !workpiece.state().plastic[p] &&
-        workpiece.yield_excess(p) >= -noise)
+        workpiece.yield_distance(p) >= -noise)
       workpiece.set_plastic(p, true);
 }
 
 template std::vector<ElementEvent<2>> element_events<2>(const Workpiece<2>&, double, double);
+template std::vector<ElementEvent<3>> element_events<3>(const Workpiece<3>&, double, double);
 template std::vector<ElementEvent<2>> earliest<2>(const std::vector<ElementEvent<2>>&, double);
-template void hold_points<2>(double, Workpiece<2>&);
-template void switch_points<2>(const std::vector<ElementEvent<2>>&, Workpiece<2>&);
+template std::vector<ElementEvent<3>> earliest<3>(const std::vector<ElementEvent<3>>&, double);
+template double first_fraction<2>(const std::vector<ElementEvent<2>>&);
+template double first_fraction<3>(const std::vector<ElementEvent<3>>&);
+template void accept_events<2>(const std::vector<ElementEvent<2>>&, Workpiece<2>&);
+template void accept_events<3>(const std::vector<ElementEvent<3>>&, Workpiece<3>&);
+template void keep_plastic<2>(double, Workpiece<2>&);
+template void keep_plastic<3>(double, Workpiece<3>&);
 
 } // namespace burnish

@@ -5,8 +5,11 @@
 namespace burnish {
 namespace {
 
+/// Points count as lying in one plane below this determinant of the mean normal matrix, free of units.
+constexpr double FLAT = 1e-4;
+
 // Elements of every node.
-std::vector<std::vector<int>> elements_of_nodes(const Discretization<2>& d) {
+template <int Dim> std::vector<std::vector<int>> elements_of_nodes(const Discretization<Dim>& d) {
   std::vector<std::vector<int>> elements(d.num_nodes);
   for (int e = 0; e < d.num_elements; ++e)
     for (int a = 0; a < d.nodes_per_element; ++a) elements[d.element(e)[a]].push_back(e);
@@ -14,22 +17,26 @@ std::vector<std::vector<int>> elements_of_nodes(const Discretization<2>& d) {
 }
 
 // Linear least-squares fit over the points of a patch, evaluated at the node.
-double fit_at_node(const Discretization<2>& d, const std::vector<int>& patch, const Vector<2>& node,
+template <int Dim>
+double fit_at_node(const Discretization<Dim>& d, const std::vector<int>& patch, const Vector<Dim>& node,
                    const Eigen::VectorXd& values) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  constexpr int terms = Dim + 1; // 1 and the coordinates
+  using Row = Eigen::Matrix<double, terms, 1>;
+  Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
+  Row right = Row::Zero();
   double low = values[patch[0] * d.points_per_element], high = low, size2 = 0;
   int count = 0;
   for (const int pass : {0, 1}) // the size of the patch first, to make the fit free of units
     for (const int e : patch)
       for (int q = 0; q < d.points_per_element; ++q) {
         const int p = e * d.points_per_element + q;
-        const Vector<2> r = Vector<2>(d.point[2 * p], d.point[2 * p + 1]) - node;
+        const Vector<Dim> r = Eigen::Map<const Vector<Dim>>(d.point.data() + Dim * p) - node;
         if (pass == 0) {
           size2 = std::max(size2, r.squaredNorm());
           continue;
         }
-        const Eigen::Vector3d row(1, r[0] / std::sqrt(size2), r[1] / std::sqrt(size2));
+        Row row;
+        row << 1, r / std::sqrt(size2);
         normal += row * row.transpose();
         right += values[p] * row;
         low = std::min(low, values[p]);
@@ -37,20 +44,26 @@ double fit_at_node(const Discretization<2>& d, const std::vector<int>& patch, co
         ++count;
       }
   const double mean = right[0] / count;
-  if (count < 4 || std::abs(normal.determinant()) < 1e-4 * count * count * count) return mean;
+  double flat = FLAT;
+  for (int k = 0; k < terms; ++k) flat *= count;
+  if (count <= terms || std::abs(normal.determinant()) < flat) return mean;
   return std::clamp(normal.ldlt().solve(right)[0], low, high);
 }
 
 } // namespace
 
-Eigen::VectorXd nodal_average(const Discretization<2>& d, const Eigen::VectorXd& values) {
+template <int Dim>
+Eigen::VectorXd nodal_average(const Discretization<Dim>& d, const Eigen::VectorXd& values) {
   require(values.size() == d.num_points(), "nodal_average", "number of values", values.size(),
           "one per quadrature point");
   const auto patches = elements_of_nodes(d);
   Eigen::VectorXd result = Eigen::VectorXd::Zero(d.num_nodes);
   for (int n = 0; n < d.num_nodes; ++n)
-    if (!patches[n].empty()) result[n] = fit_at_node(d, patches[n], d.node(n), values);
+    if (!patches[n].empty()) result[n] = fit_at_node<Dim>(d, patches[n], d.node(n), values);
   return result;
 }
+
+template Eigen::VectorXd nodal_average<2>(const Discretization<2>&, const Eigen::VectorXd&);
+template Eigen::VectorXd nodal_average<3>(const Discretization<3>&, const Eigen::VectorXd&);
 
 } // namespace burnish

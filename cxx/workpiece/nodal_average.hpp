@@ -5,9 +5,11 @@
 namespace burnish {
 
 /// Value at each node of the linear field that fits the points of the node's elements in least squares, kept
-/// within their range; their mean where fewer than four points or points on a line leave the fit open.
+/// within their range; their mean where fewer than Dim + 2 points, or points (almost) in one plane (in the
+/// plane: on a line), leave the fit open.
 /// @param values one per quadrature point, any unit; @returns one per node, same unit
 /// @throws std::invalid_argument unless values has one entry per quadrature point
-Eigen::VectorXd nodal_average(const Discretization<2>& discretization, const Eigen::VectorXd& values);
+template <int Dim>
+Eigen::VectorXd nodal_average(const Discretization<Dim>& discretization, const Eigen::VectorXd& values);
 
 } // namespace burnish

@@ -1,65 +1,38 @@
 #include "workpiece/point_events.hpp"
 #include "base/error.hpp"
-#include "workpiece/point_place.hpp"
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace burnish {
 namespace {
 
-constexpr int VARIABLES = 11, PARTS = 8;
-constexpr double NO_STRESS = 1e-300;
 constexpr const char* WHERE = "PointEvents";
-using Values = std::array<double, VARIABLES>;
-
-// What is linear inside a step.
-struct PointState {
-  Stress<2> stress;
-  double ep;
-  Vector<2> x;
-};
-
-PointState point_state(const Discretization<2>& mesh, const WorkpieceState<2>& state, int point) {
-  const std::size_t p = point;
-  return {Eigen::Map<const Stress<2>>(state.stress.data() + num_stress<2> * p), state.plastic_strain_eq[p],
-          point_place(mesh, point, state)};
-}
-
-// In the order of point_event_variables().
-Values values_of(const PointState& a) {
-  const Stress<2>& t = a.stress;
-  const double middle = 0.5 * (t[0] + t[1]), radius = std::hypot(0.5 * (t[0] - t[1]), t[3]);
-  return {a.ep,
-          std::max(equivalent<2>(deviator<2>(t)), NO_STRESS),
-          mean<2>(t),
-          t[0],
-          t[1],
-          t[2],
-          t[3],
-          std::max(middle + radius, t[2]),
-          std::min(middle - radius, t[2]),
-          a.x[0],
-          a.x[1]};
-}
+/// A formula is evaluated at this many equal parts of a step.
+constexpr int PARTS = 8;
+/// Of a root: passes, its error as a fraction of the step, and the least share of the bracket that a pass takes off.
+constexpr int MAX_PASSES = 200;
+constexpr double ROOT_ERROR = 1e-14, LEAST_SHARE = 0.01;
 
 // A formula along one point's path through the step.
-struct PointPath {
+template <int Dim> struct PointPath {
+  using Sample = typename PointVariables<Dim>::Sample;
   const Formula& formula;
-  PointState start, end;
+  const PointVariables<Dim>& variables;
+  const Sample &start, &end;
+  std::vector<double>& values; // room for them
   double operator()(double f) const {
-    const PointState now{(1 - f) * start.stress + f * end.stress, (1 - f) * start.ep + f * end.ep,
-                         (1 - f) * start.x + f * end.x};
-    return formula(values_of(now).data());
+    variables.values(start, end, f, values.data());
+    return formula(values.data());
   }
 };
 
 // Where the value passes through zero between a (value va < 0) and b (vb >= 0): regula falsi, the weights
 // halved as in the Illinois rule, every third time the middle; ends on the side that is not below zero.
-double rising_root(const PointPath& value, double a, double va, double b, double vb) {
-  for (int it = 0; it < 200 && b - a > 1e-14 && vb != 0; ++it) {
+template <class Value> double rising_root(const Value& value, double a, double va, double b, double vb) {
+  for (int it = 0; it < MAX_PASSES && b - a > ROOT_ERROR && vb != 0; ++it) {
     const double f = it % 3 == 2 ? 0.5 * (a + b) : a + (b - a) * va / (va - vb);
-    const double inside = std::clamp(f, a + 0.01 * (b - a), b - 0.01 * (b - a)), v = value(inside);
+    const double inside = std::clamp(f, a + LEAST_SHARE * (b - a), b - LEAST_SHARE * (b - a));
+    const double v = value(inside);
     if (v < 0) {
       a = inside;
       va = v;
@@ -74,8 +47,8 @@ double rising_root(const PointPath& value, double a, double va, double b, double
 }
 
 // Calls happened(fraction) for every event of the path; `above` at its start in, at its end out.
-template <class Happened>
-void follow(const PointPath& value, double overshoot, char& above, const Happened& happened) {
+template <class Value, class Happened>
+void follow(const Value& value, double overshoot, char& above, const Happened& happened) {
   double a = 0, va = above ? 0 : value(0);
   for (int k = 1; k <= PARTS + (overshoot > 0); ++k) {
     const double b = k <= PARTS ? static_cast<double>(k) / PARTS : 1 + overshoot, vb = value(b);
@@ -86,92 +59,116 @@ void follow(const PointPath& value, double overshoot, char& above, const Happene
   }
 }
 
+// Calls visit(point, start, end, k, path) for all points and formulas of the step.
+template <int Dim, class Visit>
+void for_each_path(const Workpiece<Dim>& body, const std::vector<Formula>& formulas, const Visit& visit) {
+  if (formulas.empty()) return;
+  const PointVariables<Dim> variables(body.law());
+  std::vector<double> values(variables.names().size());
+  for (int p = 0; p < body.discretization().num_points(); ++p) {
+    const auto start = variables.sample(body, body.state_old(), p),
+               end = variables.sample(body, body.state(), p);
+    for (std::size_t k = 0; k < formulas.size(); ++k)
+      visit(p, start, end, k, PointPath<Dim>{formulas[k], variables, start, end, values});
+  }
+}
+
 void check_name(const std::string& name) {
   if (name.empty() || name.find_first_of(",\"\n\r") != std::string::npos)
     fail(WHERE, "name \"" + name + "\", expected a text without comma, quote and line break");
 }
 
-} // namespace
-
-const std::vector<std::string>& point_event_variables() {
-  static const std::vector<std::string> names = {"ep",  "seq", "sm", "sxx", "syy", "szz",
-                                                 "sxy", "s1",  "s3", "x",   "y"};
-  return names;
-}
-
-template <int Dim>
-void PointEvents<Dim>::add(const Workpiece<Dim>& body, const std::string& name, const std::string& formula,
-                           const std::map<std::string, double>& parameters) {
-  static_assert(Dim == 2, "names and principal stresses are those of the plane");
-  check_name(name);
-  for (const Event& known : m_events)
-    if (known.name == name) fail(WHERE, "name \"" + name + "\" is taken");
-  Event event{
-      name, Formula("event \"" + name + "\"", formula, {point_event_variables(), parameters}), {}, {}};
-  const int points = body.discretization().num_points();
-  for (int p = 0; p < points; ++p)
-    event.above.push_back(
-        event.formula(values_of(point_state(body.discretization(), body.state_old(), p)).data()) >= 0);
-  event.count.assign(points, 0);
-  m_events.push_back(std::move(event));
-}
-
-template <int Dim> std::vector<ElementEvent<Dim>> PointEvents<Dim>::find(const Workpiece<Dim>& body) const {
-  std::vector<ElementEvent<Dim>> found;
-  const Discretization<Dim>& mesh = body.discretization();
-  for (int p = 0; p < mesh.num_points() && !empty(); ++p) {
-    const PointState start = point_state(mesh, body.state_old(), p), end = point_state(mesh, body.state(), p);
-    for (const Event& event : m_events) {
-      char above = event.above[p];
-      follow({event.formula, start, end}, m_overshoot, above, [&](double f) {
-        found.push_back({f, PointChange::SCRIPT, p, (1 - f) * start.x + f * end.x, event.name});
-      });
-    }
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.fraction < b.fraction; });
-  return found;
-}
-
-template <int Dim>
-double PointEvents<Dim>::earliest(const Workpiece<Dim>& body, double overshoot, double least) {
-  require(overshoot >= 0, WHERE, "overshoot", overshoot, ">= 0");
-  m_overshoot = overshoot;
-  for (const auto& event : find(body))
-    if (event.fraction > least) return event.fraction;
-  return 2;
-}
-
-template <int Dim> void PointEvents<Dim>::accept(const Workpiece<Dim>& body) {
-  const Discretization<Dim>& mesh = body.discretization();
-  for (int p = 0; p < mesh.num_points() && !empty(); ++p) {
-    const PointState start = point_state(mesh, body.state_old(), p), end = point_state(mesh, body.state(), p);
-    for (Event& event : m_events)
-      follow({event.formula, start, end}, m_overshoot, event.above[p], [&](double) { ++event.count[p]; });
-  }
-  m_overshoot = 0;
-}
-
-template <int Dim>
-const typename PointEvents<Dim>::Event& PointEvents<Dim>::event(const std::string& name) const {
+const PointEventState& event_named(const PointEventsState& state, const std::string& name) {
   std::string known;
-  for (const Event& event : m_events) {
+  for (const PointEventState& event : state) {
     if (event.name == name) return event;
     known += (known.empty() ? "" : ", ") + event.name;
   }
   fail(WHERE, "no event \"" + name + "\", expected one of " + (known.empty() ? "none" : known));
 }
 
+} // namespace
+
+template <int Dim>
+void PointEvents<Dim>::add(const Workpiece<Dim>& body, const std::string& name, const std::string& formula,
+                           const std::map<std::string, double>& parameters) {
+  check_name(name);
+  for (const PointEventState& known : m_state)
+    if (known.name == name) fail(WHERE, "name \"" + name + "\" is taken");
+  const PointVariables<Dim> variables(body.law());
+  const Formula parsed("event \"" + name + "\"", formula, {variables.names(), parameters});
+  const int points = body.discretization().num_points();
+  PointEventState event{name, {}, std::vector<int>(points, 0)};
+  std::vector<double> values(variables.names().size());
+  for (int p = 0; p < points; ++p) {
+    const auto at = variables.sample(body, body.state_old(), p);
+    variables.values(at, at, 0, values.data());
+    event.above.push_back(parsed(values.data()) >= 0);
+  }
+  m_formulas.push_back(parsed);
+  m_state.push_back(std::move(event));
+}
+
+template <int Dim> std::vector<ElementEvent<Dim>> PointEvents<Dim>::find(const Workpiece<Dim>& body) const {
+  std::vector<ElementEvent<Dim>> found;
+  for_each_path(
+      body, m_formulas, [&](int p, const auto& start, const auto& end, std::size_t k, const auto& path) {
+        char above = m_state[k].above[p];
+        follow(path, m_overshoot, above, [&](double f) {
+          found.push_back({f, PointChange::USER, p, (1 - f) * start.x + f * end.x, m_state[k].name});
+        });
+      });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.fraction < b.fraction; });
+  return found;
+}
+
+template <int Dim> double PointEvents<Dim>::earliest(const Workpiece<Dim>& body, double least) const {
+  for (const auto& event : find(body))
+    if (event.fraction > least) return event.fraction;
+  return 2;
+}
+
+template <int Dim> void PointEvents<Dim>::set_overshoot(double overshoot) {
+  require(overshoot >= 0, WHERE, "overshoot", overshoot, ">= 0");
+  m_overshoot = overshoot;
+}
+
+template <int Dim> void PointEvents<Dim>::accept(const Workpiece<Dim>& body) {
+  PointEventsState next = m_state;
+  for_each_path(body, m_formulas, [&](int p, const auto&, const auto&, std::size_t k, const auto& path) {
+    follow(path, m_overshoot, next[k].above[p], [&](double) { ++next[k].count[p]; });
+  });
+  m_state = std::move(next);
+  m_overshoot = 0;
+}
+
+template <int Dim> void PointEvents<Dim>::set_state(const PointEventsState& state) {
+  const char* where = "PointEvents::set_state";
+  require(state.size() == m_state.size(), where, "number of events", state.size(),
+          std::to_string(m_state.size()).c_str());
+  for (std::size_t k = 0; k < state.size(); ++k) {
+    const std::size_t points = m_state[k].count.size();
+    require(state[k].name == m_state[k].name, where, "name", state[k].name, m_state[k].name.c_str());
+    require(state[k].above.size() == points && state[k].count.size() == points, where,
+            "number of points of above and count", std::min(state[k].above.size(), state[k].count.size()),
+            std::to_string(points).c_str());
+  }
+  m_state = state;
+  m_overshoot = 0;
+}
+
 template <int Dim> const std::vector<int>& PointEvents<Dim>::counts(const std::string& name) const {
-  return event(name).count;
+  return event_named(m_state, name).count;
 }
 
 template <int Dim> long PointEvents<Dim>::number(const std::string& name) const {
   long sum = 0;
-  for (const int n : event(name).count) sum += n;
+  for (const int n : counts(name)) sum += n;
   return sum;
 }
 
 template class PointEvents<2>;
+template class PointEvents<3>;
 
 } // namespace burnish

@@ -12,5 +12,6 @@ Vector<Dim> point_place(const Discretization<Dim>& mesh, int point, const Workpi
 }
 
 template Vector<2> point_place<2>(const Discretization<2>&, int, const WorkpieceState<2>&);
+template Vector<3> point_place<3>(const Discretization<3>&, int, const WorkpieceState<3>&);
 
 } // namespace burnish

@@ -1,9 +1,7 @@
-// State, stress update and the ways between the two states; assembly is in assembly.cpp.
 #include "workpiece/workpiece.hpp"
 #include "base/error.hpp"
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace burnish {
 namespace {
@@ -25,77 +23,28 @@ template <int Dim> void require_valid(const Discretization<Dim>& mesh) {
   require(mesh.shape.size() * Dim == mesh.shape_grad.size(), where, "size of shape", mesh.shape.size(),
           "num_points x nodes_per_element");
   require(mesh.point.size() == points * Dim, where, "size of point", mesh.point.size(), "num_points x Dim");
+  if (mesh.axisymmetric && !PointTraits<Dim>::has_hoop) fail(where, "axisymmetric meshes are plane ones");
 }
 
-template <int Dim> WorkpieceState<Dim> initial_state(const Discretization<Dim>& mesh) {
-  WorkpieceState<Dim> state;
-  const std::size_t points = mesh.num_points();
-  state.displacement = Eigen::VectorXd::Zero(mesh.num_dofs());
-  const Gradient<Dim> F = undeformed<Dim>();
-  for (std::size_t p = 0; p < points; ++p) state.F.insert(state.F.end(), F.begin(), F.end());
-  state.stress.assign(points * num_stress<Dim>, 0.);
-  state.strain_increment = state.stress;
-  state.plastic_strain_eq.assign(points, 0.);
-  state.plastic.assign(points, 0);
-  return state;
+template <int Dim> Discretization<Dim> valid(Discretization<Dim> mesh) {
+  require_valid(mesh);
+  return mesh;
 }
 
 template <int Dim>
-void check_array(const char* name, const double* data, std::size_t size, std::size_t expected) {
-  const std::string size_name = std::string("size of ") + name;
-  require(size == expected, "Workpiece::set_state", size_name.c_str(), size,
-          std::to_string(expected).c_str());
-  for (std::size_t k = 0; k < size; ++k)
-    require(std::isfinite(data[k]), "Workpiece::set_state", name, data[k], "finite numbers");
+std::shared_ptr<const MaterialLaw<Dim>> valid(std::shared_ptr<const MaterialLaw<Dim>> law) {
+  if (!law) fail("Workpiece", "there is no law");
+  return law;
 }
 
-/// @return true unless det is > 0 and finite; then says so in result
-bool bad_determinant(double det, int point, UpdateResult& result) {
-  if (det > 0 && std::isfinite(det)) return false;
-  const UpdateStatus status = std::isfinite(det) ? UpdateStatus::INVERTED_ELEMENT : UpdateStatus::NOT_FINITE;
-  result = {status, point, det};
-  return true;
+void require_blend(const char* where, double blend) {
+  require(blend >= 0 && blend <= 1, where, "elastic_blend", blend, "0 <= elastic_blend <= 1");
 }
 
-} // namespace
-
+/// F = I + du/dX at a point; in axisymmetry F_zz = 1 + u_r/R.
 template <int Dim>
-Workpiece<Dim>::Workpiece(Discretization<Dim> discretization, J2Parameters material, UpdateOptions options)
-    : m_discretization(std::move(discretization)), m_material(material), m_options(options) {
-  burnish::require_valid(m_material, "Workpiece");
-  burnish::require_valid(m_options, "Workpiece");
-  require_valid(m_discretization);
-  const Discretization<Dim>& mesh = m_discretization;
-  m_state_old = m_state = initial_state(mesh);
-  m_substeps.assign(mesh.num_points(), 0);
-  m_used_substeps = m_substeps;
-  const int nodes = mesh.nodes_per_element;
-  m_pattern = pattern_from_elements<Dim>(mesh.num_nodes, nodes, mesh.connectivity);
-  m_slot.reserve(mesh.connectivity.size() * nodes);
-  for (int e = 0; e < mesh.num_elements; ++e)
-    for (int a = 0; a < nodes; ++a)
-      for (int b = 0; b < nodes; ++b)
-        m_slot.push_back(m_pattern.find(mesh.element(e)[a], mesh.element(e)[b]));
-  if (!mesh.axisymmetric) return;
-  for (const double x : mesh.X) m_rounding = std::max(m_rounding, 1e-9 * std::abs(x));
-  for (int a = 0; a < mesh.num_nodes; ++a)
-    if (mesh.node(a)[0] <= m_rounding) m_axis.push_back(a);
-}
-
-template <int Dim> void Workpiece<Dim>::check_axis(const Eigen::VectorXd& displacement) const {
-  for (const int a : m_axis) {
-    if (!(std::abs(displacement[Dim * a]) > m_rounding)) continue;
-    std::ostringstream what;
-    what << "radial displacement of node " << a << " on the axis = " << displacement[Dim * a]
-         << ", expected 0: hold it there, on(axis, u=0)";
-    fail("Workpiece::update", what.str());
-  }
-}
-
-template <int Dim>
-Gradient<Dim> Workpiece<Dim>::gradient_of_deformation(int element, int point,
-                                                      const Eigen::VectorXd& u) const {
-  const Discretization<Dim>& mesh = m_discretization;
+Gradient<Dim> deformation_gradient(const Discretization<Dim>& mesh, int element, int point,
+                                   const Eigen::VectorXd& u) {
   const int* node = mesh.element(element);
   const double* gradient = mesh.gradients(point);
   RowMajorTensor<Dim> in_mesh = RowMajorTensor<Dim>::Identity();
@@ -104,56 +53,61 @@ Gradient<Dim> Workpiece<Dim>::gradient_of_deformation(int element, int point,
                          Eigen::Map<const Vector<Dim>>(gradient + Dim * a).transpose();
   Gradient<Dim> F = undeformed<Dim>();
   mesh_part<Dim>(F) = in_mesh;
-  if (!mesh.axisymmetric) return F;
-  double radial = 0;
-  for (int a = 0; a < mesh.nodes_per_element; ++a) radial += mesh.shapes(point)[a] * u[Dim * node[a]];
-  F[ZZ] += radial * mesh.inverse_radius(point);
+  if constexpr (PointTraits<Dim>::has_hoop) {
+    if (!mesh.axisymmetric) return F;
+    double radial = 0;
+    for (int a = 0; a < mesh.nodes_per_element; ++a) radial += mesh.shapes(point)[a] * u[Dim * node[a]];
+    F[ZZ] += radial * mesh.inverse_radius(point);
+  }
   return F;
 }
 
-template <int Dim> PointOld<Dim> Workpiece<Dim>::point_old(int point) const {
+template <int Dim> Gradient<Dim> piola_of(const WorkpieceState<Dim>& state, int point) {
   const std::size_t p = point;
-  PointOld<Dim> old;
-  old.F = Eigen::Map<const Gradient<Dim>>(m_state_old.F.data() + p * num_gradient<Dim>);
-  old.stress = Eigen::Map<const Stress<Dim>>(m_state_old.stress.data() + p * num_stress<Dim>);
-  old.plastic_strain_eq = m_state_old.plastic_strain_eq[p];
-  old.strain_increment =
-      Eigen::Map<const Stress<Dim>>(m_state_old.strain_increment.data() + p * num_stress<Dim>);
-  old.plastic = m_state_old.plastic[p] != 0;
-  return old;
+  const Gradient<Dim> F = Eigen::Map<const Gradient<Dim>>(state.F.data() + p * num_gradient<Dim>);
+  return first_piola(Stress<Dim>(Eigen::Map<const Stress<Dim>>(state.stress.data() + p * num_stress<Dim>)),
+                     inverse(F));
 }
 
-template <int Dim> PointScheme Workpiece<Dim>::scheme(double ratio, int substeps) const {
-  return {m_options.update, m_options.path_limit, ratio, substeps};
+} // namespace
+
+template <int Dim>
+Workpiece<Dim>::Workpiece(Discretization<Dim> discretization, std::shared_ptr<const MaterialLaw<Dim>> law,
+                          UpdateOptions options)
+    : m_discretization(valid(std::move(discretization))), m_law(valid(std::move(law))),
+      m_num_internal(m_law->internal_variables().size()), m_options(options), m_assembly(m_discretization),
+      m_axis(m_discretization), m_state_old(initial_state(m_discretization, m_law->internal_variables())),
+      m_state(m_state_old), m_trial(m_discretization.num_points()) {
+  burnish::require_valid(m_options, "Workpiece");
 }
 
 template <int Dim> double Workpiece<Dim>::step_ratio() const {
   return m_state_old.dt > 0 ? m_state.dt / m_state_old.dt : 0;
 }
 
-template <int Dim>
-bool Workpiece<Dim>::update_point(int point, const Gradient<Dim>& F, double ratio, bool may_grow,
-                                  UpdateResult& result) {
-  if (bad_determinant(determinant(F), point, result)) return false;
-  const PointOld<Dim> old = point_old(point);
-  const StepKinematics<Dim> kin = step_kinematics(old.F, F, m_options.strain_frame);
-  if (bad_determinant(kin.det_mid, point, result)) return false;
-  const ElasticTrial<Dim> trial = elastic_trial<Dim>(m_material, kin, old.stress);
-  int substeps = 0;
-  if (m_options.update == StressUpdate::SUBSTEPPED) {
-    substeps = substeps_needed<Dim>(m_material, m_options, trial, old.plastic_strain_eq, old.plastic);
-    int& kept = m_substeps[point];
-    if (substeps > 0) substeps = kept = may_grow || kept == 0 ? std::max(kept, substeps) : kept;
-  }
-  m_used_substeps[point] = substeps;
-  const PointNew<Dim> now = updated_point<Dim>(m_material, scheme(ratio, substeps), old, kin, trial);
+template <int Dim> PointState<Dim> Workpiece<Dim>::point_old(int point) const {
+  return point_state(m_state_old, m_num_internal, point);
+}
+template <int Dim> PointState<Dim> Workpiece<Dim>::point_now(int point) const {
+  return point_state(m_state, m_num_internal, point);
+}
+template <int Dim> PointStep<Dim> Workpiece<Dim>::point_step(int point) const {
+  return {point_old(point), point_now(point).F, step_ratio(), 0, m_options};
+}
+
+template <int Dim> PointResult Workpiece<Dim>::update_point(int point, const PointStep<Dim>& step) {
+  PointResult result = determinant_result(determinant(step.F));
+  if (result.status != UpdateStatus::OK) return result;
   const std::size_t p = point;
-  Eigen::Map<Gradient<Dim>>(m_state.F.data() + p * num_gradient<Dim>) = F;
+  PointUpdate<Dim> now;
+  now.internal = m_state.internal.data() + p * m_num_internal;
+  result = m_law->update(step, m_trial[p], now);
+  if (result.status != UpdateStatus::OK) return result;
+  Eigen::Map<Gradient<Dim>>(m_state.F.data() + p * num_gradient<Dim>) = step.F;
   Eigen::Map<Stress<Dim>>(m_state.stress.data() + p * num_stress<Dim>) = now.stress;
-  Eigen::Map<Stress<Dim>>(m_state.strain_increment.data() + p * num_stress<Dim>) = kin.strain;
-  m_state.plastic_strain_eq[p] = now.plastic_strain_eq;
+  Eigen::Map<Stress<Dim>>(m_state.strain_increment.data() + p * num_stress<Dim>) = now.strain_increment;
   m_state.plastic[p] = now.plastic;
-  return true;
+  return result;
 }
 
 template <int Dim>
@@ -164,23 +118,71 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
   require(dt > 0 && std::isfinite(dt), where, "dt", dt, "finite > 0");
   require(iteration >= 0, where, "iteration", iteration, ">= 0");
   burnish::require_valid(m_options, where);
-  check_axis(displacement);
-  if (iteration == 0) std::fill(m_substeps.begin(), m_substeps.end(), 0);
+  m_axis.check(displacement, where);
+  if (iteration == 0) std::fill(m_trial.begin(), m_trial.end(), PointTrial{});
   m_state.displacement = displacement;
   m_state.dt = dt;
   m_updated = true;
-  UpdateResult result;
   const double ratio = step_ratio();
-  const bool may_grow = iteration < m_options.freeze_iteration;
   const int per_element = m_discretization.points_per_element;
   for (int e = 0; e < m_discretization.num_elements; ++e)
-    for (int p = e * per_element; p < (e + 1) * per_element; ++p)
-      if (!update_point(p, gradient_of_deformation(e, p, displacement), ratio, may_grow, result))
-        return result;
+    for (int p = e * per_element; p < (e + 1) * per_element; ++p) {
+      const PointResult result =
+          update_point(p, {point_old(p), deformation_gradient(m_discretization, e, p, displacement), ratio,
+                           iteration, m_options});
+      if (result.status != UpdateStatus::OK) return {result.status, p, result.value};
+    }
   // a node of no element
   if (!displacement.allFinite())
     return {UpdateStatus::NOT_FINITE, -1, std::numeric_limits<double>::quiet_NaN()};
-  return result;
+  return {};
+}
+
+template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal_force() const {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(m_discretization.num_dofs());
+  for (int p = 0; p < m_discretization.num_points(); ++p)
+    add_force<Dim>(m_discretization, p, piola_of(m_state, p), force);
+  return force;
+}
+
+template <int Dim>
+PiolaTangent<Dim> Workpiece<Dim>::moduli(int point, TangentKind kind, double elastic_blend) const {
+  const PointStep<Dim> step = point_step(point);
+  const PointState<Dim> now = point_now(point);
+  const PointTrial& trial = m_trial[point];
+  const auto elastic = [&] { return m_law->tangent(TangentKind::ELASTIC, step, trial, now); };
+  if (kind == TangentKind::ELASTIC) return elastic();
+  PiolaTangent<Dim> A = m_law->tangent(m_updated ? kind : TangentKind::RATE, step, trial, now);
+  if (now.plastic && elastic_blend > 0) A += elastic_blend * (elastic() - A);
+  return 0.5 * (A + A.transpose());
+}
+
+template <int Dim>
+void Workpiece<Dim>::tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, double elastic_blend) const {
+  const char* where = "Workpiece::tangent";
+  require_blend(where, elastic_blend);
+  if (!m_assembly.fits(matrix))
+    fail(where, "the matrix has another pattern than this discretization, expected one from pattern()");
+  std::fill(matrix.value.begin(), matrix.value.end(), 0.);
+  for (int p = 0; p < m_discretization.num_points(); ++p)
+    m_assembly.add(m_discretization, p, moduli(p, kind, elastic_blend), matrix);
+}
+
+template <int Dim> void Workpiece<Dim>::require_point(const char* where, int point) const {
+  require(point >= 0 && point < m_discretization.num_points(), where, "point", point,
+          "0 <= point < num_points");
+}
+
+template <int Dim>
+PiolaTangent<Dim> Workpiece<Dim>::point_moduli(int point, TangentKind kind, double elastic_blend) const {
+  require_point("Workpiece::point_moduli", point);
+  require_blend("Workpiece::point_moduli", elastic_blend);
+  return moduli(point, kind, elastic_blend);
+}
+
+template <int Dim> Gradient<Dim> Workpiece<Dim>::point_piola(int point) const {
+  require_point("Workpiece::point_piola", point);
+  return piola_of(m_state, point);
 }
 
 template <int Dim> void Workpiece<Dim>::accept() {
@@ -194,33 +196,43 @@ template <int Dim> void Workpiece<Dim>::revert() {
 }
 
 template <int Dim> void Workpiece<Dim>::set_plastic(int point, bool plastic) {
-  require(point >= 0 && point < m_discretization.num_points(), "Workpiece::set_plastic", "point", point,
-          "0 <= point < num_points");
+  require_point("Workpiece::set_plastic", point);
   m_state_old.plastic[point] = m_state.plastic[point] = plastic;
 }
 
 template <int Dim> void Workpiece<Dim>::set_state(const WorkpieceState<Dim>& state) {
-  const std::size_t points = m_discretization.num_points(), stresses = points * num_stress<Dim>;
-  const auto check = [](const char* name, const std::vector<double>& array, std::size_t expected) {
-    check_array<Dim>(name, array.data(), array.size(), expected);
-  };
-  check_array<Dim>("displacement", state.displacement.data(), state.displacement.size(),
-                   m_discretization.num_dofs());
-  check("F", state.F, points * num_gradient<Dim>);
-  check("stress", state.stress, stresses);
-  check("plastic_strain_eq", state.plastic_strain_eq, points);
-  check("strain_increment", state.strain_increment, stresses);
-  require(state.plastic.size() == points, "Workpiece::set_state", "size of plastic", state.plastic.size(),
-          std::to_string(points).c_str());
-  for (std::size_t p = 0; p < points; ++p) {
-    const double det = determinant(Eigen::Map<const Gradient<Dim>>(state.F.data() + p * num_gradient<Dim>));
-    require(det > 0, "Workpiece::set_state", "det F", det, "> 0");
-  }
-  require(state.dt >= 0 && std::isfinite(state.dt), "Workpiece::set_state", "dt", state.dt, "finite >= 0");
+  burnish::require_valid(state, m_discretization, m_law->internal_variables(), "Workpiece::set_state");
   m_state_old = m_state = state;
   m_updated = false;
 }
 
+template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal(const std::string& name, int component) const {
+  const char* where = "Workpiece::internal";
+  const InternalVariables<Dim>& variables = m_law->internal_variables();
+  const int k = variables.find(name);
+  if (k < 0)
+    fail(where, "law \"" + m_law->name() + "\" has no internal variable \"" + name + "\", expected one of " +
+                    variables.names());
+  const int n = num_components<Dim>(variables.list()[k].kind);
+  require(component >= 0 && component < n, where, "component", component,
+          ("0.." + std::to_string(n - 1)).c_str());
+  const double* first = m_state.internal.data() + variables.offset(k) + component;
+  return Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<>>(first, m_discretization.num_points(),
+                                                                    Eigen::InnerStride<>(m_num_internal));
+}
+
+template <int Dim> double Workpiece<Dim>::stress_eq(int point) const {
+  require_point("Workpiece::stress_eq", point);
+  return equivalent<Dim>(deviator<Dim>(point_now(point).stress));
+}
+
+template <int Dim> double Workpiece<Dim>::yield_distance(int point) const {
+  require_point("Workpiece::yield_distance", point);
+  const PointState<Dim> now = point_now(point);
+  return m_law->yield_distance(now.stress, now.internal);
+}
+
 template class Workpiece<2>;
+template class Workpiece<3>;
 
 } // namespace burnish

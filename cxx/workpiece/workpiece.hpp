@@ -1,40 +1,29 @@
 #pragma once
 // The deformable body: quadrature-point state at the start and at the end of a step, internal force, tangent.
-// Knows no tool. A step can always be repeated: `accept` and `revert` are the only ways between the states.
-#include "material/point_update.hpp"
-#include "mesh/discretization.hpp"
-#include "solver/node_block_matrix.hpp"
-#include <vector>
+// Knows no tool, and of its material only that it is a law. A step can always be repeated: `accept` and
+// `revert` are the only ways between the states.
+#include "workpiece/assembly.hpp"
+#include "workpiece/axis.hpp"
+#include "workpiece/workpiece_state.hpp"
+#include <memory>
 
 namespace burnish {
 
-/// Plain data, can be written and read. Point-major arrays.
-template <int Dim> struct WorkpieceState {
-  Eigen::VectorXd displacement;          ///< num_dofs [length]
-  std::vector<double> F;                 ///< num_points x num_gradient: deformation gradient (Gradient) [-]
-  std::vector<double> stress;            ///< num_points x num_stress: Kirchhoff stress [stress]
-  std::vector<double> plastic_strain_eq; ///< num_points [-]
-  std::vector<double> strain_increment;  ///< num_points x num_stress: dd of the step that ended here [-]
-  std::vector<char> plastic;             ///< num_points: plastic flow happened in that step
-  double dt = 0;                         ///< length of that step [time]; 0: there was none
-};
-
-enum class UpdateStatus { OK, INVERTED_ELEMENT, NOT_FINITE };
 struct UpdateResult {
   UpdateStatus status = UpdateStatus::OK;
-  int point = -1; ///< first point concerned
-  double value =
-      0; ///< the determinant(F) (or of F_mid = (F_old + F)/2) that is not > 0, or not finite, there
+  int point = -1;   ///< first point concerned
+  double value = 0; ///< determinant(F) (or of F_mid = (F_old + F)/2) that is not > 0, or not finite, there
 };
 
 template <int Dim> class Workpiece {
 public:
   /// Undeformed and free of stress.
-  /// @throws std::invalid_argument if the arrays of the discretization do not fit together, or a parameter or
-  ///         an option is outside its range
-  Workpiece(Discretization<Dim> discretization, J2Parameters material, UpdateOptions options = {});
+  /// @throws std::invalid_argument if the arrays of the discretization do not fit together, there is no law, or an
+  ///         option is outside its range
+  Workpiece(Discretization<Dim> discretization, std::shared_ptr<const MaterialLaw<Dim>> law,
+            UpdateOptions options = {});
   const Discretization<Dim>& discretization() const { return m_discretization; }
-  const J2Parameters& material() const { return m_material; }
+  const MaterialLaw<Dim>& law() const { return *m_law; }
   const WorkpieceState<Dim>& state_old() const { return m_state_old; }
   const WorkpieceState<Dim>& state() const { return m_state; }
   /// To be changed between steps only.
@@ -57,54 +46,57 @@ public:
   /// Its tangent (symmetric part), into a matrix with this discretization's pattern: replaces the values.
   /// Right after accept, revert or set_state the increment is zero and CONSISTENT means RATE, its limit for a
   /// step that goes on like the last one. RATE: a point loads if it flowed in the last update.
-  /// @param elastic_blend 0..1: share of the elastic moduli mixed into plastic points (algorithms.md 5.2)
+  /// @param elastic_blend 0..1: share of the elastic moduli mixed into plastic points (ALGORITHMS.md 5)
   /// @throws std::invalid_argument if the pattern is another one or elastic_blend is out of range
   void tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, double elastic_blend = 0) const;
-  NodeBlockMatrix<Dim> pattern() const { return m_pattern; }
-  /// Moduli A = dP/dF at a point, symmetrized, row-major on [du/dx, du/dy, dv/dx, dv/dy, hoop u/R], and first
-  /// Piola stress P in the same order (num_gradient numbers): what a script's own forms need [stress].
+  NodeBlockMatrix<Dim> pattern() const { return m_assembly.pattern(); }
+  /// Moduli A = dP/dF at a point, symmetrized, rows and columns in the order of Gradient, and first Piola stress P in
+  /// the same order: what forms written in a script need [stress].
   /// @throws std::invalid_argument if point or elastic_blend is out of range
-  void point_moduli(int point, TangentKind kind, double elastic_blend, double* A) const;
-  void point_piola(int point, double* P) const;
+  PiolaTangent<Dim> point_moduli(int point, TangentKind kind, double elastic_blend = 0) const;
+  Gradient<Dim> point_piola(int point) const;
 
   void accept(); ///< state_old = state
   void revert(); ///< state = state_old
-  /// Whether a point starts the next step on the yield surface, in both states: what an element event tells.
-  /// Right after accept or revert. @throws std::invalid_argument if point is out of range
+  /// Whether a point starts the next step on the yield surface, in both states: what an element event decides, see
+  /// accept_events. @throws std::invalid_argument if point is out of range
   void set_plastic(int point, bool plastic);
-  /// Replaces both states (restart, tests).
-  /// @throws std::invalid_argument on wrong sizes, numbers that are not finite, or det F <= 0
+  /// Replaces both states (resume, copies).
+  /// @throws std::invalid_argument on wrong sizes, numbers that are not finite, or det F <= 0; nothing has
+  /// changed then
   void set_state(const WorkpieceState<Dim>& state);
 
+  /// An internal variable of the law in state(), at all points [its unit].
+  /// @param component of a symmetric tensor, in the order of Stress
+  /// @throws std::invalid_argument if the law has no such variable (lists those it has), or no such component
+  Eigen::VectorXd internal(const std::string& name, int component = 0) const;
   /// Von Mises stress of the Kirchhoff stress at a point of state() [stress].
   /// @throws std::invalid_argument if point is out of range
   double stress_eq(int point) const;
-  /// q/sigma_y(ep) - 1 there: positive outside the yield surface, where only forward Euler leads [-].
-  double yield_excess(int point) const;
+  /// q/sigma_y - 1 there: positive outside the yield surface, where only forward Euler leads [-].
+  double yield_distance(int point) const;
+
+  /// A point of either state; points into it.
+  PointState<Dim> point_old(int point) const;
+  PointState<Dim> point_now(int point) const;
+  /// The step of a point from state_old() to state().
+  PointStep<Dim> point_step(int point) const;
 
 private:
-  Gradient<Dim> gradient_of_deformation(int element, int point, const Eigen::VectorXd& displacement) const;
-  PointOld<Dim> point_old(int point) const;
-  PointScheme scheme(double ratio, int substeps) const;
   double step_ratio() const;
-  void check_axis(const Eigen::VectorXd& displacement) const;
-  bool update_point(int point, const Gradient<Dim>& F, double ratio, bool may_grow, UpdateResult& result);
+  PointResult update_point(int point, const PointStep<Dim>& step);
   PiolaTangent<Dim> moduli(int point, TangentKind kind, double elastic_blend) const;
-  PiolaTangent<Dim> consistent_at(int point, const Gradient<Dim>& F, const Stress<Dim>& stress) const;
-  template <int Hoop>
-  void add_point(NodeBlockMatrix<Dim>& matrix, int element, int point, const PiolaTangent<Dim>& A) const;
+  void require_point(const char* where, int point) const;
 
   Discretization<Dim> m_discretization;
-  J2Parameters m_material;
+  std::shared_ptr<const MaterialLaw<Dim>> m_law;
+  int m_num_internal; // per point
   UpdateOptions m_options;
+  TangentAssembly<Dim> m_assembly;
+  AxisNodes<Dim> m_axis;
   WorkpieceState<Dim> m_state_old, m_state;
-  std::vector<int> m_substeps;      // per point, this step; 0: elastic so far
-  std::vector<int> m_used_substeps; // per point, of the last update; 0: elastic
-  bool m_updated = false;           // state() comes from update, not from accept, revert, set_state
-  NodeBlockMatrix<Dim> m_pattern;   // values zero
-  std::vector<int> m_slot;          // element x node x node: block in the pattern
-  std::vector<int> m_axis;          // nodes on the axis, where axisymmetric
-  double m_rounding = 0;            // of coordinates [length]
+  std::vector<PointTrial> m_trial; // per point, this step
+  bool m_updated = false;          // state() comes from update, not from accept, revert, set_state
 };
 
 } // namespace burnish

@@ -4,6 +4,7 @@
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
 #include "kinematics/polar.hpp"
+#include "material/j2/law.hpp"
 #include "stepping/session.hpp"
 #include "support/structured_mesh.hpp"
 #include "workpiece/workpiece.hpp"
@@ -19,8 +20,9 @@ struct Scene {
 
   Scene(const ContactMesh& mesh, const J2Parameters& material, const StepOptions& options = {},
         const UpdateOptions& update = {})
-      : workpiece(mesh.space, material, update), session(mesh.space, mesh.surface, mesh.fixed, options),
-        tangent(workpiece.pattern()), u(Eigen::VectorXd::Zero(mesh.space.num_dofs())), R(u) {}
+      : workpiece(mesh.space, j2_law<2>(material), update),
+        session(mesh.space, mesh.surface, mesh.fixed, options), tangent(workpiece.pattern()),
+        u(Eigen::VectorXd::Zero(mesh.space.num_dofs())), R(u) {}
   void add_tool(std::shared_ptr<const Profile<2>> profile, std::shared_ptr<const Coordinates<2>> coordinates,
                 double mu) {
     tool = std::make_shared<DrivenTool<2>>("tool", std::move(profile));

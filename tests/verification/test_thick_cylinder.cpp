@@ -3,6 +3,7 @@
 //   s_rr = k (1 - b^2/r^2), s_hoop = k (1 + b^2/r^2), s_zz = 2 nu k, k = p a^2/(b^2 - a^2).
 // The pressure acts as nodal forces of the whole ring, 2 pi a p times the integral of N_a. Orders in L2 for
 // elements of degree k: displacement k + 1, stress k.
+#include "material/j2/law.hpp"
 #include "support/equilibrium.hpp"
 #include "support/structured_mesh.hpp"
 #include <iostream>
@@ -36,7 +37,7 @@ struct Errors {
 
 /// Linear elasticity: the tangent of the undeformed body, and the stress of a displacement scaled down.
 Errors solve(int n, int order) {
-  Workpiece<2> body(wall(n, order), J2Parameters::from_young(E, NU, 1e3 * E, 0));
+  Workpiece<2> body(wall(n, order), j2_law<2>(J2Parameters::from_young(E, NU, 1e3 * E, 0)));
   const Discretization<2>& mesh = body.discretization();
   std::vector<char> held(mesh.num_dofs(), 0);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(mesh.num_dofs());

@@ -26,7 +26,7 @@ struct Pressed {
   Program program{{0, 0, 0}, Eigen::VectorXd::Zero(3)};
 
   explicit Pressed(double yield_stress, double mu)
-      : workpiece(patch(6, SIDE), J2Parameters::from_shear(G, 0.32, yield_stress, 0.05 * G),
+      : workpiece(patch(6, SIDE), j2_law<2>(J2Parameters::from_shear(G, 0.32, yield_stress, 0.05 * G)),
                   single_return()) {
     const auto& mesh = workpiece.discretization();
     body.X = Eigen::Map<const Eigen::VectorXd>(mesh.X.data(), mesh.num_dofs());

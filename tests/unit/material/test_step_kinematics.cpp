@@ -1,4 +1,4 @@
-#include "unit/material/point_step.hpp"
+#include "unit/material/j2/point_walk.hpp"
 
 using namespace burnish;
 using namespace burnish::test;

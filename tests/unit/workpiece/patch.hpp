@@ -1,5 +1,6 @@
 #pragma once
 // A small distorted patch of triangles, and fields on it.
+#include "material/j2/law.hpp"
 #include "workpiece/workpiece.hpp"
 #include <map>
 #include <vector>
@@ -50,9 +51,8 @@ inline Eigen::VectorXd bent(const Discretization<2>& mesh, double side, double s
 
 /// Every numbered array of a state, for comparing states.
 inline bool same(const WorkpieceState<2>& a, const WorkpieceState<2>& b) {
-  return a.displacement == b.displacement && a.F == b.F && a.stress == b.stress &&
-         a.plastic_strain_eq == b.plastic_strain_eq && a.strain_increment == b.strain_increment &&
-         a.plastic == b.plastic && a.dt == b.dt;
+  return a.displacement == b.displacement && a.F == b.F && a.stress == b.stress && a.internal == b.internal &&
+         a.strain_increment == b.strain_increment && a.plastic == b.plastic && a.dt == b.dt;
 }
 
 inline Gradient<2> gradient_at(const WorkpieceState<2>& state, int point) {
@@ -61,6 +61,11 @@ inline Gradient<2> gradient_at(const WorkpieceState<2>& state, int point) {
 
 inline Stress<2> stress_at(const WorkpieceState<2>& state, int point) {
   return Eigen::Map<const Stress<2>>(state.stress.data() + 4 * point);
+}
+
+/// ep of a J2 body: its only internal variable.
+inline double plastic_strain_eq_at(const WorkpieceState<2>& state, int point) {
+  return state.internal[point];
 }
 
 } // namespace burnish::test

@@ -1,4 +1,4 @@
-#include "unit/material/point_step.hpp"
+#include "unit/material/j2/point_walk.hpp"
 #include "unit/workpiece/patch.hpp"
 #include "workpiece/element_events.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 struct Element {
   Workpiece<2> body;
   explicit Element(StressUpdate update = StressUpdate::SUBSTEPPED, int nodes = 3)
-      : body(mesh(nodes), example_material(), options(update)) {}
+      : body(mesh(nodes), j2_law<2>(example_material()), options(update)) {}
 
   static Discretization<2> mesh(int nodes) {
     if (nodes == 3) return triangles(3, {0, 0, 2, 0, 0, 1}, {0, 1, 2});
@@ -34,12 +34,14 @@ Tensor<2> stretch(double e) { return tensor(1 + e, 0, 0, 1); }
 /// Midpoint strain of the step from stretch a to stretch b.
 double strain(double a, double b) { return (b - a) / (1 + (a + b) / 2); }
 /// Strain that takes a uniaxially strained point from rest to yield: q = 2G |e|.
-double yield_strain(double yield_stress) { return yield_stress / (2 * example_material().G); }
+double yield_strain(double yield_stress = 1.93e8) {
+  return yield_stress / (2 * example_material().elastic.G);
+}
 
 } // namespace
 
 TEST(ElementEvents, YieldFractionOfAStretchIsExact) {
-  const double y = yield_strain(example_material().yield_stress);
+  const double y = yield_strain();
   for (double e : {1.01 * y, 2 * y, 10 * y, 0.3, -0.05}) {
     Element element;
     element.step_to(stretch(e));
@@ -66,13 +68,13 @@ TEST(ElementEvents, AStepCutAtTheYieldEventEndsOnTheSurface) { // stressed, turn
       const Eigen::VectorXd end = element.body.state().displacement;
       element.body.revert();
       element.body.update(start + events[0].fraction * (end - start), events[0].fraction, 0);
-      EXPECT_NEAR(element.body.yield_excess(0), 0, 1e-12) << "size " << size;
+      EXPECT_NEAR(element.body.yield_distance(0), 0, 1e-12) << "size " << size;
     }
   }
 }
 
 TEST(ElementEvents, OvershootBringsThePointsThatWouldYieldSoonAfterTheEnd) {
-  const double y = yield_strain(example_material().yield_stress);
+  const double y = yield_strain();
   Element element;
   element.step_to(stretch(y / (1 - y / 2) / (1 + 5e-4))); // fraction 1 + 5e-4
   EXPECT_TRUE(element.events().empty());
@@ -82,7 +84,7 @@ TEST(ElementEvents, OvershootBringsThePointsThatWouldYieldSoonAfterTheEnd) {
 }
 
 TEST(ElementEvents, NoneWhileElasticNorWhileFlowGoesOn) {
-  const double y = yield_strain(example_material().yield_stress);
+  const double y = yield_strain();
   Element element;
   EXPECT_TRUE(element.events().empty()); // no step yet
   element.step_to(stretch(0.5 * y));
@@ -96,7 +98,7 @@ TEST(ElementEvents, NoneWhileElasticNorWhileFlowGoesOn) {
 }
 
 TEST(ElementEvents, UnloadingWhereTheLoadingRateChangesSign) {
-  const double y = yield_strain(example_material().yield_stress);
+  const double y = yield_strain();
   struct Case {
     double dt_old, dt, back;
   };
@@ -116,7 +118,7 @@ TEST(ElementEvents, UnloadingWhereTheLoadingRateChangesSign) {
 }
 
 TEST(ElementEvents, UnloadingInTheLastStepIsAtOnce) { // equal times, faster back than forth
-  const double y = yield_strain(example_material().yield_stress);
+  const double y = yield_strain();
   Element element;
   element.step_to(stretch(1.2 * y));
   element.body.accept();
@@ -126,13 +128,13 @@ TEST(ElementEvents, UnloadingInTheLastStepIsAtOnce) { // equal times, faster bac
 }
 
 TEST(ElementEvents, UnloadsAndYieldsAgainInOneStep) {
-  const double y = yield_strain(example_material().yield_stress);
+  const double y = yield_strain();
   Element element;
   element.step_to(stretch(1.5 * y));
   element.body.accept();
   const double a = 1.5 * y, b = -3 * y;
   const double range =
-      2 * yield_strain(yield_stress_at(example_material(), element.body.state().plastic_strain_eq[0]));
+      2 * yield_strain(example_material().yield_stress(plastic_strain_eq_at(element.body.state(), 0)).value);
   element.step_to(stretch(b));
   const auto events = element.events();
   ASSERT_EQ(events.size(), 2u);
@@ -144,7 +146,7 @@ TEST(ElementEvents, UnloadsAndYieldsAgainInOneStep) {
 }
 
 TEST(ElementEvents, EarliestTakesAllWithinTheTolerance) {
-  Workpiece<2> body(patch(6, 1), example_material());
+  Workpiece<2> body(patch(6, 1), j2_law<2>(example_material()));
   body.update(bent(body.discretization(), 1, 0.01), 1, 0);
   const auto events = element_events<2>(body, 0);
   ASSERT_GT(events.size(), 5u);
@@ -158,24 +160,24 @@ TEST(ElementEvents, EarliestTakesAllWithinTheTolerance) {
 }
 
 TEST(ElementEvents, PointsThatWereSwitchedHaveNoSecondEvent) {
-  const double y = yield_strain(example_material().yield_stress);
+  const double y = yield_strain();
   Element element(StressUpdate::FORWARD_EULER);
   element.step_to(stretch((1 - 1e-4) * y)); // inside by what a batch may take
   element.body.accept();
-  switch_points<2>({{1, PointChange::YIELD, 0, Vector<2>::Zero()}}, element.body);
+  accept_events<2>({{1, PointChange::YIELD, 0, Vector<2>::Zero()}}, element.body);
   EXPECT_TRUE(element.body.state().plastic[0] && element.body.state_old().plastic[0]);
   element.step_to(stretch(1.5 * y));
   EXPECT_TRUE(element.events().empty());
-  EXPECT_GT(element.body.state().plastic_strain_eq[0], 0); // forward Euler flows from the event on
+  EXPECT_GT(plastic_strain_eq_at(element.body.state(), 0), 0); // forward Euler flows from the event on
   element.body.revert();
-  switch_points<2>({{0, PointChange::UNLOADING, 0, Vector<2>::Zero()}}, element.body);
+  accept_events<2>({{0, PointChange::UNLOADING, 0, Vector<2>::Zero()}}, element.body);
   element.step_to(stretch(1.5 * y));
   ASSERT_EQ(element.events().size(), 1u);
   EXPECT_EQ(element.events()[0].change, PointChange::YIELD);
 }
 
 TEST(ElementEvents, OutsideTheSurfaceOfForwardEuler) {
-  const double y = yield_strain(example_material().yield_stress);
+  const double y = yield_strain();
   Element element(StressUpdate::FORWARD_EULER);
   element.step_to(stretch(2 * y)); // elastic to the end: 100 % outside
   element.body.accept();
@@ -206,12 +208,9 @@ TEST(ElementEvents, Place) {
 TEST(ElementEvents, SameInOtherUnits) {
   std::vector<ElementEvent<2>> found[2];
   for (int mm : {0, 1}) {
-    J2Parameters material = example_material();
-    if (mm)
-      for (double* p : {&material.K, &material.G, &material.yield_stress, &material.hardening_modulus})
-        *p *= 1e-6;
     const double side = mm ? 1000 : 1;
-    Workpiece<2> body(patch(3, side), material);
+    Workpiece<2> body(patch(3, side),
+                      j2_law<2>(mm ? J2Parameters::from_shear(2.7e4, 0.32, 193, 962) : example_material()));
     body.update(bent(body.discretization(), side, 0.01), 1, 0);
     found[mm] = element_events<2>(body, 0);
   }
@@ -232,7 +231,7 @@ TEST(ElementEvents, Errors) {
 }
 
 TEST(ElementEvents, NoiseNearTheSurfaceIsNoEvent) {
-  const double y = yield_strain(example_material().yield_stress), noise = 1e-4;
+  const double y = yield_strain(), noise = 1e-4;
   Element element;
   const auto changes = [&](double tolerated) { return element_events<2>(element.body, 0, tolerated).size(); };
   element.step_to(stretch(2 * y));
@@ -241,12 +240,12 @@ TEST(ElementEvents, NoiseNearTheSurfaceIsNoEvent) {
   EXPECT_EQ(changes(0), 1u);
   EXPECT_EQ(changes(noise), 0u);
   EXPECT_FALSE(element.body.state().plastic[0]);
-  hold_points(noise, element.body); // on the surface all the same
+  keep_plastic(noise, element.body); // on the surface all the same
   EXPECT_TRUE(element.body.state().plastic[0]);
   element.body.accept();
   element.step_to(stretch(2 * y * (1 - 1e-2))); // unloads: q falls by 2 %
   EXPECT_EQ(changes(noise), 1u);
-  hold_points(noise, element.body);
+  keep_plastic(noise, element.body);
   EXPECT_FALSE(element.body.state().plastic[0]);
 
   Element other; // elastic to just below the surface
@@ -258,5 +257,5 @@ TEST(ElementEvents, NoiseNearTheSurfaceIsNoEvent) {
   ASSERT_EQ(element_events<2>(other.body, 0, noise).size(), 1u);
   EXPECT_EQ(element_events<2>(other.body, 0, noise)[0].fraction, 0); // it is on the surface but for the noise
   EXPECT_THROW(element_events<2>(other.body, 0, -noise), std::invalid_argument);
-  EXPECT_THROW(hold_points(-noise, other.body), std::invalid_argument);
+  EXPECT_THROW(keep_plastic(-noise, other.body), std::invalid_argument);
 }

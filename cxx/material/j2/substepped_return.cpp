@@ -1,4 +1,4 @@
-#include "material/substepped_return.hpp"
+#include "material/j2/substepped_return.hpp"
 #include <algorithm>
 
 namespace burnish {
@@ -6,37 +6,38 @@ namespace burnish {
 template <int Dim>
 double substepped_return(const J2Parameters& material, const StrainPath<Dim>& path, int substeps,
                          Stress<Dim>& s, double& plastic_strain_eq) {
-  const Stress<Dim> part = path.De / substeps;
-  double dep = 0;
+  const Stress<Dim> part = path.elastic_increment / substeps;
+  double increment = 0;
   for (int k = 0; k < substeps; ++k) {
-    s += part + bend_share(k, substeps) * path.bend;
-    dep += radial_return<Dim>(material, s, plastic_strain_eq);
+    s += part + curvature_share(k, substeps) * path.curvature;
+    increment += radial_return<Dim>(material, s, plastic_strain_eq);
   }
-  return dep;
+  return increment;
 }
 
 template <int Dim>
 double substepped_return(const J2Parameters& material, const StrainPath<Dim>& path,
                          const PathDerivative<Dim>& path_derivative, int substeps, Stress<Dim>& s,
                          double& plastic_strain_eq, ReturnDerivative<Dim>& derivative) {
-  const Stress<Dim> part = path.De / substeps;
-  const StressByIncrement<Dim> part_by = path_derivative.De / substeps;
-  double dep = 0;
+  const Stress<Dim> part = path.elastic_increment / substeps;
+  const StressByIncrement<Dim> part_by = path_derivative.elastic_increment / substeps;
+  double increment = 0;
   for (int k = 0; k < substeps; ++k) {
-    const double share = bend_share(k, substeps);
-    s += part + share * path.bend;
-    derivative.s += part_by + share * path_derivative.bend;
-    dep += radial_return<Dim>(material, s, plastic_strain_eq, derivative);
+    const double share = curvature_share(k, substeps);
+    s += part + share * path.curvature;
+    derivative.s += part_by + share * path_derivative.curvature;
+    increment += radial_return<Dim>(material, s, plastic_strain_eq, derivative);
   }
-  return dep;
+  return increment;
 }
 
 template <int Dim>
 int substeps_needed(const J2Parameters& material, const UpdateOptions& options,
                     const ElasticTrial<Dim>& trial, double plastic_strain_eq, bool plastic) {
-  const double yield = yield_stress_at(material, plastic_strain_eq);
-  if (!plastic && squared_equivalent<Dim>(trial.s_old + trial.De) <= yield * yield) return 0;
-  const double wanted = std::ceil(equivalent<Dim>(trial.De) / (options.substep_strain * yield));
+  const double yield = material.yield_stress(plastic_strain_eq).value;
+  if (!plastic && squared_equivalent<Dim>(trial.s_old + trial.elastic_increment) <= yield * yield) return 0;
+  const double wanted =
+      std::ceil(equivalent<Dim>(trial.elastic_increment) / (options.substep_strain * yield));
   // compared as doubles: a huge step must not overflow an int
   return static_cast<int>(
       std::clamp<double>(wanted, options.min_substeps, std::max(options.min_substeps, options.max_substeps)));

@@ -1,7 +1,7 @@
 #pragma once
 // One step of one quadrature point, and the walk along a path of deformation gradients, for the material's
 // tests.
-#include "material/point_update.hpp"
+#include "material/j2/law.hpp"
 #include "unit/finite_difference.hpp"
 #include <functional>
 
@@ -49,20 +49,39 @@ inline Stress<2> turned(const Stress<2>& t, const Tensor<2>& R) {
   return {T(0, 0), T(1, 1), t[2], T(0, 1)};
 }
 
-struct PointStep {
+/// Its elasticity with another yield stress and modulus, or as they are.
+inline J2Parameters example_material(double yield_stress, double hardening_modulus = 9.62e8) {
+  return J2Parameters::from_shear(2.7e10, 0.32, yield_stress, hardening_modulus);
+}
+
+/// A point between two steps.
+struct Point {
+  Gradient<2> F = undeformed<2>();
+  Stress<2> stress = Stress<2>::Zero();
+  double plastic_strain_eq = 0;
+  Stress<2> strain_increment = Stress<2>::Zero();
+  bool plastic = false;
+};
+
+struct PointWalk {
   J2Parameters material = example_material();
   PointScheme scheme;
   StrainFrame frame = StrainFrame::MIDPOINT;
-  PointOld<2> old{undeformed<2>(), Stress<2>::Zero(), 0, Stress<2>::Zero(), false};
+  Point old;
 
   StepKinematics<2> kinematics(const AnyGradient& F) const { return step_kinematics(old.F, F, frame); }
-  PointNew<2> at(const AnyGradient& F) const {
-    const StepKinematics<2> kin = kinematics(F);
-    return updated_point<2>(material, scheme, old, kin, elastic_trial<2>(material, kin, old.stress));
+  J2Start<2> start() const {
+    return {old.plastic_strain_eq, Eigen::Map<const Stress<2>>(old.strain_increment.data()), old.plastic};
+  }
+  ElasticTrial<2> trial(const AnyGradient& F) const {
+    return elastic_trial<2>(material.elastic, kinematics(F), old.stress);
+  }
+  J2End<2> at(const AnyGradient& F) const {
+    return updated_point<2>(material, scheme, start(), kinematics(F), trial(F));
   }
   Gradient<2> piola(const AnyGradient& F) const { return first_piola(at(F).stress, inverse(F)); }
   PiolaTangent<2> tangent(const AnyGradient& F) const {
-    return consistent_tangent<2>(material, scheme, old, kinematics(F), F, at(F).stress);
+    return consistent_tangent<2>(material, scheme, start(), old.stress, kinematics(F), F, at(F).stress);
   }
   /// dP/dF by finite differences.
   PiolaTangent<2> measured_tangent(const AnyGradient& F, double step) const {
@@ -75,20 +94,19 @@ struct PointStep {
   }
   /// The end of the step to F becomes the start of the next one.
   void advance(const AnyGradient& F) {
-    const PointNew<2> now = at(F);
+    const J2End<2> now = at(F);
     old = {F, now.stress, now.plastic_strain_eq, kinematics(F).strain, now.plastic};
   }
 };
 
 /// Walks F(t), t = 0..1, in n equal steps; substeps(step) of them run where the point is plastic.
-inline PointOld<2> walk(PointStep point, int n, const std::function<AnyGradient(double)>& F, int substeps) {
+inline Point walk(PointWalk point, int n, const std::function<AnyGradient(double)>& F, int substeps) {
   const UpdateOptions options;
   point.old.F = F(0);
   for (int k = 1; k <= n; ++k) {
     const AnyGradient end = F(static_cast<double>(k) / n);
-    const ElasticTrial<2> trial = elastic_trial<2>(point.material, point.kinematics(end), point.old.stress);
-    const bool runs = substeps_needed<2>(point.material, options, trial, point.old.plastic_strain_eq,
-                                         point.old.plastic) > 0;
+    const bool runs = substeps_needed<2>(point.material, options, point.trial(end),
+                                         point.old.plastic_strain_eq, point.old.plastic) > 0;
     point.scheme.substeps = runs ? substeps : 0;
     point.scheme.ratio = k > 1 ? 1 : 0;
     point.advance(end);
@@ -100,7 +118,7 @@ inline PointOld<2> walk(PointStep point, int n, const std::function<AnyGradient(
 inline Stress<2> on_surface(const J2Parameters& material, const Stress<2>& direction,
                             double plastic_strain_eq) {
   const Stress<2> s = deviator<2>(direction);
-  return yield_stress_at(material, plastic_strain_eq) / equivalent<2>(s) * s;
+  return material.yield_stress(plastic_strain_eq).value / equivalent<2>(s) * s;
 }
 
 } // namespace burnish::test

@@ -1,6 +1,6 @@
 #pragma once
 // The rate law (3.1): Jaumann rate of the Kirchhoff stress = D:d, and its forward Euler step.
-#include "material/elastic.hpp"
+#include "material/j2/parameters.hpp"
 
 namespace burnish {
 
@@ -13,31 +13,36 @@ template <int Dim>
 bool loads(const J2Parameters& material, const Stress<Dim>& s, double plastic_strain_eq, const Stress<Dim>& d,
            bool yielded = false) {
   if (yielded) return contract<Dim>(s, d) > 0;
-  const double yield = YIELD_FRACTION * yield_stress_at(material, plastic_strain_eq);
+  const double yield = YIELD_FRACTION * material.yield_stress(plastic_strain_eq).value;
   return squared_equivalent<Dim>(s) >= yield * yield && contract<Dim>(s, d) > 0;
 }
 
-/// Factor c of the plastic part of D: D:d = E:d - c (s:d) s, c = 3G/(q^2 (1 + H'/(3G))).
-template <int Dim> double plastic_factor(const J2Parameters& material, const Stress<Dim>& s) {
-  const double G3 = 3 * material.G;
-  return G3 / (squared_equivalent<Dim>(s) * (1 + material.hardening_modulus / G3));
+/// Factor c of the plastic part of D: D:d = E:d - c (s:d) s, c = 3G/(q^2 (1 + H'/(3G))), H' the slope of
+/// sigma_y at ep.
+template <int Dim>
+double plastic_factor(const J2Parameters& material, const Stress<Dim>& s, double plastic_strain_eq) {
+  const double G3 = 3 * material.elastic.G;
+  return G3 / (squared_equivalent<Dim>(s) * (1 + material.yield_stress(plastic_strain_eq).slope / G3));
 }
 
 /// d tau/dy for the rates y = (d_xx, d_yy, d_zz, d_xy, w_21): D in the strain columns, w tau - tau w in the
 /// column of the rotation.
 /// @param stress Kirchhoff stress tau [stress]; @param plastic true: D of (3.1), false: E
 template <int Dim>
-StressByIncrement<Dim> rate_moduli(const J2Parameters& material, const Stress<Dim>& stress, bool plastic);
+StressByIncrement<Dim> rate_moduli(const J2Parameters& material, const Stress<Dim>& stress,
+                                   double plastic_strain_eq, bool plastic);
 
 /// Forward Euler step of (3.1), the article's: tau = R tau_old R' + D(R s_old R'):dd,
 /// ep += 3G (s:dd)/(q (3G + H')). No return: the stress leaves the yield surface, on purpose, by O(|dd|^2) a
 /// step, and a step that crosses the surface stays elastic to its end (events are to cut it there).
+/// @param elastic_increment 2G dev(dd) [stress]
 /// @param s R s_old R' in, deviator at the end of the step out [stress]
 /// @param plastic_strain_eq ep in and out [-]; @param yielded see loads
-/// @return dep >= 0
+/// @return plastic increment >= 0
 template <int Dim>
-double forward_euler(const J2Parameters& material, const StepKinematics<Dim>& kin, const Stress<Dim>& De,
-                     Stress<Dim>& s, double& plastic_strain_eq, bool yielded = false);
+double forward_euler(const J2Parameters& material, const StepKinematics<Dim>& kin,
+                     const Stress<Dim>& elastic_increment, Stress<Dim>& s, double& plastic_strain_eq,
+                     bool yielded = false);
 
 /// Derivative of its deviator with respect to the step's increments.
 /// @param s_old R s_old R' [stress]; @param s_old_by its derivative

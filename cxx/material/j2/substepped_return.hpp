@@ -1,16 +1,15 @@
 #pragma once
-// Radial return in equal substeps along a strain path (algorithms.md section 2).
-#include "material/radial_return.hpp"
+// Radial return in equal substeps along a strain path (ALGORITHMS.md 2).
+#include "material/j2/radial_return.hpp"
 #include "material/strain_path.hpp"
-#include "material/update_options.hpp"
 
 namespace burnish {
 
-/// Runs the n substeps st = s + De/n + share_k bend, each returned radially; n = 1 is the single return.
-/// (algorithms.md writes st = s + wd De - wq Dp with wq = b share_k, wd = 1/n + wq: the same numbers.)
+/// Runs the n substeps st = s + elastic_increment/n + share_k curvature, each returned radially; n = 1 is the single
+/// return. (ALGORITHMS.md writes st = s + wd De - wq Dp with wq = b share_k, wd = 1/n + wq: the same numbers.)
 /// @param s deviator R s_old R' in, deviator at the end of the step out [stress]
 /// @param plastic_strain_eq ep in and out [-]
-/// @return accumulated dep >= 0
+/// @return accumulated plastic increment >= 0
 template <int Dim>
 double substepped_return(const J2Parameters& material, const StrainPath<Dim>& path, int substeps,
                          Stress<Dim>& s, double& plastic_strain_eq);

@@ -1,0 +1,78 @@
+#pragma once
+// Isotropic hardening: the yield stress as a function of the accumulated plastic strain. The laws themselves
+// and their table are in hardening.cpp; a new one touches that file only.
+#include "material/law_parameter.hpp"
+#include <memory>
+
+namespace burnish {
+
+/// sigma_y(ep) and its derivative.
+struct YieldStress {
+  double value = 0; ///< > 0 [stress]
+  double slope = 0; ///< H' = d sigma_y/d ep [stress]
+};
+
+/// sigma_y(ep) of METHOD.md 1. Immutable.
+class HardeningLaw {
+public:
+  virtual ~HardeningLaw() = default;
+  /// @param plastic_strain_eq ep >= 0 [-]
+  YieldStress at(double plastic_strain_eq) const {
+    if (!m_linear) return evaluate(plastic_strain_eq);
+    return {m_start.value + m_start.slope * plastic_strain_eq, m_start.slope};
+  }
+  /// Slope constant: returns have a closed form.
+  bool is_linear() const { return m_linear; }
+
+protected:
+  HardeningLaw() = default;
+  /// A law that is a straight line, by its value and slope at ep = 0: at() then calls nothing virtual in the
+  /// innermost loop.
+  explicit HardeningLaw(const YieldStress& start) : m_start(start), m_linear(true) {}
+
+private:
+  /// at() by the law's formula.
+  virtual YieldStress evaluate(double plastic_strain_eq) const = 0;
+  YieldStress m_start;
+  bool m_linear = false;
+};
+
+/// Plastic increment x >= 0 of a return along a direction: q - stiffness x = sigma_y(ep + x) [-]: Newton's
+/// method within a bracket, to rounding. @param start where it begins; the others as plastic_increment
+double local_solve(const HardeningLaw& hardening, double plastic_strain_eq, double q, double stiffness,
+                   double start);
+
+/// The same in closed form where hardening is linear, (q - sigma_y)/(stiffness + H'), else by local_solve.
+/// @param yield of ep; @param q >= yield.value: equivalent stress of the trial [stress]
+/// @param stiffness > 0: what q loses per plastic strain, 3G for the radial return [stress]
+inline double plastic_increment(const HardeningLaw& hardening, const YieldStress& yield,
+                                double plastic_strain_eq, double q, double stiffness) {
+  const double on_tangent = (q - yield.value) / (stiffness + yield.slope);
+  if (hardening.is_linear()) return on_tangent;
+  return local_solve(hardening, plastic_strain_eq, q, stiffness, on_tangent);
+}
+
+/// One line of the table of hardening laws.
+struct HardeningEntry {
+  const char* name;    ///< as a script gives it
+  const char* formula; ///< sigma_y(ep) in the names of its parameters
+  std::vector<LawParameter> parameters;
+  std::shared_ptr<const HardeningLaw> (*make)(
+      const std::vector<double>& values); ///< in the parameters' order
+};
+const std::vector<HardeningEntry>& hardening_laws();
+
+/// The law of that name.
+/// @param numbers all of its parameters; others may be there
+/// @throws std::invalid_argument "where: ..." if the name is unknown (lists the table), a parameter is
+/// missing or out of
+///         its range
+std::shared_ptr<const HardeningLaw> make_hardening(const std::string& name, const LawNumbers& numbers,
+                                                   const char* where);
+
+/// sigma_y = yield_stress + hardening_modulus ep.
+/// @throws std::invalid_argument "where: ..." unless yield_stress > 0, hardening_modulus >= 0, both finite
+std::shared_ptr<const HardeningLaw> linear_hardening(double yield_stress, double hardening_modulus,
+                                                     const char* where = "linear_hardening");
+
+} // namespace burnish

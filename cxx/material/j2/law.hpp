@@ -1,0 +1,33 @@
+#pragma once
+// J2 plasticity with isotropic hardening and the Jaumann rate of the Kirchhoff stress, as a law of the workpiece
+// (METHOD.md 1, ALGORITHMS.md 2).
+#include "material/j2/point_update.hpp"
+#include "material/material_law.hpp"
+
+namespace burnish {
+
+/// Internal variable: plastic_strain_eq, the accumulated plastic strain ep [-].
+template <int Dim> class J2Law final : public MaterialLaw<Dim> {
+public:
+  /// @throws std::invalid_argument "J2Law: ..." see require_valid(J2Parameters)
+  explicit J2Law(J2Parameters material);
+  const J2Parameters& parameters() const { return m_material; }
+
+  PointResult update(const PointStep<Dim>& step, PointTrial& trial, PointUpdate<Dim>& now) const override;
+  PiolaTangent<Dim> tangent(TangentKind kind, const PointStep<Dim>& step, const PointTrial& trial,
+                            const PointState<Dim>& now) const override;
+  double yield_distance(const Stress<Dim>& stress, const double* internal) const override;
+  bool loads(const PointState<Dim>& at, const Stress<Dim>& strain_rate) const override;
+  double yield_fraction(const PointStep<Dim>& step, double last, double noise) const override;
+  PointLoading loading(const PointStep<Dim>& step) const override;
+
+private:
+  J2Parameters m_material;
+};
+
+/// A J2Law to hand to a workpiece.
+template <int Dim> std::shared_ptr<const MaterialLaw<Dim>> j2_law(J2Parameters material) {
+  return std::make_shared<J2Law<Dim>>(std::move(material));
+}
+
+} // namespace burnish

@@ -1,0 +1,21 @@
+#include "material/j2/parameters.hpp"
+#include "base/error.hpp"
+
+namespace burnish {
+
+void require_valid(const J2Parameters& material, const char* where) {
+  require_valid(material.elastic, where);
+  if (!material.hardening) fail(where, "there is no hardening law");
+}
+
+J2Parameters J2Parameters::from_shear(double G, double nu, double yield_stress, double hardening_modulus) {
+  const char* where = "J2Parameters::from_shear";
+  return {ElasticModuli::from_shear(G, nu, where), linear_hardening(yield_stress, hardening_modulus, where)};
+}
+
+J2Parameters J2Parameters::from_young(double E, double nu, double yield_stress, double hardening_modulus) {
+  const char* where = "J2Parameters::from_young";
+  return {ElasticModuli::from_young(E, nu, where), linear_hardening(yield_stress, hardening_modulus, where)};
+}
+
+} // namespace burnish

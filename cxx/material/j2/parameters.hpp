@@ -1,0 +1,23 @@
+#pragma once
+// Parameters of J2 plasticity with isotropic hardening (METHOD.md 1).
+#include "material/elastic.hpp"
+#include "material/hardening.hpp"
+
+namespace burnish {
+
+struct J2Parameters {
+  ElasticModuli elastic;
+  std::shared_ptr<const HardeningLaw> hardening; ///< sigma_y(ep)
+
+  /// sigma_y(ep).
+  YieldStress yield_stress(double plastic_strain_eq) const { return hardening->at(plastic_strain_eq); }
+  /// With linear hardening sigma_y = yield_stress + hardening_modulus ep.
+  /// @throws std::invalid_argument naming this function, see ElasticModuli and linear_hardening
+  static J2Parameters from_shear(double G, double nu, double yield_stress, double hardening_modulus);
+  static J2Parameters from_young(double E, double nu, double yield_stress, double hardening_modulus);
+};
+
+/// @throws std::invalid_argument naming `where` if there is no hardening law, or see ElasticModuli
+void require_valid(const J2Parameters& material, const char* where);
+
+} // namespace burnish

@@ -1,0 +1,104 @@
+#pragma once
+// What a material is to the workpiece: a law with named internal variables that answers for one quadrature point at a
+// time. All answers are functions of the arguments alone. Knows no mesh.
+#include "material/internal_variables.hpp"
+#include "material/piola.hpp"
+#include "material/update_options.hpp"
+#include <limits>
+
+namespace burnish {
+
+/// Fraction of what does not happen in a step.
+inline constexpr double NEVER = std::numeric_limits<double>::infinity();
+
+/// A point at the start or at the end of a step: a view of arrays that somebody else owns.
+template <int Dim> struct PointState {
+  Eigen::Map<const Gradient<Dim>> F;              ///< deformation gradient [-]
+  Eigen::Map<const Stress<Dim>> stress;           ///< Kirchhoff stress tau [stress]
+  const double* internal = nullptr;               ///< internal variables, InternalVariables::size() numbers
+  Eigen::Map<const Stress<Dim>> strain_increment; ///< dd of the step that ended here, in its frame [-]
+  bool plastic = false; ///< inelastic flow happened in that step, or an event put the point on the surface
+};
+
+/// A step of a point: from `old` to the deformation gradient F.
+template <int Dim> struct PointStep {
+  PointState<Dim> old;          ///< at the start
+  Gradient<Dim> F;              ///< at the end, determinant(F) > 0 [-]
+  double ratio = 0;             ///< ra = dt/dt_old; 0: no last step
+  int iteration = 0;            ///< 0, 1, 2.. within the step
+  const UpdateOptions& options; ///< valid
+};
+
+/// What the law finds for the end of the step.
+template <int Dim> struct PointUpdate {
+  Stress<Dim> stress;           ///< Kirchhoff stress [stress]
+  double* internal = nullptr;   ///< in: where to write the internal variables, all of them
+  Stress<Dim> strain_increment; ///< dd [-]
+  bool plastic = false;         ///< inelastic flow happened in the step
+};
+
+/// What a point hands from one iteration of a step to the next; zero at iteration 0. No part of the state.
+struct PointTrial {
+  int substeps = 0; ///< the largest number so far, 0: elastic so far
+  int used = 0;     ///< by the last update, 0: elastic
+};
+
+enum class UpdateStatus { OK, INVERTED_ELEMENT, NOT_FINITE };
+struct PointResult {
+  UpdateStatus status = UpdateStatus::OK;
+  double value = 0; ///< the determinant that is not > 0, or the number that is not finite
+};
+/// OK if det is finite and > 0.
+PointResult determinant_result(double det);
+
+enum class TangentKind {
+  CONSISTENT, ///< linearization of the chosen finite-step update
+  RATE,       ///< rate tangent of (1.11), (3.1) at the end of the step; the point loads if `plastic`
+  ELASTIC,    ///< elastic moduli with the geometric terms
+};
+
+/// How the stress drives a point through its yield surface: powers s:dd of the deviator on strain increments
+/// [stress].
+struct PointLoading {
+  double old = 0; ///< in the step that ended at the start
+  double now = 0; ///< in this step, R s_old R':dd; > 0 loads, < 0 unloads, 0: neutral but for rounding
+  double elastic_distance = -1; ///< yield_distance at the end of the step, had it been elastic
+};
+
+template <int Dim> class MaterialLaw {
+public:
+  virtual ~MaterialLaw() = default;
+  const std::string& name() const { return m_name; }
+  const InternalVariables<Dim>& internal_variables() const { return m_internal; }
+
+  /// Stress and internal variables at the end of a step. Never throws: what cannot be computed is a status,
+  /// and `now` is then of no use. @param trial of the same step's last iteration in, of this one out
+  virtual PointResult update(const PointStep<Dim>& step, PointTrial& trial, PointUpdate<Dim>& now) const = 0;
+  /// A_iJkL = dP_iJ/dF_kL at the end of a step, not symmetrized [stress].
+  /// @param trial as update left it; @param now end of the step as update found it, F included
+  virtual PiolaTangent<Dim> tangent(TangentKind kind, const PointStep<Dim>& step, const PointTrial& trial,
+                                    const PointState<Dim>& now) const = 0;
+
+  // A law without a yield surface leaves the rest as it is.
+
+  /// q/sigma_y - 1: negative inside, positive outside the yield surface [-].
+  virtual double yield_distance(const Stress<Dim>& stress, const double* internal) const;
+  /// Whether a strain rate d makes the point flow: on the surface (or put there, at.plastic), and s:d > 0.
+  virtual bool loads(const PointState<Dim>& at, const Stress<Dim>& strain_rate) const;
+  /// Fraction of the step at which its elastic path, linear in F, leaves the yield surface to the outside: 0
+  /// if the point is on it, or outside, and loads; NEVER if not before `last` (the elastic path goes on
+  /// beyond the end of the step).
+  /// @param noise [fraction of sigma_y] on the surface within this; NEVER if the step does not leave it by more
+  virtual double yield_fraction(const PointStep<Dim>& step, double last, double noise) const;
+  virtual PointLoading loading(const PointStep<Dim>& step) const;
+
+protected:
+  MaterialLaw(std::string name, std::vector<InternalVariable> internal)
+      : m_name(std::move(name)), m_internal(std::move(internal)) {}
+
+private:
+  std::string m_name;
+  InternalVariables<Dim> m_internal;
+};
+
+} // namespace burnish

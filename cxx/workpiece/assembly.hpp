@@ -1,0 +1,32 @@
+#pragma once
+// From stresses and moduli at quadrature points to nodal forces and their tangent. Knows no law.
+#include "material/piola.hpp"
+#include "mesh/discretization.hpp"
+#include "solver/node_block_matrix.hpp"
+
+namespace burnish {
+
+/// force += the share of a point: V0 P grad_X N, and where axisymmetric V0 P_zz N/R on the radial dof [force].
+/// @param P first Piola stress there [stress]; @param force num_dofs
+template <int Dim>
+void add_force(const Discretization<Dim>& mesh, int point, const Gradient<Dim>& P, Eigen::VectorXd& force);
+
+/// The pattern of the tangent and the places of every element's blocks in it.
+template <int Dim> class TangentAssembly {
+public:
+  TangentAssembly() = default;
+  explicit TangentAssembly(const Discretization<Dim>& mesh);
+  /// Values zero.
+  const NodeBlockMatrix<Dim>& pattern() const { return m_pattern; }
+  bool fits(const NodeBlockMatrix<Dim>& matrix) const;
+  /// matrix += the share of a point with the moduli A = dP/dF, of which the blocks on and above the diagonal of the
+  /// element count; the others are their transposes. @param mesh that of the constructor; @param matrix fits
+  void add(const Discretization<Dim>& mesh, int point, const PiolaTangent<Dim>& A,
+           NodeBlockMatrix<Dim>& matrix) const;
+
+private:
+  NodeBlockMatrix<Dim> m_pattern;
+  std::vector<int> m_slot; // element x node x node: block in the pattern
+};
+
+} // namespace burnish

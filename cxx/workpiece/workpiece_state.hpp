@@ -1,0 +1,40 @@
+#pragma once
+// What a workpiece needs to go on from an accepted step: one plain value.
+#include "material/material_law.hpp"
+#include "mesh/discretization.hpp"
+
+namespace burnish {
+
+/// Plain data, can be copied, written and read. Point-major arrays. A workpiece that is given a copy goes on
+/// to the same bits.
+template <int Dim> struct WorkpieceState {
+  Eigen::VectorXd displacement; ///< num_dofs [length]
+  std::vector<double> F;        ///< num_points x num_gradient: deformation gradient (Gradient) [-]
+  std::vector<double> stress;   ///< num_points x num_stress: Kirchhoff stress [stress]
+  std::vector<double> internal; ///< num_points x InternalVariables::size(): the law's internal variables
+  std::vector<double> strain_increment; ///< num_points x num_stress: dd of the step that ended here [-]
+  std::vector<char> plastic;            ///< num_points: inelastic flow happened in that step
+  double dt = 0;                        ///< length of that step [time]; 0: there was none
+};
+
+/// Undeformed and free of stress.
+template <int Dim>
+WorkpieceState<Dim> initial_state(const Discretization<Dim>& mesh, const InternalVariables<Dim>& internal);
+
+/// @throws std::invalid_argument "where: ..." on wrong sizes, numbers that are not finite, or det F <= 0
+template <int Dim>
+void require_valid(const WorkpieceState<Dim>& state, const Discretization<Dim>& mesh,
+                   const InternalVariables<Dim>& internal, const char* where);
+
+/// One point of it. The result points into the state. @param num_internal InternalVariables::size()
+template <int Dim>
+PointState<Dim> point_state(const WorkpieceState<Dim>& state, int num_internal, int point) {
+  const std::size_t p = point;
+  return {Eigen::Map<const Gradient<Dim>>(state.F.data() + p * num_gradient<Dim>),
+          Eigen::Map<const Stress<Dim>>(state.stress.data() + p * num_stress<Dim>),
+          state.internal.data() + p * num_internal,
+          Eigen::Map<const Stress<Dim>>(state.strain_increment.data() + p * num_stress<Dim>),
+          state.plastic[p] != 0};
+}
+
+} // namespace burnish
