@@ -165,7 +165,7 @@ string* left_out(Stack stack, H* const& h) {
   return guarded([&] {
     std::string text;
     if (!h->get().started()) return new_string(stack, text);
-    for (const auto& what : h->get().run().accepted().left_out) text += (text.empty() ? "" : "; ") + what;
+    for (const auto& what : h->get().run().left_out()) text += (text.empty() ? "" : "; ") + what;
     return new_string(stack, text);
   });
 }

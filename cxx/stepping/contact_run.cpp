@@ -46,6 +46,13 @@ template <int Dim> void ContactRun<Dim>::set_state(const ContactRunState<Dim>& s
   update_tools();
 }
 
+template <int Dim> std::vector<std::string> ContactRun<Dim>::left_out() const {
+  std::vector<std::string> names = m_accepted.left_out;
+  for (const std::string& name : m_left_out)
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return names;
+}
+
 template <int Dim> void ContactRun<Dim>::update_tools() {
   for (std::size_t t = 0; t < m_setup->tools().size(); ++t) {
     m_setup->tools()[t]->q() = model().tool_q(m_accepted.contact.q, static_cast<int>(t));
@@ -228,9 +235,7 @@ void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
   m_accepted.generalized_force = m_corrector.last_balance().generalized_force;
   m_accepted.corrector.load_scale = m_corrector.load_scale();
   m_accepted.prescribed = m_prescribed;
-  for (const std::string& name : m_left_out)
-    if (std::find(m_accepted.left_out.begin(), m_accepted.left_out.end(), name) == m_accepted.left_out.end())
-      m_accepted.left_out.push_back(name);
+  m_accepted.left_out = left_out();
   m_corrector.accepted();
   m_log.events.clear();
   m_stage = Stage::NONE;

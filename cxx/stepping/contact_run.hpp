@@ -90,6 +90,8 @@ public:
   const Corrector<Dim>& corrector() const { return m_corrector; }
   /// Why the step failed: the corrector's reason, and what may be behind it.
   std::string reason() const;
+  /// Coordinates left out so far, in the step under way too, since nothing resists them.
+  std::vector<std::string> left_out() const;
   double t_end() const { return m_t + m_dt; } ///< of the step under way
   /// Contact width and speed of the contact along the body in the last step, for the step control; 0 if
   /// unknown.
