@@ -3,6 +3,18 @@
 
 namespace burnish {
 
+template <int Dim> void WorkpieceBody<Dim>::set_state(const BodyState<Dim>& state) {
+  const PointEventsState before = m_user.state();
+  m_user.set_state(state.user);
+  try {
+    m_workpiece->set_state(state.workpiece);
+  } catch (...) {
+    m_user.set_state(before);
+    throw;
+  }
+  m_pending.clear();
+}
+
 template <int Dim> void WorkpieceBody<Dim>::accept() {
   m_user.accept(*m_workpiece);
   m_workpiece->accept();

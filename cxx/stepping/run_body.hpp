@@ -6,9 +6,18 @@
 
 namespace burnish {
 
+/// What a body needs to go on after an accepted step. Plain data.
+template <int Dim> struct BodyState {
+  WorkpieceState<Dim> workpiece;
+  PointEventsState user; ///< user-defined events
+};
+
 template <int Dim> class RunBody {
 public:
   virtual ~RunBody() = default;
+  virtual BodyState<Dim> state() const = 0; ///< the accepted one
+  /// Replaces both states, between steps. @throws std::invalid_argument if it does not fit; nothing has changed then
+  virtual void set_state(const BodyState<Dim>& state) = 0;
   virtual void accept() = 0; ///< the end of the step becomes the accepted state
   virtual void revert() = 0; ///< back to the accepted state
 
@@ -42,6 +51,8 @@ public:
   const Workpiece<Dim>& workpiece() const { return *m_workpiece; }
   PointEvents<Dim>& user() { return m_user; }
 
+  BodyState<Dim> state() const override { return {m_workpiece->state_old(), m_user.state()}; }
+  void set_state(const BodyState<Dim>& state) override;
   void accept() override;
   void revert() override;
   double find_earliest(double tolerance, double noise) override;

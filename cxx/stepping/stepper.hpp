@@ -34,8 +34,9 @@ struct StepperCounts {
   SchemeCounts scheme;
 };
 
-/// All that a run needs to go on after an accepted step, beside the body's own state. A copy goes on to the same bits.
-template <int Dim> struct StepperState {
+/// All that a run needs to go on after an accepted step. Plain data; a copy goes on to the same bits.
+template <int Dim> struct RunState {
+  BodyState<Dim> body;
   ContactRunState<Dim> contact;
   StepControlState control;
   StepperCounts counts;
@@ -66,9 +67,9 @@ public:
   const std::string& last_rejection() const { return m_last_rejection; }
   double rejected_dt() const { return m_rejected_dt; }
 
-  StepperState<Dim> state() const;
-  /// Goes on from another run's state; the body's is set by its owner.
-  void set_state(const StepperState<Dim>& state, Eigen::VectorXd& u, Eigen::VectorXd& R);
+  RunState<Dim> state() const;
+  /// Goes on from another run's state. @throws std::invalid_argument if it is that of another body, contact or set of tools
+  void set_state(const RunState<Dim>& state, Eigen::VectorXd& u, Eigen::VectorXd& R);
 
 private:
   enum class Phase { STEP, PROGRAM, FORCES, TANGENT, SOLVE, RECORD, ENDED };
