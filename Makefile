@@ -64,6 +64,21 @@ export OPENBLAS_NUM_THREADS ?= 1
 define WRAPPER_TEXT
 #!/bin/sh
 # $(notdir $(WRAPPER)) SCRIPT.edp [OPTIONS]: runs a FreeFEM script with Burnish's folders set. Made by make.
+usage() {
+  echo "usage: burnish SCRIPT.edp [OPTIONS]      runs a FreeFEM script with Burnish"
+  echo "       burnish SCRIPT.edp -h             lists the script's options with default, unit and meaning"
+  echo "FreeFEM's own options, such as -v 1 (its messages) and -wg (its windows), go before the script."
+}
+script=
+for word in "$$@"; do
+  case $$word in *.edp) script=$$word; break ;; esac
+done
+if [ -z "$$script" ]; then
+  case $$1 in -h | --help) usage; exit 0 ;; esac
+  { [ $$# -gt 0 ] && echo "burnish: no script among the words \"$$*\": expected a file that ends in .edp"; usage; } >&2
+  exit 20
+fi
+[ -f "$$script" ] && [ -r "$$script" ] || { echo "burnish: no script \"$$script\" that can be read" >&2; exit 20; }
 export FF_LOADPATH="$(LOAD)$${FF_LOADPATH:+;$$FF_LOADPATH}"
 export FF_INCLUDEPATH="$(INCLUDE)$${FF_INCLUDEPATH:+;$$FF_INCLUDEPATH}"
 export BURNISH_TOP="$(CURDIR)" PYTHON="$${PYTHON:-$(PYTHON)}" OPENBLAS_NUM_THREADS="$${OPENBLAS_NUM_THREADS:-1}"

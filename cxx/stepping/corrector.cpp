@@ -276,9 +276,12 @@ void Corrector<Dim>::advance(const typename Condensation<Dim>::Expansion& increm
     for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
       const ContactNode<Dim> solved = m_state.nodes[i];
       const int candidate = static_cast<int>(i);
-      test_node(m_model, candidate, poses, solved, Vector<Dim>(increment.F.template segment<Dim>(Dim * i)),
-                m_body.position(u, m_model.candidates[i]), m_entry, options, m_state.nodes[i]);
+      const Vector<Dim> F = increment.F.template segment<Dim>(Dim * i);
+      const bool changed =
+          test_node(m_model, candidate, poses, solved, F, m_body.position(u, m_model.candidates[i]), m_entry,
+                    options, m_state.nodes[i]);
       m_fresh[i] = in_contact(m_state.nodes[i].state) && !in_contact(solved.state);
+      if (changed && m_iteration > m_options.max_together) break; // the rest is tested in the next iteration
     }
   }
   project(u, false);

@@ -29,6 +29,8 @@ struct StepOptions {
   std::array<double, 4> blend_by_factorization{0, 0.2, 0.2, 0.4};
   /// The same after 0, 1, 2, ... losses of definiteness in a row (ALGORITHMS.md 5.2)
   std::array<double, 4> blend_by_failure{0, 0.05, 0.2, 0.8};
+  int max_together =
+      8; ///< condensed iterations that change any number of states; later ones change one, which ends cycles
   int steps_per_factor = 2; ///< event steps that one factor serves
   GeometricTerms terms = GeometricTerms::COMPLETE;
 };
