@@ -1,12 +1,6 @@
 #include "material/material_law.hpp"
-#include <cmath>
 
 namespace burnish {
-
-PointResult determinant_result(double det) {
-  if (det > 0 && std::isfinite(det)) return {};
-  return {std::isfinite(det) ? UpdateStatus::INVERTED_ELEMENT : UpdateStatus::NOT_FINITE, det};
-}
 
 template <int Dim> double MaterialLaw<Dim>::yield_distance(const Stress<Dim>&, const double*) const {
   return -1;

@@ -4,6 +4,7 @@
 #include "material/internal_variables.hpp"
 #include "material/piola.hpp"
 #include "material/update_options.hpp"
+#include <cmath>
 #include <limits>
 
 namespace burnish {
@@ -49,7 +50,10 @@ struct PointResult {
   double value = 0; ///< the determinant that is not > 0, or the number that is not finite
 };
 /// OK if det is finite and > 0.
-PointResult determinant_result(double det);
+inline PointResult determinant_result(double det) {
+  if (det > 0 && std::isfinite(det)) return {};
+  return {std::isfinite(det) ? UpdateStatus::INVERTED_ELEMENT : UpdateStatus::NOT_FINITE, det};
+}
 
 enum class TangentKind {
   CONSISTENT, ///< linearization of the chosen finite-step update

@@ -36,8 +36,8 @@ rolling 20 'at least 2 divisions' -inner 1
 [ ! -e "$SCRATCH/r" ] || { echo "FAILED: a refused run made its output folder"; failures=$((failures + 1)); }
 small=(-element P1 -inner 4 -outer 20 -sides 4 -pictures 0)
 rolling 20 'nu = 0.5|-1 < nu < 0.5' "${small[@]}" -nu 0.5
-rolling 20 'yield_stress = -1|> 0' "${small[@]}" -sigY -1
-rolling 20 'yield_stress = 0|> 0' "${small[@]}" -sigY 0
+rolling 20 'sigY = -1|> 0' "${small[@]}" -sigY -1
+rolling 20 'sigY = 0|> 0' "${small[@]}" -sigY 0
 rolling 20 'mu = -0.2|mu >= 0' "${small[@]}" -mu -0.2
 rolling 20 'unknown update "best"' "${small[@]}" -update best
 rolling 20 'tolerance = 0|0 < tolerance < 1' "${small[@]}" -tolerance 0
