@@ -9,12 +9,16 @@ class InputError(Exception):
     """A file of the run is missing or broken; the text names it."""
 
 
+class MissingInput(InputError):
+    """It is not there, or lacks an array or a result; whatever it holds is whole."""
+
+
 def read_text(path):
     try:
         with open(path, encoding="utf-8") as file:
             return file.read()
     except FileNotFoundError:
-        raise InputError(f"{path}: missing") from None
+        raise MissingInput(f"{path}: missing") from None
     except UnicodeDecodeError:
         raise InputError(f"{path}: not a text file") from None
     except OSError as error:
@@ -61,8 +65,11 @@ def read_table(path, numbers, texts=(), rows=1):
 
 def read_whole_table(path, texts=(), rows=1):
     """The same with all columns: those in texts as words, the others as numbers."""
-    header = [name.strip() for name in next(csv.reader(read_text(path).splitlines()[:1]), [])]
-    return read_table(path, [name for name in header if name not in texts], texts, rows)
+    return read_table(path, [name for name in header_of(path) if name not in texts], texts, rows)
+
+
+def header_of(path):
+    return [name.strip() for name in next(csv.reader(read_text(path).splitlines()[:1]), [])]
 
 
 def read_summary(path):

@@ -1,4 +1,4 @@
-"""Nodal fields on the deformed workpiece, in millimeters: outline, isolines with numbers, filled bands, marks."""
+"""Nodal fields on the deformed workpiece: outline, isolines with numbers, filled bands, marks."""
 import numpy as np
 from matplotlib import patheffects
 from matplotlib.collections import LineCollection
@@ -12,7 +12,7 @@ WHITE_EDGE = [patheffects.withStroke(linewidth=3, foreground="white")]
 
 
 def deformed(field, scale=MM):
-    """Triangulation of the deformed workpiece [mm]; scale: to mm."""
+    """Triangulation of the deformed workpiece; scale: from the file's unit of length to that of the picture."""
     place = scale * (field.points + field.data["displacement"][:, :2])
     bad = ~np.isfinite(place).all(axis=1)
     return Triangulation(*np.where(bad[:, None], 0, place).T, field.triangles,
@@ -56,12 +56,12 @@ def box_of(x, y, margin, aspect=None):
     return x0, x1, y0, y1
 
 
-def set_view(axes, box):
+def set_view(axes, box, unit="mm"):
     axes.set_aspect("equal", adjustable="box")
     axes.set_xlim(box[:2])
     axes.set_ylim(box[2:])
-    axes.set_xlabel("x [mm]")
-    axes.set_ylabel("y [mm]")
+    axes.set_xlabel(f"x [{unit}]")
+    axes.set_ylabel(f"y [{unit}]")
 
 
 def inside(points, box, part=0.0):

@@ -10,13 +10,13 @@ from plotting.inputs import read_table
 
 FACE = "#d9d9d9"
 
-Outline = namedtuple("Outline", "name t points")  # points: n x 2 [mm]
+Outline = namedtuple("Outline", "name t points")  # points: n x 2, in the length unit of the pictures
 
 
-def read_tools(path, mm):
-    """All outlines of the file; mm: factor from the case's length unit."""
+def read_tools(path, scale):
+    """All outlines of the file; scale: from its length unit to that of the pictures."""
     table = read_table(path, ("tool", "t", "x", "y"), ("name",), rows=0)
-    points = mm * np.column_stack([table["x"], table["y"]])
+    points = scale * np.column_stack([table["x"], table["y"]])
     border = np.flatnonzero((np.diff(table["tool"]) != 0) | (np.diff(table["t"]) != 0)) + 1
     blocks = [b for b in np.split(np.arange(len(points)), border) if len(b)]
     return [Outline(str(table["name"][b[0]]), table["t"][b[0]], points[b]) for b in blocks]
