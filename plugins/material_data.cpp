@@ -7,6 +7,7 @@
 //   M.plasticstraineq, M.stresseq, M.yielddistance (q/sigma_y - 1: positive outside the yield surface)
 //   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
 //   M.displacement(i)   x, y over the nodes [length];  M.degree 1 or 2 of the elements;  M.Th their mesh
+//   M.axisymmetric      1 or 0
 #include "base/error.hpp"
 #include "types.hpp"
 #include "workpiece/nodal_average.hpp"
@@ -76,6 +77,9 @@ KN_<double> displacement(Stack stack, const Method<MaterialHandle, DisplacementT
 long degree(MaterialHandle* const& h) {
   return guarded([&] { return h->get().workpiece().discretization().nodes_per_element == 3 ? 1L : 2L; });
 }
+long axisymmetric(MaterialHandle* const& h) {
+  return guarded([&] { return h->get().workpiece().discretization().axisymmetric ? 1L : 0L; });
+}
 pmesh mesh_of_material(MaterialHandle* const& h) { return h->get().mesh.get(); }
 long number_of_points(MaterialHandle* const& h) {
   return guarded([&] { return static_cast<long>(h->get().workpiece().discretization().num_points()); });
@@ -102,6 +106,7 @@ void register_material_data() {
     return new OneOperator2s_<KN_<double>, Method<H, DisplacementTag>, long>(displacement);
   });
   Add<H*>("degree", ".", new OneOperator1_<long, H*>(degree));
+  Add<H*>("axisymmetric", ".", new OneOperator1_<long, H*>(axisymmetric));
   Add<H*>("Th", ".", new OneOperator1_<pmesh, H*>(mesh_of_material));
   Add<H*>("points", ".", new OneOperator1_<long, H*>(number_of_points));
 }

@@ -27,7 +27,7 @@ def stress_near(run, left, right, depth, outline, name):
     box = (left, right, -depth, 0.12 * (right - left))
     within = (mesh.x > left) & (mesh.x < right) & (mesh.y > -depth)
     run.field.data["stress_eq"] = np.where(within, values, np.minimum(values, values[within].max()))
-    figure = fields.field_figure(run, fields.STRESS, "MPa", run.units.MPa, box)
+    figure = fields.field_figure(run, fields.STRESS, box)
     run.field.data["stress_eq"] = values
     axes, (x, y) = figure.axes[0], outline
     axes.fill_between(x, y, box[3] + 1, facecolor=FACE, edgecolor=GRAY, linewidth=1.2, zorder=3.5)

@@ -68,10 +68,10 @@ def stress_under_load(run):
     loaded = at_largest_force(run)
     if loaded is None:
         return None
-    mesh, values = maps.deformed(loaded, run.units.mm), run.units.MPa * loaded.data["stress_eq"]
+    mesh, values = maps.deformed(loaded, run.units.length), run.units.stress * loaded.data["stress_eq"]
     figure, axes = new_figure(8.0, 5.2)
     bands, _ = fields.draw_map(axes, mesh, values, fields.levels_to(values.max()), tools.at_time(run.tools, 1.0),
-                               near_crater(run), fields.STRESS[2])
+                               near_crater(run), fields.STRESS.colors)
     figure.colorbar(bands, ax=axes, label="von Mises stress [MPa]", shrink=0.75)
     axes.set_title(f"Under the largest force: von Mises stress up to {values.max():.0f} MPa at a node")
     return figure
@@ -79,7 +79,7 @@ def stress_under_load(run):
 
 def residual_stress(run):
     """Stress along the surface after unloading: map, and its course below the middle of the crater."""
-    values = run.units.MPa * run.field.data[ALONG]
+    values = run.units.stress * run.field.data[ALONG]
     most = 50 * np.ceil(np.abs(values).max() / 50)
     figure, (axes, line) = new_figure(10.5, 4.9, ncols=2, width_ratios=(2, 1))
     maps.set_view(axes, near_crater(run))

@@ -13,31 +13,50 @@ PANELS = ((u.LENGTH, "displacement of the tools"), (u.ANGLE, "turn of the tools"
 
 
 def moves(values):
-    return np.nanmax(values) - np.nanmin(values) > 1e-12 * max(np.nanmax(np.abs(values)), 1e-300)
+    values = values[np.isfinite(values)]
+    return len(values) > 0 and np.ptp(values) > 1e-12 * max(np.abs(values).max(), 1e-300)
 
 
-def draw_column(axes, run, column, against, color, change=False):
-    """One column over another one; change: from its first value."""
-    x, y = run.columns[against], run.columns[column]
-    values = y.factor * (run.history[column] - (run.history[column][0] if change else 0))
+def values_of(run, column, change=False):
+    """Column in the unit of the pictures; change: from its first value."""
+    return run.columns[column].factor * (run.history[column] - (run.history[column][0] if change else 0))
+
+
+def power_of_panel(run, columns, change):
+    """Exponent of the power of ten before the unit, for numbers that would be long on an axis."""
+    values = np.concatenate([values_of(run, name, change) for name in columns])
+    return u.power_of_ten(np.nanmax(np.abs(values), initial=0.0), 1e-3, 1e5)
+
+
+def draw_column(axes, run, column, against, color, change=False, exponent=0):
+    """One column over another one."""
+    y, values = run.columns[column], values_of(run, column, change)
     how = "steps-mid" if y.kind == u.NODES else "default"
-    axes.plot(x.factor * run.history[against], values, color=color, label=y.label, drawstyle=how,
+    axes.plot(values_of(run, against), values * 10.0**-exponent, color=color, label=y.label, drawstyle=how,
               linewidth=1.0 if y.kind == u.NODES else 1.5)
 
 
-def label_panel(axes, run, columns, title, change):
+def letters(text):
+    """About how many letters wide a text is drawn."""
+    return len(text) - sum(text.count(c) for c in "${}_^\\")
+
+
+def label_panel(axes, run, columns, title, change, exponent):
     """What is drawn and its unit above the panel; a key beside it if there are several curves."""
-    first = run.columns[columns[0]]
+    first, labels = run.columns[columns[0]], [run.columns[name].label for name in columns]
     if len(columns) == 1:
         title = ("change of " if change else "") + (f"{title} " if first.label.startswith("$") else "") + first.label
-    beside = len(columns) < 3 and len(title) < 30  # else the key has lines of its own under the title
-    lines = 0 if beside else -(-len(columns) // 3)
-    axes.set_title(f"{title} [{first.unit}]", loc="left", fontsize=10, pad=6 + 12 * lines)
+    title = u.with_unit(title, u.in_powers(exponent, first.unit))
+    longest = max(letters(label) for label in labels)
+    beside = 1.2 * letters(title) + len(labels) * (6 + longest) < 68 and len(labels) < 3
+    across = len(labels) if beside else int(np.clip(68 // (6 + longest), 1, min(3, len(labels))))
+    lines = 0 if beside or len(labels) == 1 else -(-len(labels) // across)  # of the key, under the title
+    axes.set_title(title, loc="left", fontsize=10, pad=6 + 12 * lines)
     if len(columns) > 1:
         where = {"loc": "lower right", "bbox_to_anchor": (1.01, 0.97)}
         if not beside:
             where = {"loc": "lower left", "bbox_to_anchor": (-0.02, 0.97)}
-        axes.legend(fontsize=8, ncol=min(3, len(columns)), frameon=False, borderpad=0.3, labelspacing=0.2,
+        axes.legend(fontsize=8, ncol=across, frameon=False, borderpad=0.3, labelspacing=0.2,
                     handlelength=1.2, columnspacing=0.8, handletextpad=0.4, **where)
     if first.kind == u.NODES:
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
@@ -56,61 +75,66 @@ def default_panels(run):
 
 def history_figure(run, panels=None, against="t"):
     """Chosen columns against t or another one. panels: a list of lists of columns, default: all that change, by
-    kind."""
+    kind; None if nothing changes."""
     chosen = default_panels(run) if panels is None else [("", list(p), False) for p in panels]
+    if not chosen:
+        return None
     rows = max(1, -(-len(chosen) // 2))
     columns = 2 if len(chosen) > 1 else 1
     figure, axes = new_figure(5.2 * columns, 0.8 + 2.1 * rows, nrows=rows, ncols=columns, squeeze=False, sharex=True)
     for place, (title, names, change) in zip(axes.flat, chosen):
+        exponent = power_of_panel(run, names, change)
         for name, color in zip(names, COLORS * len(names)):
-            draw_column(place, run, name, against, color, change)
+            draw_column(place, run, name, against, color, change, exponent)
         units = {run.columns[n].unit for n in names}
-        label_panel(place, run, names, title or " / ".join(sorted(units)) if len(units) > 1 else title, change)
+        title = title or " / ".join(sorted(units)) if len(units) > 1 else title
+        label_panel(place, run, names, title, change, exponent)
     for place in list(axes.flat)[len(chosen):]:
         place.set_visible(False)
     for place in list(axes.flat)[max(0, len(chosen) - columns):len(chosen)]:
         place.set_xlabel(run.columns[against].axis())
         place.tick_params(labelbottom=True)
-    if not chosen:
-        say_empty(axes.flat[0], "nothing changes")
     return figure
 
 
-def arcs(surface, mm):
-    """Length along the surface [mm] in the order of the nodes; neighbors that are far apart belong to different chains,
-    which are set a kilometer apart."""
-    gaps = mm * np.hypot(np.diff(surface["x"]), np.diff(surface["y"]))
-    return np.r_[0, np.cumsum(np.where(gaps > 8 * np.median(gaps), 1e6, gaps))]
+def arcs(surface):
+    """Length along the surface in the order of the nodes, and the number of each node's chain; neighbors that are far
+    apart belong to different chains."""
+    gaps = np.hypot(np.diff(surface["x"]), np.diff(surface["y"]))
+    return np.r_[0, np.cumsum(gaps)], np.r_[0, np.cumsum(gaps > 8 * np.median(gaps))]
 
 
 def under_tool(run, name):
-    """Arc from the middle of the contact [mm], growing with x (or y where the surface stands upright), the nodes near
-    the contact of one tool, and what the arc is called; None without contact. On a level surface x is the arc."""
-    surface, mm = run.surface, run.units.mm
+    """Arc from the middle of the contact, growing with x (or y where the surface stands upright), the nodes near the
+    contact of one tool, and what the arc is called; None without contact. On a level surface x is the arc. Of several
+    chains the one that the tool touches most."""
+    surface, scale, unit = run.surface, run.units.length, run.units.length_unit
     touching = contact.touching(surface) & (surface["tool"] == name)
     if not touching.any():
         return None
+    arc, chain = arcs(surface)
+    mine = chain == np.bincount(chain[touching]).argmax()
+    touching &= mine
     nodes = np.flatnonzero(touching)
-    arc = arcs(surface, mm)
-    arc = arc - 0.5 * (arc[nodes[0]] + arc[nodes[-1]])
+    arc = scale * (arc - 0.5 * (arc[nodes[0]] + arc[nodes[-1]]))
     ends = nodes[[0, -1]] if len(nodes) > 1 else np.clip([nodes[0] - 1, nodes[0] + 1], 0, len(arc) - 1)
     step = np.array([np.diff(surface[c][ends])[0] for c in "xy"])
     if step[np.argmax(np.abs(step))] < 0:
         arc = -arc
     reach = 1.3 * np.abs(arc[touching]).max() + 2 * np.median(np.abs(np.diff(arc)))
     other = contact.touching(surface) & (surface["tool"] != name)
-    shown = (np.abs(arc) <= reach) & ~other
-    x = mm * surface["x"]
+    shown = (np.abs(arc) <= reach) & mine & ~other
+    x = scale * surface["x"]
     if np.ptp(x[shown]) > 0.97 * np.ptp(arc[shown]):
-        return x, shown, "x [mm]"
-    return arc, shown, "arc from the middle of the contact [mm]"
+        return x, shown, f"x [{unit}]"
+    return arc, shown, f"arc from the middle of the contact [{unit}]"
 
 
 def pressure_panel(axes, run, name, mu=None, expected=None, columns=3):
-    """Pressure and tangential traction under one tool; expected: (function of x or the arc [mm] in MPa, its
-    label); columns: of the key."""
+    """Pressure and tangential traction under one tool; expected: (function of x or the arc in the units of the
+    pictures, its label); columns: of the key."""
     found = under_tool(run, name)
-    axes.set_ylabel("traction [MPa]")
+    axes.set_ylabel(f"traction [{run.units.stress_unit}]")
     if found is None:
         say_empty(axes, f"{name} touches no node")
         return
@@ -119,12 +143,12 @@ def pressure_panel(axes, run, name, mu=None, expected=None, columns=3):
     order = np.flatnonzero(shown)[np.argsort(arc[shown])]
     for fit, nodal, color, label in (("pressure_fit", "pressure", BLUE, "pressure p"),
                                      ("traction_fit", "traction_tangential", RED, "tangential traction")):
-        values = run.units.MPa * run.surface[fit][order]
+        values = run.units.stress * run.surface[fit][order]
         if label != "pressure p" and not values.any():
             continue
         axes.plot(arc[order], values, color=color, label=label)
         if len(order) < 120:
-            axes.plot(arc[order], run.units.MPa * run.surface[nodal][order], color=color, marker="o", markersize=3,
+            axes.plot(arc[order], run.units.stress * run.surface[nodal][order], color=color, marker="o", markersize=3,
                       linestyle="none", alpha=0.5, label="nodal force over its share" if nodal == "pressure" else None)
         if mu and label == "pressure p":
             for sign in (1, -1):
@@ -141,17 +165,23 @@ def pressure_panel(axes, run, name, mu=None, expected=None, columns=3):
 
 
 def pressure_figure(run, mu=None, expected=None):
-    """Contact pressure and friction under each tool at the end (dots: nodal forces over their share of the surface)."""
-    names = [o for o in dict.fromkeys(run.surface["tool"]) if o and under_tool(run, o)] or ["no tool"]
-    names = names[:6]
+    """Contact pressure and friction under each tool at the end (dots: nodal forces over their share of the surface);
+    None without contact."""
+    touching = [o for o in dict.fromkeys(run.surface["tool"]) if o and under_tool(run, o)]
+    if not touching:
+        return None
+    names = touching[:6]
     columns = 2 if len(names) > 1 else 1
     rows = -(-len(names) // columns)
     width = 7.5 if columns == 1 else 10.5
     figure, panels = new_figure(width, 0.9 + 3.6 * rows, nrows=rows, ncols=columns, squeeze=False)
+    at_time = "" if run.t is None else f" at t = {run.t:.4g}"
     for axes, name in zip(panels.flat, names):
         pressure_panel(axes, run, name, mu, expected, 3 if columns == 1 else 2)
-        title = f"Pressure and friction under {name} at t = {run.t:.4g}"
-        axes.set_title(title if name != "no tool" else "No contact")
+        axes.set_title(u.plain(name) if columns > 1 else f"Pressure and friction under {u.plain(name)}{at_time}")
+    if columns > 1:
+        shown = f", {len(names)} of {len(touching)} tools" if len(names) < len(touching) else ""
+        figure.suptitle(f"Pressure and friction{at_time}{shown}")
     for axes in list(panels.flat)[len(names):]:
         axes.set_visible(False)
     return figure

@@ -1,13 +1,22 @@
 """Maps of a nodal field on the deformed workpiece with the tools: one picture, or a row of instants."""
+from collections import namedtuple
+
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from plotting import contact, maps, tools
-from plotting.figure import key_under_labels, new_figure, say_empty
+from plotting.figure import GRAY, key_under_labels, new_figure, say_empty
+from plotting.units import amount
 
-# field of the .vtu: label, color map; the unit comes from the case
-STRESS = ("stress_eq", "von Mises stress", "viridis_r")
-STRAIN = ("plastic_strain_eq", "accumulated plastic strain", "magma_r")
+# name in the .vtu, label, color map, whether it is measured in units of stress
+Quantity = namedtuple("Quantity", "name label colors stress")
+STRESS = Quantity("stress_eq", "von Mises stress", "viridis_r", True)
+STRAIN = Quantity("plastic_strain_eq", "accumulated plastic strain", "magma_r", False)
+
+
+def unit_of(run, quantity):
+    """Unit in the pictures, factor from the file's numbers to it."""
+    return (run.units.stress_unit, run.units.stress) if quantity.stress else ("-", 1.0)
 
 
 def levels_to(largest, number=14):
@@ -15,9 +24,9 @@ def levels_to(largest, number=14):
     return MaxNLocator(number, steps=[1, 2, 2.5, 5, 10]).tick_values(0, largest)
 
 
-def draw_map(axes, mesh, values, levels, outlines, box, cmap):
-    """Filled bands, outline of the workpiece, tools; returns (bands or None, handles)."""
-    maps.set_view(axes, box)
+def draw_map(axes, mesh, values, levels, outlines, box, cmap, unit="mm"):
+    """Filled bands, outline of the workpiece, tools; unit: of length. Returns (bands or None, handles)."""
+    maps.set_view(axes, box, unit)
     axes.grid(False)
     bands = None
     if np.nanmax(values) > levels[0] and np.nanmax(values) > 0:
@@ -42,39 +51,53 @@ def shape_of(box, width):
     return float(np.clip((width - 2.6) * (box[3] - box[2]) / (box[1] - box[0]) + 1.4, 3.2, 9.5))
 
 
-def field_figure(run, field, unit, factor, box=None, width=8.5):
-    """One field at the end; field: STRESS, STRAIN or the like. box: limits in mm, default the workpiece and the tools
-    near it."""
-    name, label, cmap = field
-    values = factor * np.nan_to_num(run.field.data[name])
+def draw_symmetry_axis(axes, run, box):
+    """Dash-dotted where an axisymmetric scene shows its axis."""
+    if run.axisymmetric and box[0] <= 0 <= box[1]:
+        axes.axvline(0, color=GRAY, linewidth=0.9, linestyle="-.", zorder=3.2)
+
+
+def at_time(run):
+    return "" if run.t is None else f" at t = {run.t:.4g}"
+
+
+def field_figure(run, quantity, box=None, width=8.5):
+    """One field at the end; quantity: STRESS, STRAIN or the like. box: limits, default the workpiece and the tools near
+    it."""
+    unit, factor = unit_of(run, quantity)
+    label, values = quantity.label, factor * np.nan_to_num(run.field.data[quantity.name])
     outlines = tools.at_time(run.tools, run.t)
     box = box or tools.widened(mesh_box(run.mesh), outlines)
     figure, axes = new_figure(width, shape_of(box, width))
     levels = levels_to(max(values.max(), 1e-12))
-    bands, handles = draw_map(axes, run.mesh, values, levels, outlines, box, cmap)
-    handles.append(contact.mark_contact(axes, run.surface, letters="", scale=run.units.mm))
+    bands, handles = draw_map(axes, run.mesh, values, levels, outlines, box, quantity.colors, run.units.length_unit)
+    draw_symmetry_axis(axes, run, box)
+    if run.has("surface.csv"):
+        handles.append(contact.mark_contact(axes, run.surface, letters="", scale=run.units.length))
     if bands is None:
         say_empty(axes, f"no {label}")
     else:
         add_scale(figure, bands, axes, f"{label} [{unit}]")
-    largest = f"{values.max():.3g} {unit if unit != '-' else ''}".strip()
-    axes.set_title(f"{label[0].upper() + label[1:]} at t = {run.t:.4g}, largest at a node {largest}")
-    key_under_labels(axes, handles, len(handles))
+    axes.set_title(f"{label[0].upper() + label[1:]}{at_time(run)}, largest at a node {amount(values.max(), unit)}")
+    if handles:
+        key_under_labels(axes, handles, len(handles))
     return figure
 
 
 def instants(run, number):
     """Field files of the series nearest to equal intervals of t, and the end: (t, field) pairs."""
+    if run.t is None:
+        return [(t, run.read_field(path)) for t, path in run.series[-number:]]
     before = [(t, path) for t, path in run.series if t < run.t * (1 - 1e-9)]
     wanted = run.t * np.arange(1, number) / number
     chosen = dict(min(before, key=lambda pair: abs(pair[0] - t)) for t in wanted) if before else {}
     return [(t, run.read_field(path)) for t, path in sorted(chosen.items())] + [(run.t, run.field)]
 
 
-def sequence_figure(run, field, unit, factor, number=4, width=10.0):
+def sequence_figure(run, quantity, number=4, width=10.0):
     """The same field at several instants with one scale."""
-    name, label, cmap = field
-    shown = [(t, maps.deformed(f, run.units.mm), factor * np.nan_to_num(f.data[name]))
+    unit, factor = unit_of(run, quantity)
+    shown = [(t, maps.deformed(f, run.units.length), factor * np.nan_to_num(f.data[quantity.name]))
              for t, f in instants(run, number)]
     outlines = [tools.at_time(run.tools, t) for t, _, _ in shown]
     boxes = np.array([tools.widened(mesh_box(mesh), o, 0.2) for (_, mesh, _), o in zip(shown, outlines)])
@@ -87,12 +110,13 @@ def sequence_figure(run, field, unit, factor, number=4, width=10.0):
     levels = levels_to(max(max(values.max() for _, _, values in shown), 1e-12))
     bands = None
     for axes, (t, mesh, values), drawn in zip(panels.flat, shown, outlines):
-        mine, _ = draw_map(axes, mesh, values, levels, drawn, box, cmap)
+        mine, _ = draw_map(axes, mesh, values, levels, drawn, box, quantity.colors, run.units.length_unit)
+        draw_symmetry_axis(axes, run, box)
         bands = mine or bands
         axes.set_title(f"t = {t:.3g}")
         axes.label_outer()
     for axes in list(panels.flat)[len(shown):]:
         axes.set_visible(False)
     if bands is not None:
-        add_scale(figure, bands, list(panels.flat), f"{label} [{unit}]")
+        add_scale(figure, bands, list(panels.flat), f"{quantity.label} [{unit}]")
     return figure

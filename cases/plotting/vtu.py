@@ -1,123 +1,52 @@
-"""Reader of the .vtu files that FreeFEM's savevtk writes (iovtk): one piece, inline base64 or ascii, nodal data.
+"""Reader of the .vtu files that FreeFEM's savevtk writes: meshio's, with errors that name the file.
 
-What it looks like: Float32 points with three components; triangles first, then the boundary edges as lines, which are
-dropped here; one base64 stream per array, opened by the number of bytes as UInt32; data of order 1 under PointData.
+savevtk writes the boundary edges as lines behind the triangles; they are dropped. Data of order 1 is nodal.
 """
-import base64
-import binascii
+import os
 from collections import namedtuple
-from xml.etree import ElementTree
 
-import numpy as np
+from meshio import vtu
 
-from plotting.inputs import InputError, read_text
-
-TRIANGLE = 5  # VTK cell type
-TYPES = {"Float32": "f4", "Float64": "f8", "Int8": "i1", "Int16": "i2", "Int32": "i4", "Int64": "i8",
-         "UInt8": "u1", "UInt16": "u2", "UInt32": "u4", "UInt64": "u8"}
+from plotting.inputs import InputError, MissingInput
 
 # points: n x 2; triangles: m x 3, indices of points; data: {name: n or n x components}
 Field = namedtuple("Field", "points triangles data")
 
 
-def decode(array, order, header):
-    """Flat numbers of one DataArray; order: < or >; header: type of the leading byte count."""
-    kind = np.dtype(order + TYPES[array.get("type")])
-    form, text = array.get("format"), array.text or ""
-    if form == "ascii":
-        return np.array(text.split(), dtype=float).astype(kind)
-    if form != "binary":
-        raise ValueError(f"format {form!r} is not read, only inline binary and ascii")
-    raw = base64.b64decode("".join(text.split()), validate=True)
-    width = np.dtype(header).itemsize
-    if len(raw) < width:
-        raise ValueError("no data")
-    count = int(np.frombuffer(raw[:width], order + header)[0])
-    if count != len(raw) - width or count % kind.itemsize:
-        raise ValueError(f"{len(raw) - width} bytes, announced {count} of {array.get('type')}")
-    return np.frombuffer(raw[width:], kind)
+class NodalData(dict):
+    """Nodal arrays by name; one that is not there is a missing input."""
+
+    def __init__(self, path, arrays):
+        super().__init__(arrays)
+        self.path = path
+
+    def __missing__(self, name):
+        raise MissingInput(f"{self.path}: no nodal data {name} (savevtk needs order 1 for each)")
 
 
-def read_array(path, array, rows, order, header):
-    """One DataArray, checked: rows x components, flat if there is one component; rows = -1: any number."""
-    name = array.get("Name", "points")
+def read_mesh(path):
+    """meshio's mesh; whatever meshio raises is a fault of the file."""
+    if not os.path.isfile(path):
+        raise MissingInput(f"{path}: missing")
     try:
-        components = int(array.get("NumberOfComponents", 1))
-        values = decode(array, order, header)
-        if rows >= 0 and len(values) != rows * components:
-            raise ValueError(f"{len(values)} numbers, expected {rows} x {components}")
-        values = values.reshape(-1, components)
-    except KeyError:
-        raise InputError(f"{path}: array {name}: unknown type {array.get('type')!r}") from None
-    except (ValueError, binascii.Error) as error:
-        raise InputError(f"{path}: array {name}: {error}") from None
-    return values[:, 0] if components == 1 else values
+        return vtu.read(path)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except Exception as error:
+        reason = str(error) or type(error).__name__
+        raise InputError(f"{path}: not a whole VTU file: {reason}") from None
 
 
-def declared(path, piece, name):
-    """A number that the head of the piece announces."""
-    try:
-        return int(piece.get(name, ""))
-    except ValueError:
-        raise InputError(f"{path}: {name} is {piece.get(name)!r}") from None
-
-
-def find(path, element, what):
-    found = element.find(what)
-    if found is None:
-        raise InputError(f"{path}: no {what} in {element.tag}")
-    return found
-
-
-def parse(path):
-    """Root element of an uncompressed unstructured grid."""
-    try:
-        root = ElementTree.fromstring(read_text(path))
-    except ElementTree.ParseError as error:
-        raise InputError(f"{path}: not valid XML: {error}") from None
-    if root.tag != "VTKFile" or root.get("type") != "UnstructuredGrid":
-        raise InputError(f"{path}: not a VTK unstructured grid")
-    if root.get("compressor"):
-        raise InputError(f"{path}: compressed; write it uncompressed, as savevtk does")
-    return root
-
-
-def triangles(path, piece, read, points):
-    """Connectivity of the cells of type triangle, m x 3."""
-    cells, count = find(path, piece, "Cells"), declared(path, piece, "NumberOfCells")
-    part = {name: read(find(path, cells, f"DataArray[@Name='{name}']"), rows) for name, rows in
-            (("connectivity", -1), ("offsets", count), ("types", count))}
-    last = part["offsets"][part["types"] == TRIANGLE].astype(int)
-    nodes = part["connectivity"].astype(int)
-    if not len(last):
-        raise InputError(f"{path}: no triangles")
-    if last.min() < 3 or last.max() > len(nodes):
-        raise InputError(f"{path}: cell offsets outside the connectivity")
-    corners = nodes[last[:, None] - [3, 2, 1]]
-    if corners.min() < 0 or corners.max() >= points:
-        raise InputError(f"{path}: a triangle names a point outside 0..{points - 1}")
-    return corners
-
-
-def read_vtu(path, names):
+def read_vtu(path, names=()):
     """Triangles and nodal data of path; names: data that must be there."""
-    root = parse(path)
-    order = ">" if root.get("byte_order") == "BigEndian" else "<"
-    header = TYPES.get(root.get("header_type", "UInt32"), "u4")
-    pieces = root.findall("UnstructuredGrid/Piece")
-    if len(pieces) != 1:
-        raise InputError(f"{path}: {len(pieces)} pieces, expected 1")
-    piece = pieces[0]
-
-    def read(array, rows):
-        return read_array(path, array, rows, order, header)
-
-    points = read(find(path, piece, "Points/DataArray"), declared(path, piece, "NumberOfPoints"))
-    if points.ndim != 2 or points.shape[1] < 2 or not np.isfinite(points).all():
-        raise InputError(f"{path}: points are not finite vectors")
-    data = {array.get("Name"): read(array, len(points)) for array in piece.findall("PointData/DataArray")}
-    missing = [name for name in names if name not in data]
-    if missing:
-        raise InputError(f"{path}: no nodal data {', '.join(missing)} (savevtk needs order 1 for each)")
-    corners = triangles(path, piece, read, len(points))
-    return Field(points[:, :2].astype(float), corners, data)
+    mesh = read_mesh(path)
+    data = NodalData(path, {name: a[:, 0] if a.ndim == 2 and a.shape[1] == 1 else a
+                            for name, a in mesh.point_data.items()})
+    for name in names:
+        data[name]
+    corners = mesh.get_cells_type("triangle")
+    if not len(corners):
+        raise InputError(f"{path}: no triangles")
+    if corners.min() < 0 or corners.max() >= len(mesh.points):
+        raise InputError(f"{path}: a triangle names a point outside 0..{len(mesh.points) - 1}")
+    return Field(mesh.points[:, :2].astype(float), corners, data)

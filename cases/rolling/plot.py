@@ -15,7 +15,8 @@ try:
     from plotting.inputs import InputError, option, read_summary, read_table
     from plotting.vtu import read_vtu
 except ImportError as error:
-    sys.exit(f"plot.py: {error}; the Debian packages python3-matplotlib and python3-numpy are needed")
+    sys.exit(f"plot.py: {error}; the Debian packages python3-matplotlib, python3-numpy and python3-meshio are "
+             "needed")
 
 # Pa, the values of the article's figures 2 and 3
 LEVELS_BELOW, LEVELS_ABOVE = (0.43e8, 0.87e8, 1.3e8, 1.73e8), (2.2e8, 2.6e8, 3.0e8, 3.5e8)
