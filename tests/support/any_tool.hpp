@@ -19,26 +19,27 @@ inline std::vector<double> values(const Eigen::VectorXd& q) { return {q.data(), 
 inline std::unique_ptr<RolledBlock> placed(const AnyTool& tool, double mu) {
   auto block = std::make_unique<RolledBlock>(tool.profile, tool.coordinates, mu);
   block->scene.place(values(tool.path(0)));
-  if (!tool.approach.empty()) block->scene.session.approach(0, tool.approach, block->scene.u);
+  if (!tool.approach.empty()) block->scene.contact().approach(0, tool.approach, block->scene.u);
   return block;
 }
 
 /// sum_n dX(q,s_n)/dq^k . F_n over the nodes in contact, dX/dq by central differences of the surface map.
-inline Eigen::VectorXd summed_forces(const Scene& scene) {
-  const auto& session = scene.session;
-  const auto& tool = *session.model().tools[0];
-  const Eigen::VectorXd q = session.accepted().q;
+inline Eigen::VectorXd summed_forces(Scene& scene) {
+  const auto& accepted = scene.contact().accepted();
+  const auto& model = scene.contact().model();
+  const auto& tool = *model.tools[0];
+  const Eigen::VectorXd q = accepted.contact.q;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(q.size());
-  for (std::size_t i = 0; i < session.candidates().size(); ++i) {
-    const auto& node = session.accepted().nodes[i];
+  for (std::size_t i = 0; i < model.candidates.size(); ++i) {
+    const auto& node = accepted.contact.nodes[i];
     if (!in_contact(node.state)) continue;
-    const Vector<2> F = session.accepted_force().segment<2>(2 * session.candidates()[i]);
+    const Vector<2> F = accepted.R.segment<2>(2 * model.candidates[i]);
     for (Eigen::Index k = 0; k < q.size(); ++k) {
       const double h = 1e-5;
       Eigen::VectorXd plus = q, minus = q;
       plus[k] += h;
       minus[k] -= h;
-      sum[k] += F.dot(tool.surface(plus, node.s).x - tool.surface(minus, node.s).x) / (2 * h);
+      sum[k] += F.dot(tool.point(plus, node.place).x - tool.point(minus, node.place).x) / (2 * h);
     }
   }
   return sum;

@@ -1,6 +1,6 @@
 #pragma once
 // An elastic block, pressed and rolled by a tool along a given path: for duality and invariance.
-#include "support/step_loop.hpp"
+#include "support/run.hpp"
 #include <iostream>
 
 namespace burnish::test {
@@ -32,7 +32,7 @@ struct RolledBlock {
     for (int k = 1; k <= STEPS; ++k) {
       program(k);
       ASSERT_EQ(converge(scene, (k - 1.) / STEPS, 1. / STEPS, Stepping::IMPLICIT), StepStatus::CONVERGED)
-          << "step " << k << ": " << scene.session.corrector().reason();
+          << "step " << k << ": " << scene.contact().reason();
       accept(scene, {});
       u.push_back(scene.u);
       q.push_back(scene.tool->q());

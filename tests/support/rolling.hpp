@@ -1,6 +1,6 @@
 #pragma once
-// Example 1 of the article on a coarse structured mesh: a roller on a ring sector (method.md section 6).
-#include "support/step_loop.hpp"
+// Example 1 of the article on a coarse structured mesh: a roller on a ring sector (METHOD.md section 6).
+#include "support/run.hpp"
 
 namespace burnish::test {
 
@@ -13,7 +13,7 @@ struct Rolling {
               J2Parameters::from_shear(2.7e10, 0.32, 1.93e8, 9.62e8), options) {
     scene.add_tool(std::make_shared<Circle>(15e-3), std::make_shared<Polar>(), 0.2);
     scene.place({46e-3, M_PI / 2 + M_PI / 32, 0});
-    scene.session.approach(0, "r", scene.u);
+    scene.contact().approach(0, "r", scene.u);
   }
   ProgramAt program() {
     return [this](double t) {

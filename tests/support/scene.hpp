@@ -1,37 +1,48 @@
 #pragma once
-// A workpiece, a session and one tool, as a script holds them, for tests that take whole steps.
+// A workpiece, a contact and one tool, as a script holds them, for tests that take whole steps.
 #include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
 #include "kinematics/polar.hpp"
 #include "material/j2/law.hpp"
-#include "stepping/session.hpp"
+#include "stepping/contact_run.hpp"
+#include "stepping/run_body.hpp"
+#include "support/profile_tool.hpp"
 #include "support/structured_mesh.hpp"
-#include "workpiece/workpiece.hpp"
 
 namespace burnish::test {
 
 struct Scene {
-  std::shared_ptr<DrivenTool<2>> tool;
-  Workpiece<2> workpiece;
-  Session<2> session;
+  std::shared_ptr<ContactSetup<2>> setup;
+  std::shared_ptr<DrivenTool<2>> tool; ///< the one added last
+  WorkpieceBody<2> body;
   NodeBlockMatrix<2> tangent;
   Eigen::VectorXd u, R;
 
   Scene(const ContactMesh& mesh, const J2Parameters& material, const StepOptions& options = {},
         const UpdateOptions& update = {})
-      : workpiece(mesh.space, j2_law<2>(material), update),
-        session(mesh.space, mesh.surface, mesh.fixed, options), tangent(workpiece.pattern()),
-        u(Eigen::VectorXd::Zero(mesh.space.num_dofs())), R(u) {}
+      : setup(std::make_shared<ContactSetup<2>>(mesh.space, mesh.surface, mesh.fixed,
+                                                std::make_shared<EdgeMeasure>(mesh.space.axisymmetric),
+                                                options)),
+        body(std::make_unique<Workpiece<2>>(mesh.space, j2_law<2>(material), update)),
+        tangent(body.workpiece().pattern()), u(Eigen::VectorXd::Zero(mesh.space.num_dofs())), R(u) {}
   void add_tool(std::shared_ptr<const Profile<2>> profile, std::shared_ptr<const Coordinates<2>> coordinates,
                 double mu) {
-    tool = std::make_shared<DrivenTool<2>>("tool", std::move(profile));
-    tool->set_coordinates(std::move(coordinates));
-    session.add_tool(tool, make_coulomb(mu));
+    tool = driven_tool("tool", std::move(profile), std::move(coordinates));
+    setup->add_tool(tool, make_coulomb(mu));
   }
   void place(const std::vector<double>& q) {
     for (std::size_t k = 0; k < q.size(); ++k) tool->place(tool->prescription().names()[k], q[k]);
   }
+  Workpiece<2>& workpiece() { return body.workpiece(); }
+  /// The first call closes the setup.
+  ContactRun<2>& contact() {
+    if (!m_contact) m_contact = std::make_unique<ContactRun<2>>(setup);
+    return *m_contact;
+  }
+
+private:
+  std::unique_ptr<ContactRun<2>> m_contact;
 };
 
 /// Elastic steel-like body: the yield stress is out of reach. Unit modulus G.

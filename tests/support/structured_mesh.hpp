@@ -1,6 +1,5 @@
 #pragma once
 // Structured triangle meshes for the tests: a block and a ring sector, clamped below, contact above.
-#include "contact/surface.hpp"
 #include "geometry/plane.hpp"
 #include "mesh/discretization.hpp"
 #include <cmath>
@@ -70,7 +69,9 @@ template <class Position> ContactMesh structured_mesh(int nx, int ny, int order,
   const auto hold = [&](int node) { mesh.fixed[2 * node] = mesh.fixed[2 * node + 1] = 1; };
   const std::vector<int> bottom = detail::grid_line(nx, 0), top = detail::grid_line(nx, ny);
   for (int i = 0; i < nx; ++i) {
-    mesh.surface.push_back({{top[i], top[i + 1]}, {order == 2 ? middle.at({top[i], top[i + 1]}) : -1}});
+    Facet<2> facet{{top[i + 1], top[i]}, {-1}, 2 * ((ny - 1) * nx + i) + 1};
+    if (order == 2) facet.middle[0] = middle.at({top[i], top[i + 1]});
+    mesh.surface.push_back(facet);
     if (order == 2) hold(middle.at({bottom[i], bottom[i + 1]}));
   }
   for (const int node : bottom) hold(node);

@@ -30,7 +30,7 @@ void check_duality(std::shared_ptr<const Profile<2>> profile,
   for (RolledBlock* block : {&moved, &driven}) {
     const Vector<3> start = path(0);
     block->scene.place({start[0], start[1], start[2]});
-    block->scene.session.approach(0, names[names[0] == "x"], block->scene.u);
+    block->scene.contact().approach(0, names[names[0] == "x"], block->scene.u);
   }
   moved.run([&](int k) { moved.move(path(k)); });
   driven.run([&](int k) {

@@ -77,7 +77,7 @@ TEST(T3Invariance, UnderForce) {
                         const std::string& down) {
     auto block = std::make_unique<RolledBlock>(circle(), std::move(coordinates), MU);
     block->scene.place({start[0], start[1], start[2]});
-    block->scene.session.approach(0, down, block->scene.u);
+    block->scene.contact().approach(0, down, block->scene.u);
     auto& prescription = block->scene.tool->prescription();
     const std::string other = down == "y" ? "x" : "phi", spin = down == "y" ? "angle" : "theta";
     block->run([&](int k) {

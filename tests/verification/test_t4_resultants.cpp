@@ -32,19 +32,19 @@ private:
   static bool pressed(NodeState now) {
     return now == NodeState::SLIDING || now == NodeState::STICKING || now == NodeState::LEAVING;
   }
-  /// X_r = e(phi), X_phi = r e'(phi) and X_theta = (x - center) turned, written down from method.md
+  /// X_r = e(phi), X_phi = r e'(phi) and X_theta = (x - center) turned, written down from METHOD.md
   /// section 2.
   Vector<3> sum_forces() {
-    const auto& session = m_rolling.scene.session;
+    const auto& contact = m_rolling.scene.contact();
     const Eigen::VectorXd q = m_rolling.scene.tool->q();
     const Vector<2> e = plane_direction(q[1]);
     Vector<3> sum = Vector<3>::Zero();
     m_load = 0;
-    for (std::size_t i = 0; i < session.candidates().size(); ++i) {
-      if (!pressed(session.accepted().nodes[i].state)) continue;
-      const int node = session.candidates()[i];
-      const Vector<2> F = session.accepted_force().segment<2>(2 * node);
-      const Vector<2> x = session.mesh().node(node) + m_rolling.scene.u.segment<2>(2 * node);
+    for (std::size_t i = 0; i < contact.setup().candidates().size(); ++i) {
+      if (!pressed(contact.accepted().contact.nodes[i].state)) continue;
+      const int node = contact.setup().candidates()[i];
+      const Vector<2> F = contact.accepted().R.segment<2>(2 * node);
+      const Vector<2> x = contact.setup().mesh().node(node) + m_rolling.scene.u.segment<2>(2 * node);
       sum += Vector<3>(e.dot(F), q[0] * left_of(e).dot(F), left_of(x - q[0] * e).dot(F));
       m_load += F.norm();
     }
@@ -60,16 +60,22 @@ private:
   int m_steps = 0;
 };
 
-void check_resultants(Stepping stepping, double tolerance) {
+void check_resultants(Scheme scheme, double tolerance) {
   StepOptions options;
   options.tolerance = tolerance;
   Rolling rolling(24, 5, options);
   Resultants resultants(rolling, tolerance);
   double t_end_of_step = 0;
   const ProgramAt program = [&, set = rolling.program()](double t) { set(t_end_of_step = t); };
-  const auto counts = run(rolling.scene, Rolling::control(1, 0.02), stepping, program,
-                          [&] { resultants.check(t_end_of_step); });
-  EXPECT_EQ(resultants.steps(), stepping == Stepping::EVENT ? counts.substeps : counts.steps);
+  StepperOptions stepping;
+  stepping.scheme = scheme;
+  Stepper<2> stepper(rolling.scene.contact(), rolling.scene.body, Rolling::control(1, 0.02), stepping);
+  const Task end = run(rolling.scene, stepper, program, [&] { resultants.check(t_end_of_step); });
+  ASSERT_EQ(end, Task::FINISHED) << stepper.reason();
+  EXPECT_EQ(resultants.steps(), stepper.counts().scheme.pieces);
+  if (scheme == Scheme::IMPLICIT) {
+    EXPECT_EQ(resultants.steps(), stepper.counts().steps);
+  }
   EXPECT_GE(resultants.steps(), 50);
   EXPECT_GE(resultants.worst(), 1e-6) << "no run of this length is exact: the test would show nothing";
   std::cout << "resultants: tolerance " << tolerance << ", " << resultants.steps()
@@ -78,7 +84,7 @@ void check_resultants(Stepping stepping, double tolerance) {
 
 } // namespace
 
-TEST(T4Resultants, Implicit) { check_resultants(Stepping::IMPLICIT, 1e-4); }
-TEST(T4Resultants, ImplicitTight) { check_resultants(Stepping::IMPLICIT, 1e-8); }
-TEST(T4Resultants, Event) { check_resultants(Stepping::EVENT, 1e-4); }
-TEST(T4Resultants, EventTight) { check_resultants(Stepping::EVENT, 1e-8); }
+TEST(T4Resultants, Implicit) { check_resultants(Scheme::IMPLICIT, 1e-4); }
+TEST(T4Resultants, ImplicitTight) { check_resultants(Scheme::IMPLICIT, 1e-8); }
+TEST(T4Resultants, Event) { check_resultants(Scheme::EVENT, 1e-4); }
+TEST(T4Resultants, EventTight) { check_resultants(Scheme::EVENT, 1e-8); }

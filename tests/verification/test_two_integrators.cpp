@@ -8,7 +8,7 @@ using namespace burnish::test;
 namespace {
 
 /// Depth r - r(0), theta and Q_phi at the ten output times, 10 x 3.
-Eigen::MatrixXd history(Stepping stepping, double dt) {
+Eigen::MatrixXd history(Scheme scheme, double dt) {
   Rolling rolling(24, 5);
   StepControlOptions options;
   options.dt_max = dt;
@@ -18,12 +18,16 @@ Eigen::MatrixXd history(Stepping stepping, double dt) {
   const double start = rolling.scene.tool->q()[0];
   double now = 0;
   const ProgramAt program = [&, set = rolling.program()](double t) { set(now = t); };
-  run(rolling.scene, StepControl(0, options), stepping, program, [&] {
+  StepperOptions stepping;
+  stepping.scheme = scheme;
+  Stepper<2> stepper(rolling.scene.contact(), rolling.scene.body, StepControl(0, options), stepping);
+  const Task end = run(rolling.scene, stepper, program, [&] {
     const int i = static_cast<int>(std::lround(10 * now)) - 1;
     if (i < 0 || std::abs(now - options.output_times[i]) > 1e-9) return;
     auto& tool = *rolling.scene.tool;
     rows.row(i) << tool.q()[0] - start, tool.q()[2], tool.generalized_force()[1];
   });
+  EXPECT_EQ(end, Task::FINISHED) << stepper.reason();
   return rows;
 }
 
@@ -38,7 +42,7 @@ Eigen::RowVectorXd difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b
 TEST(TwoIntegrators, SameLimit) {
   double first = 0, before = 0;
   for (const double dt : {0.05, 0.025, 0.0125, 0.00625}) {
-    const Eigen::MatrixXd implicit = history(Stepping::IMPLICIT, dt), event = history(Stepping::EVENT, dt);
+    const Eigen::MatrixXd implicit = history(Scheme::IMPLICIT, dt), event = history(Scheme::EVENT, dt);
     const Eigen::RowVectorXd mean = difference(implicit, event);
     const Eigen::RowVectorXd end =
         (implicit - event).row(9).cwiseAbs().cwiseQuotient(event.row(9).cwiseAbs());

@@ -1,5 +1,5 @@
 #pragma once
-// The condensed residual of method.md section 3, written down once more for the tests, and its derivative by
+// The condensed residual of METHOD.md 3, written down once more for the tests, and its derivative by
 // finite differences.
 #include "contact/condensation.hpp"
 #include "unit/finite_difference.hpp"
@@ -11,7 +11,7 @@ namespace burnish::test {
 enum class Unknown { FREE, SLIP, COORDINATE, GIVEN };
 
 inline std::vector<Unknown> unknowns(const ContactModel<2>& model, const ContactState<2>& state,
-                                     const Program& program, const BodyView<2>& body) {
+                                     const PrescribedValues& prescribed, const BodyView<2>& body) {
   std::vector<Unknown> kind(body.X.size() + model.num_coordinates(), Unknown::FREE);
   for (Eigen::Index d = 0; d < body.X.size(); ++d)
     if (body.fixed[d]) kind[d] = Unknown::GIVEN;
@@ -22,7 +22,7 @@ inline std::vector<Unknown> unknowns(const ContactModel<2>& model, const Contact
     kind[dof + 1] = Unknown::GIVEN;
   }
   for (int k = 0; k < model.num_coordinates(); ++k)
-    kind[body.X.size() + k] = program.is_motion[k] ? Unknown::GIVEN : Unknown::COORDINATE;
+    kind[body.X.size() + k] = prescribed.is_motion[k] ? Unknown::GIVEN : Unknown::COORDINATE;
   return kind;
 }
 
@@ -39,12 +39,13 @@ inline void moved(const ContactModel<2>& model, const BodyView<2>& body, const E
     ContactNode<2>& node = state.nodes[i];
     if (!in_contact(node.state)) continue;
     const int dof = 2 * model.candidates[i];
-    if (node.state == NodeState::SLIDING) node.s[0] += z[dof];
-    u.segment<2>(dof) = model.tools[node.tool]->surface(poses[node.tool], node.s).x - body.X.segment<2>(dof);
+    const Tool<2>& tool = *model.tools[node.tool];
+    if (node.state == NodeState::SLIDING) node.place = tool.surface().moved(node.place, Param<2>(z[dof]));
+    u.segment<2>(dof) = tool.position(poses[node.tool], node.place) - body.X.segment<2>(dof);
   }
 }
 
-/// Residual of every unknown after a change z of the unknowns: R of free nodes, X_s.F + sgn |X_s| mu N of
+/// Residual of every unknown after a change z of the unknowns: R of free nodes, E.F + m g(N) of
 /// sliding ones, sum of X_k.F for coordinates (the applied forces are not subtracted), 0 for given unknowns.
 inline Eigen::VectorXd condensed_residual(const ContactModel<2>& model, const BodyView<2>& body,
                                           const Force& force, const Eigen::VectorXd& z, ContactState<2> state,
@@ -53,14 +54,16 @@ inline Eigen::VectorXd condensed_residual(const ContactModel<2>& model, const Bo
   const Eigen::VectorXd R = force(u);
   Eigen::VectorXd r = Eigen::VectorXd::Zero(z.size());
   r.head(u.size()) = R;
+  const auto poses = model.poses(state.q);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const ContactNode<2>& node = state.nodes[i];
     if (!in_contact(node.state)) continue;
     const int dof = 2 * model.candidates[i];
-    const auto p = model.tools[node.tool]->surface(model.tool_q(state.q, node.tool), node.s);
-    const Vector<2> F = R.segment<2>(dof), t = p.x_s.col(0);
-    const double g = model.friction[node.tool]->limit(F.dot(p.n), node.area);
-    r.segment<2>(dof) = Vector<2>(F.dot(t) + node.slip_sign * t.norm() * g, 0);
+    const ContactPoint<2> at = contact_point(model, poses, node);
+    const SurfacePoint<2>& p = at.surface;
+    const Vector<2> F = R.segment<2>(dof);
+    const double g = model.laws[node.tool].friction().limit(F.dot(p.n), node.tributary_area);
+    r.segment<2>(dof) = Vector<2>(F.dot(Vector<2>(p.E)) + at.m[0] * g, 0);
     if (node.state != NodeState::SLIDING) r[dof] = 0;
     r.segment(u.size() + model.first[node.tool], p.x_q.cols()) += p.x_q.transpose() * F;
   }

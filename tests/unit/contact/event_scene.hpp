@@ -4,6 +4,7 @@
 #include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
+#include "support/profile_tool.hpp"
 #include "unit/finite_difference.hpp"
 
 namespace burnish::test {
@@ -35,22 +36,29 @@ struct EventScene {
   }
   void add(std::shared_ptr<const Profile<2>> profile, const Vector<3>& q, double mu) {
     const std::string name = "tool " + std::to_string(model.tools.size());
-    model.tools.push_back(std::make_shared<Tool<2>>(name, profile, std::make_shared<Cartesian>()));
-    model.friction.push_back(make_coulomb(mu));
+    model.tools.push_back(profile_tool(name, profile, std::make_shared<Cartesian>()));
+    model.laws.emplace_back(make_coulomb(mu));
     model.first.push_back(model.first.back() + 3);
     start.q.conservativeResize(model.first.back());
     start.q.tail<3>() = q;
     end = start;
   }
-  /// Puts node i in contact at both ends; slip_sign 0: sticks.
-  void touch(int i, NodeState state, double slip_sign) {
+  /// Puts node i in contact at both ends. @param along 1, -1: slides along or against the tangent; 0: sticks
+  void touch(int i, NodeState state, double along) {
     ContactNode<2>& node = start.nodes[i];
     node.state = state;
     node.tool = 0;
-    node.s = model.tools[0]->closest_point(model.poses(start.q)[0], body.position(u0, i), node.s).s;
-    node.s_ref = node.s;
-    node.slip_sign = slip_sign;
+    place_at(node, model.tools[0]->foot(model.poses(start.q)[0], body.position(u0, i), node.place.hint).place);
+    node.slip_direction = along * model.tools[0]->surface().frame(node.place).E;
     end.nodes[i] = node;
+  }
+  /// Parameter of a node's place; moves it by ds.
+  static double s(const ContactNode<2>& node) { return node.place.hint[0]; }
+  static double origin(const ContactNode<2>& node) { return node.slip_origin.hint[0]; }
+  void slip(ContactNode<2>& node, double ds) const { node.place = place_of(*model.tools[0], s(node) + ds); }
+  /// Direction of its slip along the tangent where it is: 1, -1, or 0.
+  double along(const ContactNode<2>& node) const {
+    return node.slip_direction.dot(model.tools[0]->surface().frame(node.place).E.col(0));
   }
   /// Normal and tangential force of the plate on node i (N along -y, T along the plate's tangent -x).
   static void set_force(Eigen::VectorXd& R, int i, double N, double T) { R.segment<2>(2 * i) << -T, -N; }

@@ -9,6 +9,7 @@
 #include "kinematics/formula_coordinates.hpp"
 #include "kinematics/polar.hpp"
 #include "solver/sparse_view.hpp"
+#include "support/profile_tool.hpp"
 #include <random>
 
 namespace burnish::test {
@@ -112,37 +113,37 @@ inline std::shared_ptr<const Tool<2>> make_tool(const std::string& name, Shape s
     profile = std::make_shared<CadCurve>(lobe);
   } else
     profile = std::make_shared<Circle>(1.3, shape == Shape::INSIDE);
-  return std::make_shared<Tool<2>>(name, profile, make_coordinates(name, frame));
+  return profile_tool(name, profile, make_coordinates(name, frame));
 }
 
 /// Contact of nodes 3..8 of the body with tools; nothing in contact yet.
 struct SpringContact {
   ContactModel<2> model;
   ContactState<2> state;
-  Program program; ///< zero forces
+  PrescribedValues prescribed; ///< zero forces
 
   SpringContact() { model.first = {0}; }
   void add(std::shared_ptr<const Tool<2>> tool, double mu) {
     model.candidates = {3, 4, 5, 6, 7, 8};
     state.nodes.resize(6);
     model.tools.push_back(std::move(tool));
-    model.friction.push_back(make_coulomb(mu));
+    model.laws.emplace_back(make_coulomb(mu));
     const int nq = model.tools.back()->coordinates().size();
     model.first.push_back(model.first.back() + nq);
     const int total = model.first.back();
     state.q.conservativeResize(total);
     const double places[] = {0.7, -0.4, 0.3};
     for (int k = 0; k < nq; ++k) state.q[total - nq + k] = places[k % 3] + 0.1 * total;
-    program.is_motion.resize(total, 0);
-    program.value = Eigen::VectorXd::Zero(total);
+    prescribed.is_motion.resize(total, 0);
+    prescribed.value = Eigen::VectorXd::Zero(total);
   }
-  /// @param slip_sign 0: sticks
-  void touch(int candidate, int tool, double s, double slip_sign, bool slides) {
+  /// @param along 1, -1: slides against friction along the tangent or against it
+  void touch(int candidate, int tool, double s, double along, bool slides) {
     ContactNode<2>& node = state.nodes[candidate];
     node.tool = tool;
-    node.s[0] = node.s_ref[0] = s;
+    place_at(node, place_of(*model.tools[tool], s));
     node.state = slides ? NodeState::SLIDING : NodeState::STICKING;
-    node.slip_sign = slip_sign;
+    node.slip_direction = along * model.tools[tool]->surface().frame(node.place).E;
   }
   /// u with every contact node on its tool.
   void place(const BodyView<2>& body, Eigen::VectorXd& u) const {
@@ -152,7 +153,7 @@ struct SpringContact {
       if (!in_contact(node.state)) continue;
       const int a = model.candidates[i];
       u.segment<2>(2 * a) =
-          model.tools[node.tool]->surface(poses[node.tool], node.s).x - body.X.segment<2>(2 * a);
+          model.tools[node.tool]->position(poses[node.tool], node.place) - body.X.segment<2>(2 * a);
     }
   }
   /// The other way round: moves the body's nodes, so that u brings them onto their tools.

@@ -1,5 +1,6 @@
 // Contact states on the dense block: which states nodes take, in which order, and the support of a tool.
-#include "stepping/active_set.hpp"
+#include "contact/active_set.hpp"
+#include "contact/tool_support.hpp"
 #include "unit/contact/event_scene.hpp"
 
 using namespace burnish;
@@ -9,31 +10,32 @@ namespace {
 
 /// Six nodes, each on its own springs of stiffness 1 in x and y, under a plate moved by the program.
 struct Springs : EventScene {
-  Program program{{1, 1, 1}, Eigen::VectorXd::Zero(3)};
+  PrescribedValues prescribed{{1, 1, 1}, Eigen::VectorXd::Zero(3)};
   std::vector<int> window = {0, 1, 2, 3, 4, 5};
-  Eigen::MatrixXd flexibility = Eigen::MatrixXd::Identity(12, 12);
-  std::vector<ContactNode<2>> entry;
-  std::vector<int> releases = std::vector<int>(6, 0);
+  ActiveCholesky flexibility;
+  EntryPlaces<2> entry{std::vector<ContactNode<2>>(6), std::vector<int>(6, 0)};
   WindowProblem<2> problem;
 
   explicit Springs(double mu, double plate = 0) {
     add_plate(0, mu);
-    program.value[1] = plate;
-    entry.resize(6);
+    prescribed.value[1] = plate;
     for (int i = 0; i < 6; ++i) {
-      entry[i].tool = 0;
-      entry[i].s[0] = entry[i].s_ref[0] = 20 - i;
+      entry.nodes[i].tool = 0;
+      enter_at(i, 20 - i);
     }
+    flexibility.set(std::make_shared<const Eigen::MatrixXd>(Eigen::MatrixXd::Identity(12, 12)));
     problem.window = &window;
     problem.flexibility = &flexibility;
     problem.free_increment = Eigen::VectorXd::Zero(12);
     problem.u = &u0;
     problem.R = &R0;
     problem.entry = &entry;
-    problem.releases = &releases;
-    problem.force_tolerance = problem.gap_tolerance = 1e-9;
+    problem.options.tolerance.force = problem.options.gap = 1e-9;
+    problem.options.tolerance.slip = 1e-10;
   }
-  WindowSolution<2> solve() const { return solve_window(model, body, program, start, problem); }
+  Springs(const Springs&) = delete; // the problem points into it
+  void enter_at(int i, double s) { place_at(entry.nodes[i], place_of(*model.tools[0], s)); }
+  WindowSolution<2> solve() const { return solve_window(model, body, prescribed, start, problem); }
   static double pressure(const WindowSolution<2>& solution, int i) { return -solution.F[2 * i + 1]; }
 };
 
@@ -42,7 +44,7 @@ struct Springs : EventScene {
 TEST(ActiveSet, PenetratingNodesStickWhereTheyEnter) {
   Springs springs(0.3, -0.1);
   springs.problem.free_increment[2 * 4 + 1] = -0.5; // out of reach
-  springs.entry[2].s_ref[0] = 18.02;
+  springs.enter_at(2, 18.02);
   const auto solution = springs.solve();
   EXPECT_EQ(solution.passes, 2);
   for (int i = 0; i < 6; ++i) {
@@ -50,33 +52,34 @@ TEST(ActiveSet, PenetratingNodesStickWhereTheyEnter) {
     EXPECT_EQ(solution.fresh[i], i != 4);
     EXPECT_NEAR(Springs::pressure(solution, i), i == 4 ? 0 : 0.1, 1e-14);
   }
-  EXPECT_EQ(solution.state.nodes[2].s[0], 18.02);
+  EXPECT_EQ(EventScene::s(solution.state.nodes[2]), 18.02);
   EXPECT_NEAR(solution.F[4], -0.02, 1e-13) << "pulled to the place where it sticks";
   EXPECT_NEAR(solution.state.q[1], -0.1, 1e-15);
 }
 
 TEST(ActiveSet, WithoutFrictionNodesSlide) {
-  const auto solution = Springs(0, -0.1).solve();
+  Springs springs(0, -0.1);
+  const auto solution = springs.solve();
   for (int i = 0; i < 6; ++i) {
     EXPECT_STREQ(name_of(solution.state.nodes[i].state), "sliding");
-    EXPECT_EQ(solution.state.nodes[i].slip_sign, 0);
+    EXPECT_TRUE(solution.state.nodes[i].slip_direction.isZero());
     EXPECT_NEAR(solution.F[2 * i], 0, 1e-14);
   }
 }
 
-// Adhesion: a sticking node slides first, and only a sliding one is released (method.md section 5).
+// Adhesion: a sticking node slides first, and only a sliding one is released (METHOD.md 5).
 TEST(ActiveSet, StickingNodeSlidesBeforeItIsReleased) {
   Springs springs(0.3, 0.1);
   springs.touch(2, NodeState::STICKING, 0);
   springs.touch(3, NodeState::SLIDING, 1);
-  springs.problem.max_passes = 2;
+  springs.problem.options.max_passes = 2;
   auto solution = springs.solve();
   EXPECT_STREQ(name_of(solution.state.nodes[2].state), "sliding");
   EXPECT_STREQ(name_of(solution.state.nodes[3].state), "free");
-  springs.problem.max_passes = 12;
+  springs.problem.options.max_passes = 12;
   solution = springs.solve();
   EXPECT_STREQ(name_of(solution.state.nodes[2].state), "free");
-  EXPECT_EQ(solution.state.nodes[2].slip_sign, 0);
+  EXPECT_TRUE(solution.state.nodes[2].slip_direction.isZero());
   EXPECT_EQ(solution.passes, 3);
   EXPECT_EQ(solution.F.norm(), 0);
 }
@@ -90,9 +93,9 @@ TEST(ActiveSet, FrictionExhaustedSlides) {
     const auto solution = springs.solve();
     const auto& node = solution.state.nodes[1];
     EXPECT_STREQ(name_of(node.state), "sliding");
-    EXPECT_EQ(node.slip_sign, -side) << "s runs against x";
+    EXPECT_NEAR(springs.along(node), -side, 1e-15) << "s runs against x";
     EXPECT_NEAR(solution.F[2], -0.03 * side, 1e-13);
-    EXPECT_NEAR(node.s[0] - node.s_ref[0], -0.47 * side, 1e-13);
+    EXPECT_NEAR(EventScene::s(node) - EventScene::origin(node), -0.47 * side, 1e-13);
     EXPECT_FALSE(solution.fresh[1]);
   }
 }
@@ -103,29 +106,29 @@ TEST(ActiveSet, BackwardSlipSticks) {
   springs.problem.free_increment[2] = 0.01; // along -s, too little to slide that way
   const auto solution = springs.solve();
   EXPECT_STREQ(name_of(solution.state.nodes[1].state), "sticking");
-  EXPECT_EQ(solution.state.nodes[1].s[0], solution.state.nodes[1].s_ref[0]);
+  EXPECT_EQ(EventScene::s(solution.state.nodes[1]), EventScene::origin(solution.state.nodes[1]));
   EXPECT_NEAR(solution.F[2], -0.01, 1e-13);
 }
 
 // Where it stuck its spring pulls it off the tool again and again: it gives that place up after two releases.
 TEST(ActiveSet, FullStickingReturnsTwiceToItsPlace) {
   Springs springs(0.3, -0.1);
-  springs.entry[2].s_ref[0] = 18.02;
+  springs.enter_at(2, 18.02);
   for (const bool sticks_always : {true, false})
     for (const int times : {1, 2}) {
       if (sticks_always)
-        springs.model.friction[0] = std::make_shared<StickingFriction>();
+        springs.model.laws = {TangentialLaw<2>(std::make_shared<StickingFriction>())};
       else
-        springs.model.friction[0] = make_coulomb(0.3);
-      springs.releases[2] = times;
+        springs.model.laws = {TangentialLaw<2>(make_coulomb(0.3))};
+      springs.entry.releases[2] = times;
       const auto solution = springs.solve();
-      EXPECT_NEAR(solution.state.nodes[2].s[0], sticks_always && times == 2 ? 18 : 18.02, 1e-14);
+      EXPECT_NEAR(EventScene::s(solution.state.nodes[2]), sticks_always && times == 2 ? 18 : 18.02, 1e-14);
     }
-  springs.model.friction[0] = std::make_shared<StickingFriction>();
-  springs.program.value[1] = 0.1; // the plate lifts
+  springs.model.laws = {TangentialLaw<2>(std::make_shared<StickingFriction>())};
+  springs.prescribed.value[1] = 0.1; // the plate lifts
   springs.touch(2, NodeState::STICKING, 0);
   springs.solve();
-  EXPECT_EQ(springs.releases[2], 3) << "counted, over all calls of a step";
+  EXPECT_EQ(springs.entry.releases[2], 3) << "counted, over all calls of a step";
 }
 
 TEST(ActiveSet, StatesStayInEventStepping) {
@@ -142,51 +145,49 @@ TEST(ActiveSet, StatesStayInEventStepping) {
 namespace {
 
 /// A body that only the plate holds (a shift, here of nothing): nodes 1, 2 slide along s, 3, 4 against it.
-Springs with_neutral_point(const Eigen::VectorXd& shift) {
-  Springs springs(0.3, -0.1);
-  const double slips[] = {0.4, 0.1, -0.2, -0.3};
-  for (int i = 1; i < 5; ++i) {
-    springs.touch(i, NodeState::SLIDING, i < 3 ? 1 : -1);
-    springs.start.nodes[i].s[0] += slips[i - 1];
-    springs.start.nodes[i].s_ref[0] = springs.start.nodes[i].s[0] - slips[i - 1];
+struct NeutralPoint : Springs {
+  explicit NeutralPoint(const Eigen::VectorXd& added_stiffness) : Springs(0.3, -0.1) {
+    const double slips[] = {0.4, 0.1, -0.2, -0.3};
+    for (int i = 1; i < 5; ++i) {
+      touch(i, NodeState::SLIDING, i < 3 ? 1 : -1);
+      slip(start.nodes[i], slips[i - 1]);
+    }
+    problem.added_stiffness = added_stiffness;
   }
-  springs.problem.shift = shift;
-  return springs;
-}
+};
 
 } // namespace
 
 TEST(ActiveSet, FloatingBodySticksAtTheNeutralPoint) {
   for (const bool floating : {true, false}) {
-    Springs springs = with_neutral_point(Eigen::VectorXd::Zero(floating ? 12 : 0));
-    springs.problem.max_passes = 1;
+    NeutralPoint springs(Eigen::VectorXd::Zero(floating ? 12 : 0));
+    springs.problem.options.max_passes = 1;
     const auto solution = springs.solve();
     for (int i = 1; i < 5; ++i)
       EXPECT_STREQ(name_of(solution.state.nodes[i].state), floating && i == 2 ? "sticking" : "sliding");
   }
-  Springs springs =
-      with_neutral_point(Eigen::VectorXd::Zero(12)); // all slide the same way: nothing to choose
-  for (int i = 3; i < 5; ++i) springs.start.nodes[i].slip_sign = 1;
-  springs.problem.max_passes = 1;
+  NeutralPoint springs(Eigen::VectorXd::Zero(12)); // all slide the same way: nothing to choose
+  for (int i = 3; i < 5; ++i) springs.start.nodes[i].slip_direction *= -1;
+  springs.problem.options.max_passes = 1;
   EXPECT_STREQ(name_of(springs.solve().state.nodes[2].state), "sliding");
 }
 
 // The springs pull every node farther than friction holds: the trials end and all slide.
 TEST(ActiveSet, FloatingBodyMaySlideEverywhere) {
-  Springs springs = with_neutral_point(Eigen::VectorXd::Zero(12));
+  NeutralPoint springs(Eigen::VectorXd::Zero(12));
   for (int i = 1; i < 5; ++i) springs.problem.free_increment[2 * i] = i < 3 ? -0.9 : 0.9;
   const auto solution = springs.solve();
   for (int i = 1; i < 5; ++i) {
     EXPECT_STREQ(name_of(solution.state.nodes[i].state), "sliding");
-    EXPECT_EQ(solution.state.nodes[i].slip_sign, i < 3 ? 1 : -1);
+    EXPECT_NEAR(springs.along(solution.state.nodes[i]), i < 3 ? 1 : -1, 1e-15);
   }
   EXPECT_LE(solution.passes, 6);
 }
 
 TEST(ActiveSet, SingularBlockIsReported) {
   Springs springs(0.3);
-  springs.program.is_motion[1] = 0; // a load on the plate that touches nothing
-  springs.program.value[1] = -1;
+  springs.prescribed.is_motion[1] = 0; // a load on the plate that touches nothing
+  springs.prescribed.value[1] = -1;
   const auto solution = springs.solve();
   EXPECT_TRUE(solution.singular);
   EXPECT_EQ(solution.weakest_coordinate, 1);
@@ -195,44 +196,46 @@ TEST(ActiveSet, SingularBlockIsReported) {
 namespace {
 
 /// Three sliding nodes with slips 0.3, 0.1, 0.2; x of the plate, which only friction resists, under force.
-Springs sliding(double mu) {
-  Springs springs(mu);
-  const double slips[] = {0.3, 0.1, 0.2};
-  for (int i = 0; i < 3; ++i) {
-    springs.touch(i, NodeState::SLIDING, mu > 0 ? 1 : 0);
-    springs.start.nodes[i].s[0] += slips[i];
+struct Sliding : Springs {
+  explicit Sliding(double mu) : Springs(mu) {
+    const double slips[] = {0.3, 0.1, 0.2};
+    for (int i = 0; i < 3; ++i) {
+      touch(i, NodeState::SLIDING, mu > 0 ? 1 : 0);
+      slip(start.nodes[i], slips[i]);
+    }
+    prescribed.is_motion[0] = 0;
   }
-  springs.program.is_motion[0] = 0;
-  return springs;
-}
+  int stick(const std::vector<char>& refused = {}) {
+    return stick_unsupported(model, prescribed, start, refused);
+  }
+};
 
 } // namespace
 
-TEST(EnsureSupport, NodeOfTheSmallestSlipSticks) {
-  Springs springs = sliding(0.3);
-  EXPECT_EQ(ensure_support(springs.model, springs.program, springs.start), 1);
+TEST(StickUnsupported, NodeOfTheSmallestSlipSticks) {
+  Sliding springs(0.3);
+  EXPECT_EQ(springs.stick(), 1);
   const auto& node = springs.start.nodes[1];
   EXPECT_STREQ(name_of(node.state), "sticking");
-  EXPECT_EQ(node.s[0], node.s_ref[0]);
-  EXPECT_EQ(node.slip_sign, 0);
-  EXPECT_EQ(ensure_support(springs.model, springs.program, springs.start), -1) << "one is enough";
+  EXPECT_EQ(EventScene::s(node), EventScene::origin(node));
+  EXPECT_TRUE(node.slip_direction.isZero());
+  EXPECT_EQ(springs.stick(), -1) << "one is enough";
 }
 
-TEST(EnsureSupport, RefusedNodesComeLast) {
-  Springs springs = sliding(0.3);
-  EXPECT_EQ(ensure_support(springs.model, springs.program, springs.start, {0, 1, 0, 0, 0, 0}), 2);
-  springs = sliding(0.3);
-  EXPECT_GE(ensure_support(springs.model, springs.program, springs.start, {1, 1, 1, 0, 0, 0}), 0);
+// Nodes that could not stick come last; among them, too, the one of the smallest slip comes first.
+TEST(StickUnsupported, RefusedNodesComeLast) {
+  EXPECT_EQ(Sliding(0.3).stick({0, 1, 0, 0, 0, 0}), 2);
+  EXPECT_EQ(Sliding(0.3).stick({0, 1, 1, 0, 0, 0}), 0);
+  EXPECT_EQ(Sliding(0.3).stick({1, 1, 1, 0, 0, 0}), 1);
 }
 
-TEST(EnsureSupport, NotNeeded) {
-  Springs springs = sliding(0.3);
-  springs.program.is_motion = {1, 0, 0}; // y and angle under force: pressure resists them
-  springs.start.nodes[0].s[0] = springs.start.nodes[0].s_ref[0] = 19;
-  EXPECT_EQ(ensure_support(springs.model, springs.program, springs.start), -1);
-  Springs smooth = sliding(0);
-  EXPECT_EQ(ensure_support(smooth.model, smooth.program, smooth.start), -1) << "nothing could stick";
+TEST(StickUnsupported, NotNeeded) {
+  Sliding springs(0.3);
+  springs.prescribed.is_motion = {1, 0, 0}; // y and angle under force: pressure resists them
+  place_at(springs.start.nodes[0], place_of(*springs.model.tools[0], 19));
+  EXPECT_EQ(springs.stick(), -1);
+  EXPECT_EQ(Sliding(0).stick(), -1) << "nothing could stick";
   Springs nothing(0.3);
-  nothing.program.is_motion[0] = 0;
-  EXPECT_EQ(ensure_support(nothing.model, nothing.program, nothing.start), -1) << "no contact";
+  nothing.prescribed.is_motion[0] = 0;
+  EXPECT_EQ(stick_unsupported(nothing.model, nothing.prescribed, nothing.start), -1) << "no contact";
 }

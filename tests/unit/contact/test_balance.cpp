@@ -1,7 +1,8 @@
 // The convergence test of a step: residuals of free nodes, sliding rows and tools, consistency of states.
+#include "contact/balance.hpp"
 #include "geometry/circle.hpp"
 #include "kinematics/cartesian.hpp"
-#include "stepping/balance.hpp"
+#include "support/profile_tool.hpp"
 #include "unit/finite_difference.hpp"
 
 using namespace burnish;
@@ -14,15 +15,14 @@ struct Scene {
   ContactModel<2> model;
   BodyView<2> body;
   ContactState<2> state;
-  Program program{{1, 1, 1}, Eigen::VectorXd::Zero(3)};
+  PrescribedValues prescribed{{1, 1, 1}, Eigen::VectorXd::Zero(3)};
   Eigen::VectorXd u = Eigen::VectorXd::Zero(8), R = u;
-  double force_tolerance = 1e-6, gap_tolerance = 1e-3, offset_tolerance = 1e-3;
+  BalanceTolerance tolerance{1e-6, 1e-3, 1e-3};
 
   explicit Scene(double mu) {
     model.candidates = {0, 1, 2, 3};
-    model.tools = {
-        std::make_shared<Tool<2>>("roller", std::make_shared<Circle>(2.), std::make_shared<Cartesian>())};
-    model.friction = {make_coulomb(mu)};
+    model.tools = {profile_tool("roller", std::make_shared<Circle>(2.), std::make_shared<Cartesian>())};
+    model.laws.emplace_back(make_coulomb(mu));
     model.first = {0, 3};
     body.X = Eigen::VectorXd::Zero(8);
     body.fixed.assign(8, 0);
@@ -34,10 +34,11 @@ struct Scene {
       ContactNode<2>& node = state.nodes[i];
       node.state = i == 1 ? NodeState::STICKING : NodeState::SLIDING;
       node.tool = 0;
-      node.s[0] = node.s_ref[0] = angle(i);
-      node.slip_sign = mu > 0 ? i - 1 : 0;
+      const double along = mu > 0 ? i - 1 : 0;
+      place_at(node, place_of(*model.tools[0], angle(i)));
+      node.slip_direction = along * model.tools[0]->surface().frame(node.place).E;
       body.X.segment<2>(2 * i) << 2 * std::cos(angle(i)), 2 + 2 * std::sin(angle(i));
-      set_force(i, 5, -node.slip_sign * mu * 5);
+      set_force(i, 5, -along * mu * 5);
     }
   }
   static double angle(int i) { return (-100 + 10 * i) * M_PI / 180; }
@@ -45,8 +46,10 @@ struct Scene {
     const Vector<2> n(std::cos(angle(i)), std::sin(angle(i)));
     R.segment<2>(2 * i) = N * n + T * Vector<2>(-n.y(), n.x());
   }
-  Balance test() const {
-    return balance(model, body, state, program, u, R, force_tolerance, gap_tolerance, offset_tolerance);
+  Balance test() const { return balance(model, body, state, prescribed, u, R, tolerance); }
+  /// The slip of node i is counted from ds further along.
+  void shift_origin(int i, double ds) {
+    state.nodes[i].slip_origin = place_of(*model.tools[0], angle(i) + ds);
   }
 };
 
@@ -85,9 +88,9 @@ TEST(Balance, ToolRowsOverTheirLevers) {
     const Vector<2> arm(2 * std::cos(Scene::angle(i)), 2 * std::sin(Scene::angle(i)));
     force += Vector<3>(F.x(), F.y(), arm.x() * F.y() - arm.y() * F.x());
   }
-  EXPECT_LE((scene.test().tool_force - force).norm(), 1e-13);
-  scene.program.is_motion = {1, 0, 0};
-  scene.program.value = force + Vector<3>(100, 0.1, 0.5);
+  EXPECT_LE((scene.test().generalized_force - force).norm(), 1e-13);
+  scene.prescribed.is_motion = {1, 0, 0};
+  scene.prescribed.value = force + Vector<3>(100, 0.1, 0.5);
   const Balance result = scene.test();
   EXPECT_NEAR(result.residual, 0.25, 1e-13);
   EXPECT_EQ(result.worst_coordinate, 2);
@@ -100,8 +103,8 @@ TEST(Balance, ToolWithoutContactCannotBalance) {
   Scene scene(0.2);
   for (auto& node : scene.state.nodes) node.state = NodeState::FREE;
   scene.R.setZero();
-  scene.program.is_motion = {1, 0, 1};
-  scene.program.value[1] = -3;
+  scene.prescribed.is_motion = {1, 0, 1};
+  scene.prescribed.value[1] = -3;
   EXPECT_DOUBLE_EQ(scene.test().residual, 3);
   EXPECT_EQ(scene.test().worst_coordinate, 1);
 }
@@ -116,11 +119,11 @@ TEST(Balance, InconsistentStates) {
   EXPECT_EQ(count([](Scene& s) { s.set_force(2, -0.1, 0.02); }), 1) << "adhesion of a sliding node";
   EXPECT_EQ(count([](Scene& s) { s.set_force(1, 5, 1.1); }), 1) << "sticks beyond the limit";
   EXPECT_EQ(count([](Scene& s) { s.set_force(1, 5, -0.9); }), 0);
-  EXPECT_EQ(count([](Scene& s) { s.state.nodes[2].s_ref[0] += 0.01; }), 1) << "slips backwards";
-  EXPECT_EQ(count([](Scene& s) { s.state.nodes[0].s_ref[0] += 0.01; }), 0) << "slips forwards";
+  EXPECT_EQ(count([](Scene& s) { s.shift_origin(2, 0.01); }), 1) << "slips backwards";
+  EXPECT_EQ(count([](Scene& s) { s.shift_origin(0, 0.01); }), 0) << "slips forwards";
   EXPECT_EQ(count([](Scene& s) { s.u[2] = 0.01; }), 1) << "off its tool";
   EXPECT_EQ(count([](Scene& s) { s.u[7] = 2; }), 1) << "a free node inside";
-  EXPECT_EQ(count([](Scene& s) { s.state.nodes[2].s_ref[0] += 0.01; }, 0), 0) << "no friction, no direction";
+  EXPECT_EQ(count([](Scene& s) { s.shift_origin(2, 0.01); }, 0), 0) << "no friction, no direction";
 }
 
 TEST(Balance, PenetrationOfFreeNodes) {
@@ -141,9 +144,9 @@ TEST(Balance, NanIsNeverHidden) {
 TEST(CandidateSpacing, MedianOfNearestDistances) {
   Eigen::VectorXd X(10);
   X << 0, 0, 1, 0, 2, 0, 4, 0, 9, 0;
-  EXPECT_DOUBLE_EQ(candidate_spacing(X, 2, {0, 1, 2, 3, 4}), 1); // 1, 1, 1, 2, 5
-  EXPECT_DOUBLE_EQ(candidate_spacing(X, 2, {0, 2, 3, 4}), 2);    // 2, 2, 2, 5
-  EXPECT_DOUBLE_EQ(candidate_spacing(X, 2, {2, 3, 4}), 2);       // 2, 2, 5
-  EXPECT_EQ(candidate_spacing(X, 2, {3}), 0);
-  EXPECT_EQ(candidate_spacing(X, 2, {}), 0);
+  EXPECT_DOUBLE_EQ(candidate_spacing<2>(X, {0, 1, 2, 3, 4}), 1); // 1, 1, 1, 2, 5
+  EXPECT_DOUBLE_EQ(candidate_spacing<2>(X, {0, 2, 3, 4}), 2);    // 2, 2, 2, 5
+  EXPECT_DOUBLE_EQ(candidate_spacing<2>(X, {2, 3, 4}), 2);       // 2, 2, 5
+  EXPECT_EQ(candidate_spacing<2>(X, {3}), 0);
+  EXPECT_EQ(candidate_spacing<2>(X, {}), 0);
 }

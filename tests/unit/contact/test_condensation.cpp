@@ -1,5 +1,6 @@
 // The condensed system as a whole: right-hand sides, expansion, pattern, convergence of Newton's method, bad
 // input.
+#include "contact/slip_motion.hpp"
 #include "solver/unsymmetric_solver.hpp"
 #include "unit/contact/condensed_residual.hpp"
 #include "unit/contact/spring_body.hpp"
@@ -15,29 +16,29 @@ struct Scene {
   SpringContact contact;
   Eigen::VectorXd u = 0.05 * Eigen::VectorXd::LinSpaced(24, -1, 2).array().sin();
   Condensation<2> condensation{contact.model, spring.body};
-  Program before;
+  PrescribedValues before;
   explicit Scene(double mu = 0.3) {
     contact.add(make_tool("roller", Shape::CIRCLE, Frame::POLAR), mu);
     contact.touch(1, 0, 0.3, mu > 0 ? -1 : 0, true);
     contact.touch(3, 0, 0.9, 0, false);
     spring.body.fixed[0] = spring.body.fixed[21] = 1;
-    contact.program.value = Vector<3>(0.04, contact.state.q[1] + 0.05, -0.03);
-    contact.program.is_motion[1] = 1;
-    before = contact.program;
+    contact.prescribed.value = Vector<3>(0.04, contact.state.q[1] + 0.05, -0.03);
+    contact.prescribed.is_motion[1] = 1;
+    before = contact.prescribed;
     before.value = Vector<3>(0.01, contact.state.q[1], -0.02);
     contact.settle(spring.body, u);
   }
   const CondensedSystem& condense(RightHandSide right, bool half = false) {
-    return condensation.condense(spring.tangent(u), contact.state, contact.program, before, u,
+    return condensation.condense(spring.tangent(u), contact.state, {&contact.prescribed, &before}, u,
                                  spring.force(u), GeometricTerms::COMPLETE, right, half);
   }
   Eigen::VectorXd residual() const { // of the unknowns that are not given
     const auto force = [this](const Eigen::VectorXd& x) { return spring.force(x); };
     Eigen::VectorXd r =
         condensed_residual(contact.model, spring.body, force, Eigen::VectorXd::Zero(27), contact.state, u);
-    r.tail<3>() -= contact.program.value;
+    r.tail<3>() -= contact.prescribed.value;
     for (const auto i :
-         of_kind(unknowns(contact.model, contact.state, contact.program, spring.body), Unknown::GIVEN))
+         of_kind(unknowns(contact.model, contact.state, contact.prescribed, spring.body), Unknown::GIVEN))
       r[i] = 0;
     return r;
   }
@@ -47,8 +48,7 @@ struct Scene {
     ASSERT_EQ(solver.factorize(view(system)), FactorStatus::OK);
     const auto step = condensation.expand(solver.solve(system.rhs));
     u += step.du;
-    contact.state.q += step.dq;
-    for (std::size_t i = 0; i < 6; ++i) contact.state.nodes[i].s[0] += step.ds[static_cast<Eigen::Index>(i)];
+    move_by(contact.model, step, contact.state);
   }
 };
 
@@ -57,7 +57,7 @@ struct Scene {
 // Nodes on the tool and no motion: the total right-hand side is minus the condensed residual.
 TEST(Condensation, TotalRightHandSideIsMinusTheResidual) {
   Scene scene;
-  scene.contact.program.value[1] = scene.contact.state.q[1];
+  scene.contact.prescribed.value[1] = scene.contact.state.q[1];
   const Eigen::VectorXd rhs = scene.condense(RightHandSide::TOTAL).rhs;
   EXPECT_LE((rhs + scene.residual()).norm(), 1e-14 * rhs.norm());
 }
@@ -65,7 +65,7 @@ TEST(Condensation, TotalRightHandSideIsMinusTheResidual) {
 // The article's pure rates: increments of forces and motions, no residual. Nothing prescribed, nothing moves.
 TEST(Condensation, RatesKnowIncrementsOnly) {
   Scene scene;
-  scene.contact.program.value[1] = scene.contact.state.q[1];
+  scene.contact.prescribed.value[1] = scene.contact.state.q[1];
   const Eigen::VectorXd rhs = scene.condense(RightHandSide::RATES).rhs;
   EXPECT_NEAR(rhs[24], 0.03, 1e-14);
   EXPECT_EQ(rhs[25], 0);
@@ -78,10 +78,10 @@ TEST(Condensation, MotionIsItsColumnOnTheRight) {
   Scene scene;
   const Eigen::VectorXd moved = scene.condense(RightHandSide::TOTAL).rhs;
   Scene held;
-  held.contact.program.value[1] = held.contact.state.q[1];
+  held.contact.prescribed.value[1] = held.contact.state.q[1];
   const Eigen::VectorXd still = held.condense(RightHandSide::TOTAL).rhs;
   Scene free;
-  free.contact.program.is_motion[1] = 0;
+  free.contact.prescribed.is_motion[1] = 0;
   const Eigen::MatrixXd K = dense(free.condense(RightHandSide::TOTAL));
   Eigen::VectorXd column = 0.05 * K.col(25);
   column[25] = 0;
@@ -106,7 +106,7 @@ TEST(Condensation, NewtonConvergesQuadratically) {
     if (history[k - 1] < 0.1 && history[k] > 1e-13) {
       EXPECT_LE(history[k], 5 * history[k - 1] * history[k - 1]) << "iteration " << k;
     }
-  EXPECT_NEAR(scene.contact.state.q[1], scene.contact.program.value[1], 1e-15);
+  EXPECT_NEAR(scene.contact.state.q[1], scene.contact.prescribed.value[1], 1e-15);
 }
 
 TEST(Condensation, ExpandSeparatesNodesSlipsAndCoordinates) {
@@ -117,18 +117,18 @@ TEST(Condensation, ExpandSeparatesNodesSlipsAndCoordinates) {
   const Eigen::VectorXd z = solver.solve(system.rhs);
   const auto step = scene.condensation.expand(z);
   const int sliding = 2 * 4, sticking = 2 * 6; // mesh nodes of candidates 1 and 3
-  EXPECT_EQ(step.ds[1], z[sliding]);
-  EXPECT_EQ(step.ds[3], 0);
+  EXPECT_EQ(step.slip(0, 1), z[sliding]);
+  EXPECT_EQ(step.slip(0, 3), 0);
   EXPECT_NEAR(step.dq[1], 0.05, 1e-15);
   EXPECT_EQ(step.dq[0], z[24]);
   EXPECT_EQ(step.du[0], 0) << "fixed";
   EXPECT_EQ(step.du[2 * 10 + 1], 0) << "fixed";
   EXPECT_EQ(step.du[5], z[5]) << "free";
   const auto& state = scene.contact.state;
-  const auto p = scene.contact.model.tools[0]->surface(state.q, state.nodes[3].s);
+  const auto p = scene.contact.model.tools[0]->point(state.q, state.nodes[3].place);
   EXPECT_LE((step.du.segment<2>(sticking) - p.x_q * step.dq).norm(), 1e-14);
-  const auto slide = scene.contact.model.tools[0]->surface(state.q, state.nodes[1].s);
-  EXPECT_LE((step.du.segment<2>(sliding) - slide.x_q * step.dq - slide.x_s * step.ds.segment<1>(1)).norm(),
+  const auto slide = scene.contact.model.tools[0]->point(state.q, state.nodes[1].place);
+  EXPECT_LE((step.du.segment<2>(sliding) - slide.x_q * step.dq - slide.E * step.slip.col(1)).norm(),
             1e-14);
 }
 
@@ -147,7 +147,7 @@ TEST(Condensation, BadInput) {
   Scene scene;
   NodeBlockMatrix<2> small = pattern_from_elements<2>(3, 3, {0, 1, 2});
   const auto condense = [&](const NodeBlockMatrix<2>& K, GeometricTerms terms, bool half) {
-    scene.condensation.condense(K, scene.contact.state, scene.contact.program, scene.before, scene.u,
+    scene.condensation.condense(K, scene.contact.state, {&scene.contact.prescribed, &scene.before}, scene.u,
                                 scene.spring.force(scene.u), terms, RightHandSide::TOTAL, half);
   };
   expect_invalid([&] { condense(small, GeometricTerms::COMPLETE, false); },
@@ -159,8 +159,8 @@ TEST(Condensation, BadInput) {
   expect_invalid(
       [&] {
         smooth.condensation.condense(
-            smooth.spring.tangent(smooth.u), smooth.contact.state, smooth.contact.program, smooth.before,
-            smooth.u, smooth.spring.force(smooth.u), GeometricTerms::ARTICLE, RightHandSide::TOTAL, true);
+            smooth.spring.tangent(smooth.u), smooth.contact.state,
+            {&smooth.contact.prescribed, &smooth.before}, smooth.u, smooth.spring.force(smooth.u), GeometricTerms::ARTICLE, RightHandSide::TOTAL, true);
       },
       "condense: the article's terms are not symmetric");
   expect_invalid([&] { scene.condensation.expand(Eigen::VectorXd::Zero(27)); },

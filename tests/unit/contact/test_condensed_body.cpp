@@ -23,7 +23,7 @@ struct Pressed {
   BodyView<2> body;
   ContactModel<2> model;
   ContactState<2> state;
-  Program program{{0, 0, 0}, Eigen::VectorXd::Zero(3)};
+  PrescribedValues prescribed{{0, 0, 0}, Eigen::VectorXd::Zero(3)};
 
   explicit Pressed(double yield_stress, double mu)
       : workpiece(patch(6, SIDE), j2_law<2>(J2Parameters::from_shear(G, 0.32, yield_stress, 0.05 * G)),
@@ -34,9 +34,9 @@ struct Pressed {
     body.fixed.assign(mesh.num_dofs(), 0);
     for (int a : {0, 1, 2}) body.fixed[2 * a] = body.fixed[2 * a + 1] = 1;
     model.candidates = {6, 7, 8};
-    model.tools = {std::make_shared<Tool<2>>("roller", std::make_shared<Circle>(RADIUS),
+    model.tools = {profile_tool("roller", std::make_shared<Circle>(RADIUS),
                                              std::make_shared<Polar>(Vector<2>(0, -SIDE)))};
-    model.friction = {make_coulomb(mu)};
+    model.laws.emplace_back(make_coulomb(mu));
     model.first = {0, 3};
     state.nodes.resize(3);
   }
@@ -47,15 +47,16 @@ struct Pressed {
     const Vector<2> center(0.5 * SIDE, 2 * SIDE + RADIUS - size * SIDE);
     state.q = Vector<3>(center.norm(), std::atan2(center.y(), center.x()), 0.2);
     const auto poses = model.poses(state.q);
-    const double sign = model.friction[0]->frictionless() ? 0 : 1, signs[] = {sign, 0, -sign};
+    const double sign = model.laws[0].frictionless() ? 0 : 1, signs[] = {sign, 0, -sign};
     for (int i = 0; i < 3; ++i) {
       ContactNode<2>& node = state.nodes[i];
       const int dof = 2 * model.candidates[i];
       node.tool = 0;
       node.state = i == 1 ? NodeState::STICKING : NodeState::SLIDING;
-      node.slip_sign = signs[i];
-      node.s = model.tools[0]->closest_point(poses[0], body.position(u, model.candidates[i]), node.s).s;
-      u.segment<2>(dof) = model.tools[0]->surface(poses[0], node.s).x - body.X.segment<2>(dof);
+      const Tool<2>& tool = *model.tools[0];
+      place_at(node, tool.foot(poses[0], body.position(u, model.candidates[i]), node.place.hint).place);
+      node.slip_direction = signs[i] * tool.surface().frame(node.place).E;
+      u.segment<2>(dof) = tool.position(poses[0], node.place) - body.X.segment<2>(dof);
     }
     return u;
   }
@@ -64,10 +65,10 @@ struct Pressed {
     return workpiece.internal_force();
   }
   void compare(const Eigen::VectorXd& u, const NodeBlockMatrix<2>& K, double step, double tolerance) {
-    const auto kind = unknowns(model, state, program, body);
+    const auto kind = unknowns(model, state, prescribed, body);
     const Eigen::VectorXd R = force(u);
     Condensation<2> condensation(model, body);
-    const auto computed = dense(condensation.condense(K, state, program, program, u, R,
+    const auto computed = dense(condensation.condense(K, state, {&prescribed, &prescribed}, u, R,
                                                       GeometricTerms::COMPLETE, RightHandSide::TOTAL, false));
     const auto expected = differenced(
         model, body, [this](const Eigen::VectorXd& x) { return force(x); }, state, u, kind, step);

@@ -16,11 +16,11 @@ struct Sample {
   Eigen::VectorXd u;
   Eigen::MatrixXd tangent(GeometricTerms terms, bool half = false) {
     Condensation<2> condensation(contact.model, spring.body);
-    return dense(condensation.condense(spring.tangent(u), contact.state, contact.program, contact.program, u,
+    return dense(condensation.condense(spring.tangent(u), contact.state, {&contact.prescribed, &contact.prescribed}, u,
                                        spring.force(u), terms, RightHandSide::TOTAL, half));
   }
   std::vector<Unknown> kinds() const {
-    return unknowns(contact.model, contact.state, contact.program, spring.body);
+    return unknowns(contact.model, contact.state, contact.prescribed, spring.body);
   }
   Eigen::MatrixXd expected(double step = 2e-3) const {
     const auto force = [this](const Eigen::VectorXd& x) { return spring.force(x); };
@@ -114,13 +114,13 @@ TEST_P(CondensedTangent, ShorterFormsDifferByTheirParts) {
     if (!in_contact(node.state)) continue;
     const int dof = 2 * mixed.contact.model.candidates[i];
     const auto poses = mixed.contact.model.poses(mixed.contact.state.q);
-    const auto linear = linearize_node(mixed.contact.model, node, static_cast<int>(i), poses,
-                                       Vector<2>(R.segment<2>(dof)), GeometricTerms::COMPLETE);
+    const auto linear = linearize_node<2>(mixed.contact.model, node, static_cast<int>(i), poses,
+                                          R.segment<2>(dof), GeometricTerms::COMPLETE);
     rest.block(24, 24, nq, nq) += linear.geo_qq;
     if (!linear.sliding) continue;
-    slip_rows(dof, dof) += linear.geo_ss;
-    slip_rows.block(dof, 24, 1, nq) += linear.geo_sq.transpose();
-    rest.block(24, dof, nq, 1) += linear.geo_qs;
+    slip_rows(dof, dof) += linear.geo_ss(0, 0);
+    slip_rows.block(dof, 24, 1, nq) += linear.geo_sq;
+    rest.block(24, dof, nq, 1) += linear.geo_qs.transpose();
   }
   EXPECT_LE((none + slip_rows - article).norm(), 1e-14 * complete.norm());
   EXPECT_LE((none + slip_rows + rest - complete).norm(), 1e-14 * complete.norm());
@@ -164,7 +164,7 @@ TEST(CondensedTangentMore, TwoTools) {
   s.contact.touch(2, 0, 0.8, 0, false);
   s.contact.touch(3, 1, 1.9, 0, true);
   s.contact.touch(4, 0, 1.9, -1, true);
-  s.contact.program.is_motion[1] = s.contact.program.is_motion[5] = 1;
+  s.contact.prescribed.is_motion[1] = s.contact.prescribed.is_motion[5] = 1;
   s.u = 0.2 * Eigen::VectorXd::LinSpaced(24, -1, 2).array().cos();
   s.contact.place(s.spring.body, s.u);
   expect_blocks(s.tangent(GeometricTerms::COMPLETE), s.expected(), s.kinds(), 1e-9);
@@ -182,15 +182,15 @@ TEST(CondensedTangentMore, EveryFrictionLaw) {
                         {"formula", make_formula_friction("0.1 + mu*p/(1 + (p/3)^2)", {{"mu", 0.3}}), 1}}) {
     SCOPED_TRACE(c.name);
     Sample s = sample(Shape::CIRCLE, Frame::POLAR, 0.3);
-    s.contact.model.friction[0] = c.law;
+    s.contact.model.laws = {TangentialLaw<2>(c.law)};
     const Eigen::VectorXd R = s.spring.force(s.u);
     int steep = 0;
     for (std::size_t i = 0; i < s.contact.state.nodes.size(); ++i) {
       auto& node = s.contact.state.nodes[i];
-      node.area = 0.4 + 0.3 * static_cast<double>(i);
+      node.tributary_area = 0.4 + 0.3 * static_cast<double>(i);
       if (node.state != NodeState::SLIDING) continue;
-      const auto p = s.contact.model.tools[0]->surface(s.contact.state.q, node.s);
-      steep += c.law->slope(R.segment<2>(2 * s.contact.model.candidates[i]).dot(p.n), node.area) > 0;
+      const auto p = s.contact.model.tools[0]->point(s.contact.state.q, node.place);
+      steep += c.law->slope(R.segment<2>(2 * s.contact.model.candidates[i]).dot(p.n), node.tributary_area) > 0;
     }
     EXPECT_EQ(steep, c.steep);
     expect_blocks(s.tangent(GeometricTerms::COMPLETE), s.expected(), s.kinds(), 1e-9);

@@ -17,9 +17,10 @@ EventScene sliding_scene(double s0, double s1) {
   EventScene scene;
   scene.add(die(), Vector<3>(0, 0, 0), 0.3);
   scene.touch(4, NodeState::SLIDING, 1);
-  scene.start.nodes[4].s[0] = scene.start.nodes[4].slip_rate = s0;
+  scene.start.nodes[4].place = place_of(*scene.model.tools[0], s0);
+  scene.start.nodes[4].slip_rate = s0;
   scene.end.nodes[4] = scene.start.nodes[4];
-  scene.end.nodes[4].s[0] = s1;
+  scene.end.nodes[4].place = place_of(*scene.model.tools[0], s1);
   for (Eigen::VectorXd* R : {&scene.R0, &scene.R1}) EventScene::set_force(*R, 4, 1, -0.3);
   return scene;
 }
@@ -44,7 +45,7 @@ TEST(Pieces, PassageChangesNoState) {
   ContactState<2> after = scene.end;
   apply_events(scene.model, scene.body, events, scene.u1, after);
   EXPECT_EQ(after.nodes[4].state, NodeState::SLIDING);
-  EXPECT_EQ(after.nodes[4].slip_sign, 1);
+  EXPECT_EQ(after.nodes[4].slip_direction, scene.end.nodes[4].slip_direction);
 }
 
 TEST(Pieces, ImplicitStepsLogIt) {

@@ -6,19 +6,22 @@ using namespace burnish::test;
 
 namespace {
 
-ContactEvent<2> event_at(EventKind kind, int candidate, double slip_sign = 0) {
+ContactEvent<2> event_at(EventKind kind, int candidate, const Vector<2>& direction = Vector<2>::Zero()) {
   ContactEvent<2> event;
   event.kind = kind;
   event.candidate = event.node = candidate;
-  event.slip_sign = slip_sign;
+  event.slip_direction = direction;
   return event;
 }
 
-void expect_node(const ContactNode<2>& node, NodeState state, double s, double slip_sign) {
+void expect_node(const ContactNode<2>& node, NodeState state, double s,
+                 const Vector<2>& direction = Vector<2>::Zero()) {
   EXPECT_STREQ(name_of(node.state), name_of(state));
-  EXPECT_NEAR(node.s[0], s, 1e-13);
-  EXPECT_EQ(node.s_ref[0], node.s[0]);
-  EXPECT_EQ(node.slip_sign, slip_sign);
+  EXPECT_NEAR(node.place.hint[0], s, 1e-13);
+  EXPECT_NEAR(node.place.y[0], 20 - s, 1e-13);
+  EXPECT_EQ(node.slip_origin.hint, node.place.hint);
+  EXPECT_EQ(node.slip_origin.y, node.place.y);
+  EXPECT_EQ(node.slip_direction, direction);
   EXPECT_EQ(node.slip_rate, 0);
 }
 
@@ -31,19 +34,19 @@ TEST(ApplyEvents, EachKind) {
   scene.touch(2, NodeState::SLIDING, -1);
   scene.touch(3, NodeState::STICKING, 0);
   for (int i : {1, 2, 3}) {
-    scene.start.nodes[i].s_ref[0] -= 0.1;
+    scene.start.nodes[i].slip_origin = place_of(*scene.model.tools[0], EventScene::s(scene.start.nodes[i]) - 0.1);
     scene.start.nodes[i].slip_rate = 3;
   }
   apply_events<2>(scene.model, scene.body,
                   {event_at(EventKind::TOUCH, 0), event_at(EventKind::RELEASE, 1),
-                   event_at(EventKind::SLIP_TO_STICK, 2), event_at(EventKind::STICK_TO_SLIP, 3, -1),
+                   event_at(EventKind::SLIP_TO_STICK, 2), event_at(EventKind::STICK_TO_SLIP, 3, Vector<2>(1, 0)),
                    event_at(EventKind::YIELD, -1)},
                   scene.u0, scene.start);
-  expect_node(scene.start.nodes[0], NodeState::TOUCHED, 20, 0);
+  expect_node(scene.start.nodes[0], NodeState::TOUCHED, 20);
   EXPECT_EQ(scene.start.nodes[0].tool, 0);
-  expect_node(scene.start.nodes[1], NodeState::LEAVING, 19, 0);
-  expect_node(scene.start.nodes[2], NodeState::STICKING, 18, 0);
-  expect_node(scene.start.nodes[3], NodeState::SLIDING, 17, -1);
+  expect_node(scene.start.nodes[1], NodeState::LEAVING, 19);
+  expect_node(scene.start.nodes[2], NodeState::STICKING, 18);
+  expect_node(scene.start.nodes[3], NodeState::SLIDING, 17, Vector<2>(1, 0));
   EXPECT_EQ(scene.start.nodes[4].state, NodeState::FREE);
 }
 
@@ -51,7 +54,7 @@ TEST(ApplyEvents, TouchWithoutFrictionSlides) {
   EventScene scene;
   scene.add_plate(0, 0);
   apply_events<2>(scene.model, scene.body, {event_at(EventKind::TOUCH, 5)}, scene.u0, scene.start);
-  expect_node(scene.start.nodes[5], NodeState::SLIDING, 15, 0);
+  expect_node(scene.start.nodes[5], NodeState::SLIDING, 15);
 }
 
 // LEAVING takes its rest reaction off in one step; then the node recedes until its gap has opened, or, if it
