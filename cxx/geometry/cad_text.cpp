@@ -76,12 +76,15 @@ void check_geo(const std::string& path, const std::string& text) {
   if (std::count(last.begin(), last.end(), ';') > 1)
     fail(WHERE, quoted + " does not end with a new line: gmsh would read only one command of its last line");
   std::istringstream lines(text);
-  const std::regex exit("(^|;|\\})\\s*Exit\\b");
+  const std::regex runs("(^|[;})/])\\s*((NonBlocking)?SystemCall|System|OnelabRun)\\b(?!\\s*=)");
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    if (std::regex_search(line.substr(0, line.find("//")), exit))
-      fail(WHERE, quoted + ", line " + std::to_string(number) + ": Exit would end this program; take it out");
+    line = line.substr(0, line.find("//"));
+    std::smatch found;
+    if (std::regex_search(line, found, runs))
+      fail(WHERE, quoted + ", line " + std::to_string(number) + ": " + found[2].str() +
+                      " would run another program; take it out");
   }
 }
 
