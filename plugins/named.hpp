@@ -61,10 +61,10 @@ template <class Spec, class Result, class... Args> class NamedOperator : public 
 public:
   class Op : public E_F0mps {
   public:
-    Expression nargs[Spec::n], positional[sizeof...(Args)];
-    Op(const basicAC_F0& args, aType* types) {
-      for (int i = 0; i < Spec::n; ++i) nargs[i] = nullptr;
-      args.SetNameParam(Spec::n, Spec::names, nargs);
+    std::vector<Expression> nargs;
+    Expression positional[sizeof...(Args)];
+    Op(const basicAC_F0& args, aType* types) : nargs(static_cast<std::size_t>(Spec::n), nullptr) {
+      args.SetNameParam(Spec::n, Spec::names, nargs.data());
       for (std::size_t i = 0; i < sizeof...(Args); ++i)
         positional[i] = types[i]->CastTo(args[static_cast<int>(i)]);
     }
@@ -72,7 +72,7 @@ public:
 
   private:
     template <std::size_t... I> AnyType run(Stack stack, std::index_sequence<I...>) const {
-      const Named named(stack, nargs, Spec::names, Spec::n);
+      const Named named(stack, nargs.data(), Spec::names, Spec::n);
       return SetAny<Result>(
           guarded([&] { return Spec::call(named, GetAny<Args>((*positional[I])(stack))...); }));
     }

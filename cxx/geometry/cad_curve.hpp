@@ -1,7 +1,7 @@
 #pragma once
 // Profiles drawn in a CAD system: .geo, .step, .stp or .brep files.
 #include "geometry/cad_search.hpp"
-#include "geometry/profile.hpp"
+#include "geometry/shape_kind.hpp"
 
 namespace burnish {
 
@@ -72,5 +72,8 @@ private:
 
 /// The curves of a selection in the order given, in the tool's unit of length.
 std::vector<CadPiece> read_curves(const CadSelection& selection);
+
+/// "cad="file"" in scripts.
+ShapeKind cad_curve_shape();
 
 } // namespace burnish
