@@ -1,6 +1,7 @@
 #include "gmsh/burnish_gmsh.h"
 #include "base/memory_limit.hpp"
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <gmsh.h>
@@ -150,6 +151,19 @@ bool write_entities(const std::string& folder) {
   return true;
 }
 
+// (gmsh would be busy with them for minutes)
+std::string not_finite() {
+  gmsh::vectorpair points;
+  gmsh::model::getEntities(points, 0);
+  for (const auto& point : points) {
+    std::vector<double> x;
+    gmsh::model::getValue(0, point.second, {}, x);
+    for (const double value : x)
+      if (!std::isfinite(value)) return "point " + std::to_string(point.second) + " is not finite";
+  }
+  return "";
+}
+
 // Texts that are handed out.
 const char* told(const std::string& text) {
   static std::string kept;
@@ -186,6 +200,8 @@ const char* burnish_gmsh_mesh(const char* file, const burnish_gmsh_number* numbe
   return without_exceptions([&]() -> std::string {
     start(true);
     if (!merge(file, Numbers(numbers, numbers + count), folder).empty()) return last_lines();
+    const std::string wrong = not_finite();
+    if (!wrong.empty()) return wrong;
     gmsh::model::mesh::generate(2);
     if (!first_error().empty()) return last_lines();
     gmsh::option::setNumber("Mesh.MshFileVersion", 2.2);
