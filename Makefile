@@ -26,7 +26,7 @@ OCC_INCLUDE     ?= /usr/include/opencascade
 # BLAS and LAPACK by their run-time names: whatever the system's alternatives select counts
 LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3 -lginac -lcln $(OCC_LIBRARIES) -ldl
 # (from OpenCASCADE 7.8 on: -lTKDESTEP for the first two)
-OCC_LIBRARIES ?= -lTKSTEP -lTKXSBase -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKMath -lTKernel
+OCC_LIBRARIES ?= -lTKSTEP -lTKXSBase -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
 
 FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -Wall -Wextra -Icxx \
         -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) -isystem $(OCC_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)

@@ -31,7 +31,7 @@ void* open_library() {
   if (path == NAME) path = std::string("./") + NAME; // not somewhere in the system's folders
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library) return library;
-  fail("gmsh", std::string("its library cannot be opened: ") + dlerror() +
+  fail("gmsh", std::string("gmsh's library cannot be opened: ") + dlerror() +
                    "; Debian's package libgmsh-dev has it, and make builds " + NAME);
 }
 
@@ -61,7 +61,8 @@ std::string told(const ChildEnd& end, const std::string& log) {
   const std::string last = last_line(file_content(log));
   return "gmsh breaks down over it" +
          (end.signal ? std::string(" (") + strsignal(end.signal) + ")" : std::string()) +
-         (last.empty() ? "" : ": " + last);
+         (end.signal == SIGABRT ? "; is a number in it not finite?" : "") +
+         (last.empty() ? "" : " Its last words: " + last.substr(0, 200));
 }
 
 } // namespace
