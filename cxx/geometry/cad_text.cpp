@@ -44,6 +44,20 @@ void check_kind(const std::string& quoted, const std::string& end, const std::st
     fail(WHERE, quoted + " is no STEP file: it does not begin with \"ISO-10303-21\"");
 }
 
+// OpenCASCADE takes them, and is busy with them for ever.
+void check_finite(const std::string& quoted, const std::string& text) {
+  const std::regex word("(^|\\s)([-+]?(nan|inf)\\S*)", std::regex::icase);
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    std::smatch found;
+    if (std::regex_search(line, found, word))
+      fail(WHERE,
+           quoted + ", line " + std::to_string(number) + ": " + found[2].str() + " is no finite number");
+  }
+}
+
 /// A .geo file and what it includes, as far as the names of these files are written there.
 struct GeoText {
   std::vector<std::pair<std::string, std::string>> files; ///< paths and contents
@@ -121,9 +135,10 @@ void check_cad_text(const std::string& path, const std::map<std::string, double>
     gather(path, text, all);
     for (const auto& [name, content] : all.files) check_geo(name, content);
     check_known(quoted, all, numbers);
-  } else if (!numbers.empty()) {
-    fail(WHERE, quoted + " takes no numbers, only .geo files do");
+    return;
   }
+  if (!numbers.empty()) fail(WHERE, quoted + " takes no numbers, only .geo files do");
+  if (end == ".brep") check_finite(quoted, text);
 }
 
 } // namespace burnish

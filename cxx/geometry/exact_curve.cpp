@@ -32,6 +32,12 @@ Handle(Geom_BSplineCurve) spline_below(Handle(Geom_Curve) curve) {
   }
 }
 
+void check_knots(const Handle(Geom_BSplineCurve) & spline, const std::string& name) {
+  for (int i = 1; !spline.IsNull() && i <= spline->NbKnots(); ++i)
+    if (!(std::abs(spline->Knot(i)) < ENDLESS && (i == 1 || spline->Knot(i) > spline->Knot(i - 1))))
+      fail(WHERE, name + " has knots that are not finite or do not ascend");
+}
+
 /// Ends and all knots between them, ascending. (Adaptors know of no knots of splines of degree 5 and more: what
 /// they call CN is four derivatives.)
 std::vector<double> knots_between(const Handle(Geom_BSplineCurve) & spline, double begin, double end) {
@@ -93,6 +99,7 @@ ExactCurve::ExactCurve(const CadEdge& edge, const std::string& name) {
     kept->curve = edge.curve;
     if (kept->curve->IsKind(STANDARD_TYPE(Geom_BezierCurve)))
       kept->curve = GeomConvert::CurveToBSplineCurve(kept->curve);
+    check_knots(spline_below(kept->curve), name);
     m_knots = knots_between(spline_below(kept->curve), edge.begin, edge.end);
     if (kept->curve->IsKind(STANDARD_TYPE(Geom_BSplineCurve))) {
       const auto spline = Handle(Geom_BSplineCurve)::DownCast(kept->curve->Copy());

@@ -131,7 +131,7 @@ void try_mutants(const std::string& path, int n, unsigned seed) {
   }
   std::cout << path << ": ";
   for (const auto& [what, count] : counts) std::cout << count << " " << what << ", ";
-  std::cout << "\n";
+  std::cout << std::endl;
 }
 
 } // namespace

@@ -75,6 +75,13 @@ TEST(CadDamaged, NumbersInBrepFiles) {
     EXPECT_THROW(opened(with(brep, " 15\n", std::string(" ") + wrong + "\n"), ".brep"),
                  std::invalid_argument);
   }
+  refuses(with(brep, " 15\n", " -NaN(2)\n"), ".brep", "line 7: -NaN(2) is no finite number");
+  // the reader never comes back from a curve on a surface that ends at NaN, nor the knots of a closed spline
+  refuses(with(brep, "Curve2ds 0\n", "Curve2ds 1\n8 nan 6.28\n2 0 0 1 0 -0 1 1\n"), ".brep",
+          "line 6: nan is no finite number");
+  const std::string lobe = content("lobe.brep");
+  for (const char* knot : {" 1e400 2", " 1e60 2"})
+    refuses(with(lobe, " 8 2", knot), ".brep", " knots that are not finite or do not ascend");
   refuses(with(brep, " 15\n", " -15\n"), ".brep", "has no curve in space");
   refuses(with(brep, "Curves 1", "Curves 123456789"), ".brep", "the text is damaged or cut short");
 }
