@@ -46,15 +46,18 @@ void check_kind(const std::string& quoted, const std::string& end, const std::st
 
 // OpenCASCADE takes them, and is busy with them for ever.
 void check_finite(const std::string& quoted, const std::string& text) {
-  const std::regex word("(^|\\s)([-+]?(nan|inf)\\S*)", std::regex::icase);
-  std::istringstream lines(text);
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    std::smatch found;
-    if (std::regex_search(line, found, word))
+  const char* const blanks = " \t\r\n";
+  for (std::size_t begin = 0; (begin = text.find_first_not_of(blanks, begin)) != std::string::npos;) {
+    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    std::string word = text.substr(begin, std::min<std::size_t>(end - begin, 4));
+    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string letters = word.substr(word[0] == '-' || word[0] == '+' ? 1 : 0, 3);
+    if (letters == "nan" || letters == "inf")
       fail(WHERE,
-           quoted + ", line " + std::to_string(number) + ": " + found[2].str() + " is no finite number");
+           quoted + ", line " +
+               std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<long>(begin), '\n')) +
+               ": " + text.substr(begin, end - begin) + " is no finite number");
+    begin = end;
   }
 }
 
