@@ -16,17 +16,20 @@ CASE     ?= rolling
 SHELL := /bin/bash
 export PATH := $(or $(PATH),/usr/local/bin:/usr/bin:/bin)
 
-# Where FreeFEM, Eigen and SuiteSparse are (Debian's places)
+# Where FreeFEM, Eigen, SuiteSparse and OpenCASCADE are (Debian's places)
 FREEFEM_LOAD    ?= /usr/lib/freefem++
 FREEFEM_IDP     ?= /usr/include/freefem++/idp
 FREEFEM_INCLUDE ?= /usr/include/freefem++
 EIGEN_INCLUDE   ?= /usr/include/eigen3
 SPARSE_INCLUDE  ?= /usr/include/suitesparse
+OCC_INCLUDE     ?= /usr/include/opencascade
 # BLAS and LAPACK by their run-time names: whatever the system's alternatives select counts
-LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3 -lgmsh -lginac -lcln
+LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3 -lginac -lcln $(OCC_LIBRARIES) -ldl
+# (from OpenCASCADE 7.8 on: -lTKDESTEP for the first two)
+OCC_LIBRARIES ?= -lTKSTEP -lTKXSBase -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
 
 FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -Wall -Wextra -Icxx \
-        -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)
+        -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) -isystem $(OCC_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)
 PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
 
 # --- sources and products ----------------------------------------------------------------------------------
@@ -36,11 +39,15 @@ SUITES   := unit plugin verification regression long
 PROGRAMS := unit verification long benchmark
 CORE     := $(BUILD)/libburnish.a
 PLUGIN   := $(BUILD)/plugins/burnish.so
+# gmsh is linked with this one only, which the core opens when a .geo file is to be read; it looks for it beside
+# itself, then in ../plugins
+GMSH     := $(BUILD)/plugins/burnish_gmsh.so
 WRAPPER  := $(BUILD)/burnish
-CXX_SOURCES    := $(call sources,cxx)
+GMSH_SOURCES   := $(call sources,cxx/gmsh)
+CXX_SOURCES    := $(filter-out $(GMSH_SOURCES),$(call sources,cxx))
 PLUGIN_SOURCES := $(sort $(wildcard plugins/*.cpp))
 $(foreach p,$(PROGRAMS),$(eval SOURCES_$(p) := $(if $(wildcard tests/$(p)),$(call sources,tests/$(p)))))
-ALL_SOURCES := $(CXX_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
+ALL_SOURCES := $(CXX_SOURCES) $(GMSH_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
 
 # What a suite runs: its GoogleTest program (every .cpp of its folder), and every .edp and .sh of its folders.
 # Helpers are .idp, .hpp and .py files, or live in tests/support; stray is what would be skipped silently.
@@ -149,7 +156,7 @@ help: ## this list
 	@awk -F':.*## ' '/^[a-z%-]+:.*## / {sub("%", "NAME", $$1); printf "make %-18s %s\n", $$1, $$2}' Makefile
 
 # --- rules of compilation ----------------------------------------------------------------------------------------
-compile: $(CORE) $(WRAPPER) $(PLUGIN)
+compile: $(CORE) $(WRAPPER) $(PLUGIN) $(GMSH)
 
 # $(call keep,TEXT): write TEXT to the target only if it changed, so that only real changes rebuild
 keep = @mkdir -p $(@D) && { [ -f $@ ] && printf '%s\n' "$(1)" | cmp -s - $@ || printf '%s\n' "$(1)" >$@; }
@@ -177,8 +184,13 @@ $(PLUGIN): $(call objects,$(PLUGIN_SOURCES)) $(CORE)
 	@echo "link    $@"
 	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
 
+$(GMSH): $(call objects,$(GMSH_SOURCES))
+	@mkdir -p $(@D)
+	@echo "link    $@"
+	@$(CXX) -shared $(LDFLAGS) $^ -lgmsh -o $@.new && mv $@.new $@
+
 define program_rule
-$(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(CORE)
+$(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(CORE) | $(GMSH)
 	@mkdir -p $$(@D)
 	@echo "link    $$@"
 	@$$(CXX) $$(LDFLAGS) $$(filter %.o,$$^) $$(CORE) $(2) -pthread -Wl,--as-needed $$(LIBRARIES) -o $$@.new \

@@ -1,79 +1,57 @@
 // The profile of a tool, and what scripts read of it. Arrays: inline, real[int] or int[int].
-//   tool t(chain=[x0,y0,r0, x1,y1,r1, ...]);   lines joined by fillets: corners, radii (0 at both ends);
-//                                              closed=true
-//   tool t(cad="cam.step", scale=1e-3);        .geo .step .stp .brep; curves=[3,4]; geo="R=2; H=8" gives
-//                                              numbers to the DefineConstants of a .geo file
+//   tool t(circle=R);  tool t(chain=[x0,y0,r0, x1,y1,r1, ...], closed=true);  tool t(cad="cam.step", scale=1e-3);
+//                                              all kinds and parameters: cout << rcShapes(0), or the core's
+//                                              geometry/shapes.hpp
 //                                              FreeFEM reads letters beyond ASCII in a path only from the
 //                                              command line: cad=getARGV("-cad", "")
 //   closed: body outside; open: body on the left of the direction of travel; inside=true swaps
 //   t.outlinex(n), t.outliney(n)               outline of the tool where it is, n points and its joints
 //   t.tightestradius                           smallest radius of curvature; inf for lines
 #include "tool_shapes.hpp"
-#include "base/error.hpp"
-#include "geometry/arc_chain.hpp"
-#include "geometry/cad_curve.hpp"
-#include "geometry/circle.hpp"
-#include "geometry/segment.hpp"
 #include "kinematics/outline.hpp"
 #include "types.hpp"
 
 namespace burnish {
 namespace {
 
-using Shape = std::shared_ptr<const Profile<2>>;
-
-Shape circle(const Named& named) {
-  return std::make_shared<Circle>(named.real("circle", 0), named.boolean("inside", false));
+const std::vector<ShapeParameter>& parameters() {
+  static const std::vector<ShapeParameter> list = shape_parameters();
+  return list;
 }
 
-Shape line(const Named& named) {
-  const std::vector<double> p = named.numbers("line");
-  require(p.size() == 4, "tool", "number of values in line", p.size(), "4: [x0,y0,x1,y1]");
-  return std::make_shared<Segment>(Vector<2>(p[0], p[1]), Vector<2>(p[2], p[3]));
-}
-
-Shape chain(const Named& named) {
-  const std::vector<double> p = named.numbers("chain");
-  require(p.size() % 3 == 0 && !p.empty(), "tool", "number of values in chain", p.size(),
-          "three per point: [x0,y0,r0, x1,y1,r1, ...]");
-  std::vector<Vector<2>> points;
-  std::vector<double> radii;
-  for (std::size_t i = 0; i < p.size(); i += 3) {
-    points.emplace_back(p[i], p[i + 1]);
-    radii.push_back(p[i + 2]);
+const std::type_info* type_of(ShapeValue value) {
+  switch (value) {
+  case ShapeValue::NUMBER:
+    return &typeid(double);
+  case ShapeValue::NUMBERS:
+    return &typeid(NumberList*);
+  case ShapeValue::TEXT:
+    return &typeid(string*);
+  case ShapeValue::FLAG:
+    return &typeid(bool);
   }
-  return called("tool", [&] {
-    return std::make_shared<ArcChain>(points, radii, named.boolean("closed", false),
-                                      named.boolean("inside", false));
-  });
+  return nullptr;
 }
 
-Shape cad(const Named& named) {
-  CadSelection selection;
-  selection.file = named.text("cad", "");
-  if (named.has("curves")) {
-    const std::vector<double> tags = named.numbers("curves");
-    if (tags.empty()) fail("tool", "curves is an empty array: name curves, or leave it out to take all");
-    for (const double tag : tags) {
-      require(tag == std::round(tag) && std::abs(tag) < 1e9, "tool", "tag in curves", tag, "an integer");
-      selection.curves.push_back(static_cast<int>(tag));
-    }
+void take(const Named& named, const ShapeParameter& parameter, ShapeArguments& arguments) {
+  const std::string& name = parameter.name;
+  switch (parameter.value) {
+  case ShapeValue::NUMBER:
+    arguments.numbers[name] = named.real(name.c_str(), 0);
+    break;
+  case ShapeValue::NUMBERS:
+    arguments.lists[name] = named.numbers(name.c_str());
+    break;
+  case ShapeValue::TEXT:
+    arguments.texts[name] = named.text(name.c_str(), "");
+    break;
+  case ShapeValue::FLAG:
+    arguments.flags[name] = named.boolean(name.c_str(), false);
+    break;
   }
-  selection.scale = named.real("scale", 1);
-  selection.numbers = named.text("geo", "");
-  selection.inside = named.boolean("inside", false);
-  return called("tool", [&] { return std::make_shared<CadCurve>(selection); });
 }
 
-struct Kind {
-  const char* name;
-  Shape (*make)(const Named&);
-  std::vector<std::string> takes;
-};
-const Kind KINDS[] = {{"circle", circle, {"inside"}},
-                      {"line", line, {}},
-                      {"chain", chain, {"closed", "inside"}},
-                      {"cad", cad, {"curves", "scale", "geo", "inside"}}};
+string* help(Stack stack, const long&) { return new_string(stack, shape_help()); }
 
 struct OutlineXTag {};
 struct OutlineYTag {};
@@ -98,23 +76,19 @@ double tightest_radius(ToolHandle* const& handle) {
 
 } // namespace
 
-Shape shape_of(const Named& named) {
-  const Kind* chosen = nullptr;
-  int count = 0;
-  for (const Kind& kind : KINDS)
-    if (named.has(kind.name)) {
-      chosen = &kind;
-      ++count;
-    }
-  if (count != 1)
-    fail("tool", "give exactly one profile: circle=R, line=[x0,y0,x1,y1], chain=[x0,y0,r0, x1,y1,r1, "
-                 "...] or cad=\"file\"");
-  for (const char* option : {"closed", "curves", "scale", "geo", "inside"})
-    if (named.has(option) &&
-        std::find(chosen->takes.begin(), chosen->takes.end(), option) == chosen->takes.end())
-      fail("tool", std::string(chosen->name) + "= takes no " + option + "=" +
-                       (chosen->make == line ? "; swap the ends of a line to turn it" : ""));
-  return chosen->make(named);
+std::vector<basicAC_F0::name_and_type> shape_names(const std::vector<basicAC_F0::name_and_type>& more) {
+  std::vector<basicAC_F0::name_and_type> names;
+  for (const ShapeParameter& parameter : parameters())
+    names.push_back({parameter.name.c_str(), type_of(parameter.value)});
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
+}
+
+std::shared_ptr<const Profile<2>> shape_of(const Named& named) {
+  ShapeArguments arguments;
+  for (const ShapeParameter& parameter : parameters())
+    if (named.has(parameter.name.c_str())) take(named, parameter, arguments);
+  return called("tool", [&] { return make_shape(arguments); });
 }
 
 void register_tool_shapes() {
@@ -124,6 +98,7 @@ void register_tool_shapes() {
   add_method<ToolHandle, OutlineYTag>("outliney", [] {
     return new OneOperator2s_<KN_<double>, Method<ToolHandle, OutlineYTag>, long>(outline_y);
   });
+  Global.Add("rcShapes", "(", new OneOperator1s_<string*, long>(help));
   Add<ToolHandle*>("tightestradius", ".", new OneOperator1_<double, ToolHandle*>(tightest_radius));
 }
 

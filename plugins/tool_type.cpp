@@ -20,8 +20,9 @@ namespace burnish {
 namespace {
 
 struct Construct {
-  static const int n = SHAPE_NAMES + 1;
-  static basicAC_F0::name_and_type names[n];
+  static std::vector<basicAC_F0::name_and_type> list;
+  static const int n;
+  static basicAC_F0::name_and_type* const names;
   static ToolHandle* call(const Named& named, ToolHandle* handle) {
     static int count = 0;
     handle->init();
@@ -33,7 +34,9 @@ struct Construct {
     return handle;
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {BURNISH_SHAPE_NAMES, {"name", &typeid(string*)}};
+std::vector<basicAC_F0::name_and_type> Construct::list = shape_names({{"name", &typeid(string*)}});
+const int Construct::n = static_cast<int>(list.size());
+basicAC_F0::name_and_type* const Construct::names = list.data();
 
 struct CoordinatesTag {};
 using CoordinatesMethod = Method<ToolHandle, CoordinatesTag>;

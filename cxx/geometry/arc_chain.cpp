@@ -78,4 +78,25 @@ double ArcChain::tightest_radius() const {
   return 1 / sharpest;
 }
 
+ShapeKind arc_chain_shape() {
+  return {"chain=[x0,y0,r0, x1,y1,r1, ...]",
+          {{"chain", ShapeValue::NUMBERS,
+            "lines from corner to corner, each corner with the radius of its fillet [length]"},
+           {"closed", ShapeValue::FLAG,
+            "true: back to the first corner, body outside; else the body is on the left"},
+           {"inside", ShapeValue::FLAG, "true: body on the other side"}},
+          [](const ShapeArguments& given) {
+            const std::vector<double> p = given.list("chain");
+            require(p.size() % 3 == 0 && !p.empty(), "chain", "number of values in chain", p.size(),
+                    "three per point: [x0,y0,r0, x1,y1,r1, ...]");
+            std::vector<Vector<2>> points;
+            std::vector<double> radii;
+            for (std::size_t i = 0; i < p.size(); i += 3) {
+              points.emplace_back(p[i], p[i + 1]);
+              radii.push_back(p[i + 2]);
+            }
+            return std::make_shared<ArcChain>(points, radii, given.flag("closed"), given.flag("inside"));
+          }};
+}
+
 } // namespace burnish

@@ -1,7 +1,7 @@
 #pragma once
 // Straight lines joined by fillet arcs: punches and dies with rounded edges, cams, crowned tools.
 #include "geometry/arc_piece.hpp"
-#include "geometry/profile.hpp"
+#include "geometry/shape_kind.hpp"
 
 namespace burnish {
 
@@ -66,5 +66,8 @@ private:
 /// Lines and arcs of a chain, checked as ArcChain says, in the order of travel; without lines of zero length.
 std::vector<ArcPiece> filleted(const std::vector<Vector<2>>& points, const std::vector<double>& radii,
                                bool closed);
+
+/// "chain=[x0,y0,r0, x1,y1,r1, ...]" in scripts.
+ShapeKind arc_chain_shape();
 
 } // namespace burnish

@@ -1,7 +1,7 @@
 #pragma once
 // Profiles drawn in a CAD system: .geo, .step, .stp or .brep files.
 #include "geometry/cad_search.hpp"
-#include "geometry/profile.hpp"
+#include "geometry/shape_kind.hpp"
 
 namespace burnish {
 
@@ -12,6 +12,7 @@ struct CadSelection {
   double scale = 1;        ///< tool's unit of length per unit of the file; STEP files arrive in mm
   std::string numbers;     ///< "R=10e-3; H=2e-3" for the DefineConstants of a .geo file
   bool inside = false;     ///< body on the other side
+  double seconds = 10;     ///< of computing that gmsh may take over a .geo file
 };
 
 /// Curves of the plane z = 0, ordered into one open chain or closed loop and turned as needed; neighbors must
@@ -20,15 +21,16 @@ struct CadSelection {
 ///   open    0 <= s <= L, the body on the LEFT of the direction of the FIRST curve given (else: lowest tag)
 ///   closed  periodic, s any real number, the body OUTSIDE; s = 0 where the first curve begins
 ///   inside  swaps the side of the body in both
-/// All values come from the exact curve (CadSpans), no facets; after the constructor gmsh is not needed.
+/// All values come from the exact curve (ExactCurve), no facets.
 /// OpenCASCADE converts STEP files to mm by itself, whatever their unit: scale=1e-3 makes meters of them;
 /// .geo and .brep files keep their numbers. OpenCASCADE takes points closer than 1e-7 of its unit for one:
 /// draw small parts in mm.
 class CadCurve : public Profile<2> {
 public:
-  /// @throws std::invalid_argument: see CadFile, CadSpans, chained; a scale that is not positive, an unknown
-  /// tag (lists those that exist; tells if it is a surface), a curve that is not in the plane z = 0, a chain
-  /// that crosses or touches itself
+  /// @throws std::invalid_argument: see CadFile, ExactCurve, chained; a scale that is not positive, an unknown
+  /// tag (lists those that exist; tells if it is a surface), a curve that is not in the plane z = 0, without
+  /// length, with points that are not finite or beyond 1e50, with a corner (more than 1e-3 rad) or a sudden
+  /// change of speed inside; a chain that crosses or touches itself
   explicit CadCurve(const CadSelection& selection);
   const std::vector<CadPiece>& pieces() const { return m_chain.pieces; }
   double length() const { return m_start.back(); }
@@ -70,5 +72,8 @@ private:
 
 /// The curves of a selection in the order given, in the tool's unit of length.
 std::vector<CadPiece> read_curves(const CadSelection& selection);
+
+/// "cad="file"" in scripts.
+ShapeKind cad_curve_shape();
 
 } // namespace burnish

@@ -1,19 +1,24 @@
 #pragma once
 // One CAD curve as a piece of a profile: its direction of travel and a parameter that takes its arc length.
-#include "geometry/cad_spans.hpp"
-#include <memory>
-#include <string>
+#include "geometry/exact_curve.hpp"
 
 namespace burnish {
+
+/// x, x_s, x_ss in the plane.
+struct CadValue {
+  Vector<2> x, first, second;
+};
 
 /// s runs from 0 to length in the direction of travel, linear in the CAD parameter u.
 class CadPiece {
 public:
-  CadPiece(int tag, std::shared_ptr<const CadSpans> spans);
+  /// @param curve  in the plane z = 0
+  /// @param scale  tool's unit of length per unit of the curve
+  CadPiece(int tag, ExactCurve curve, double scale);
   int tag() const { return m_tag; }
   double length() const { return m_length; }
   void reverse() { m_reversed = !m_reversed; }
-  /// x, x_s, x_ss; beyond the ends the polynomials go on.
+  /// Beyond the ends the curve goes on.
   CadValue at(double s) const;
   /// The same at its start and end.
   CadValue start() const { return at(0); }
@@ -23,8 +28,8 @@ public:
 
 private:
   int m_tag;
-  std::shared_ptr<const CadSpans> m_spans;
-  double m_begin, m_rate, m_length; ///< m_rate = du/ds
+  ExactCurve m_curve;
+  double m_scale, m_begin, m_rate, m_length; ///< m_rate = du/ds
   bool m_reversed = false;
 };
 

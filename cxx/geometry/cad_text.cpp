@@ -44,6 +44,23 @@ void check_kind(const std::string& quoted, const std::string& end, const std::st
     fail(WHERE, quoted + " is no STEP file: it does not begin with \"ISO-10303-21\"");
 }
 
+// OpenCASCADE takes them, and is busy with them for ever.
+void check_finite(const std::string& quoted, const std::string& text) {
+  const char* const blanks = " \t\r\n";
+  for (std::size_t begin = 0; (begin = text.find_first_not_of(blanks, begin)) != std::string::npos;) {
+    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    std::string word = text.substr(begin, std::min<std::size_t>(end - begin, 4));
+    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string letters = word.substr(word[0] == '-' || word[0] == '+' ? 1 : 0, 3);
+    if (letters == "nan" || letters == "inf")
+      fail(WHERE,
+           quoted + ", line " +
+               std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<long>(begin), '\n')) +
+               ": " + text.substr(begin, end - begin) + " is no finite number");
+    begin = end;
+  }
+}
+
 /// A .geo file and what it includes, as far as the names of these files are written there.
 struct GeoText {
   std::vector<std::pair<std::string, std::string>> files; ///< paths and contents
@@ -76,12 +93,15 @@ void check_geo(const std::string& path, const std::string& text) {
   if (std::count(last.begin(), last.end(), ';') > 1)
     fail(WHERE, quoted + " does not end with a new line: gmsh would read only one command of its last line");
   std::istringstream lines(text);
-  const std::regex exit("(^|;|\\})\\s*Exit\\b");
+  const std::regex runs("(^|[;})/])\\s*((NonBlocking)?SystemCall|System|OnelabRun)\\b(?!\\s*=)");
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
-    if (std::regex_search(line.substr(0, line.find("//")), exit))
-      fail(WHERE, quoted + ", line " + std::to_string(number) + ": Exit would end this program; take it out");
+    line = line.substr(0, line.find("//"));
+    std::smatch found;
+    if (std::regex_search(line, found, runs))
+      fail(WHERE, quoted + ", line " + std::to_string(number) + ": " + found[2].str() +
+                      " would run another program; take it out");
   }
 }
 
@@ -118,9 +138,10 @@ void check_cad_text(const std::string& path, const std::map<std::string, double>
     gather(path, text, all);
     for (const auto& [name, content] : all.files) check_geo(name, content);
     check_known(quoted, all, numbers);
-  } else if (!numbers.empty()) {
-    fail(WHERE, quoted + " takes no numbers, only .geo files do");
+    return;
   }
+  if (!numbers.empty()) fail(WHERE, quoted + " takes no numbers, only .geo files do");
+  if (end == ".brep") check_finite(quoted, text);
 }
 
 } // namespace burnish

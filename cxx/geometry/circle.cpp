@@ -37,4 +37,13 @@ ClosestPoint<2> Circle::closest_point(const Vector<2>& x, const Param<2>& near) 
 
 ParamRange<2> Circle::range() const { return {Param<2>(0.), Param<2>(2 * std::acos(-1.)), true}; }
 
+ShapeKind circle_shape() {
+  return {"circle=R",
+          {{"circle", ShapeValue::NUMBER, "roller about the origin of the tool's frame; radius [length]"},
+           {"inside", ShapeValue::FLAG, "true: a hollow die, the body inside the circle"}},
+          [](const ShapeArguments& given) {
+            return std::make_shared<Circle>(given.number("circle", 0), given.flag("inside"));
+          }};
+}
+
 } // namespace burnish

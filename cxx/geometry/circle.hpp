@@ -1,6 +1,6 @@
 #pragma once
 // Circle about the origin of the tool's frame: a roller, or (inside) a hollow die.
-#include "geometry/profile.hpp"
+#include "geometry/shape_kind.hpp"
 
 namespace burnish {
 
@@ -40,5 +40,8 @@ private:
   double m_radius;
   bool m_inside;
 };
+
+/// "circle=R" in scripts.
+ShapeKind circle_shape();
 
 } // namespace burnish

@@ -1,6 +1,6 @@
 #pragma once
 // Straight line between two points of the tool's frame: a flat punch, a die wall, a plate.
-#include "geometry/profile.hpp"
+#include "geometry/shape_kind.hpp"
 #include <limits>
 
 namespace burnish {
@@ -43,5 +43,8 @@ private:
   Vector<2> m_a, m_b, m_tangent, m_normal;
   double m_length;
 };
+
+/// "line=[x0,y0,x1,y1]" in scripts.
+ShapeKind segment_shape();
 
 } // namespace burnish

@@ -74,7 +74,7 @@ cout << "before" << endl;
 tool t(circle=-1);
 cout << "after" << endl;
 END
-refuse 20 'before|current line = 3|burnish: Circle: radius = -1, expected a finite number > 0' "$BURNISH" "$SCRATCH/uncaught.edp"
+refuse 20 'before|current line = 3|burnish: tool: radius = -1, expected a finite number > 0' "$BURNISH" "$SCRATCH/uncaught.edp"
 [ "$("$BURNISH" "$SCRATCH/uncaught.edp" | grep -c radius)" = 1 ] || { echo "FAILED: text not once"; failures=$((failures + 1)); }
 
 # meshes with inverted triangles: whatever way in, FreeFEM says so and stops

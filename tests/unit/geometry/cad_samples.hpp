@@ -1,8 +1,8 @@
 #pragma once
 // CAD files for the tests: the ones of tests/support/cad and others written on the spot.
+#include "base/temporary.hpp"
 #include "geometry/arc_chain.hpp"
 #include "geometry/cad_curve.hpp"
-#include "geometry/cad_session.hpp"
 #include "geometry/plane.hpp"
 #include <iomanip>
 

@@ -1,11 +1,18 @@
-// Files and gmsh: numbers of .geo files, units, what gmsh leaves behind, and everything that is refused.
+// Files: numbers of .geo files, units, what the libraries leave behind, and everything that is refused.
 #include "geometry/cad_file.hpp"
 #include "unit/finite_difference.hpp"
 #include "unit/geometry/cad_samples.hpp"
 #include "unit/geometry/profile_checks.hpp"
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepTools.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS_Edge.hxx>
 #include <clocale>
+#include <csignal>
 #include <fstream>
-#include <gmsh.h>
 
 using namespace burnish;
 using namespace burnish::test;
@@ -41,19 +48,24 @@ std::string on_a_line(double c, const std::string& more) {
   return text.str();
 }
 
-/// B-spline of OpenCASCADE through the .brep format; knots and multiplicities of a clamped curve.
-CadCurve bspline(const std::vector<Vector<2>>& poles, int degree, const std::vector<double>& weights,
+template <class Array, class Values> Array filled(const Values& values) {
+  Array array(1, static_cast<int>(values.size()));
+  std::copy(values.begin(), values.end(), array.begin());
+  return array;
+}
+
+/// B-spline through the .brep format; knots and multiplicities of a clamped curve.
+CadCurve bspline(const std::vector<Vector<2>>& poles, int degree, std::vector<double> weights,
                  const std::vector<double>& knots, const std::vector<int>& multiplicities) {
   const TemporaryFile file("", ".brep");
-  gmsh::initialize(0, nullptr, false);
-  gmsh::option::setNumber("General.Terminal", 0);
-  gmsh::model::add("bspline");
-  std::vector<int> points;
-  for (const auto& x : poles) points.push_back(gmsh::model::occ::addPoint(x.x(), x.y(), 0));
-  gmsh::model::occ::addBSpline(points, -1, degree, weights, knots, multiplicities);
-  gmsh::model::occ::synchronize();
-  gmsh::write(file.path());
-  gmsh::model::remove();
+  TColgp_Array1OfPnt points(1, static_cast<int>(poles.size()));
+  for (std::size_t i = 0; i < poles.size(); ++i)
+    points(static_cast<int>(i) + 1) = gp_Pnt(poles[i].x(), poles[i].y(), 0);
+  weights.resize(poles.size(), 1);
+  const Handle(Geom_Curve) curve = new Geom_BSplineCurve(
+      points, filled<TColStd_Array1OfReal>(weights), filled<TColStd_Array1OfReal>(knots),
+      filled<TColStd_Array1OfInteger>(multiplicities), degree);
+  BRepTools::Write(BRepBuilderAPI_MakeEdge(curve).Edge(), file.path().c_str());
   return opened(file.path());
 }
 
@@ -136,43 +148,27 @@ TEST(CadFile, StepFilesArriveInMillimeters) {
   EXPECT_NEAR(opened(file.path(), {}, "", 1e-3).tightest_radius(), 15, 1e-9);
 }
 
-// OpenCASCADE prints on bad STEP files, gmsh changes the locale: nothing of it may be seen.
+// OpenCASCADE prints on bad STEP files and catches signals, gmsh changes the locale: nothing of it may be seen.
 TEST(CadFile, LeavesNothingBehindInTheProcess) {
-  const CadCurve first = stored("lobe.step"); // gmsh is initialized
-  gmsh::model::add("of someone else");
-  gmsh::option::setNumber("General.AbortOnError", 2);
   const std::string locale = std::setlocale(LC_ALL, nullptr);
+  std::vector<struct sigaction> before(NSIG), after(NSIG);
+  std::signal(SIGUSR1, SIG_IGN);
+  for (int i = 1; i < NSIG; ++i) sigaction(i, nullptr, &before[i]);
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  const TemporaryFile bad("hello\n", ".step");
+  std::string cut = text_of("lobe.step"), nan = text_of("circle.brep");
+  const TemporaryFile bad(cut.substr(0, cut.size() / 2), ".step"), worse(nan.substr(0, 200), ".brep");
   EXPECT_THROW(opened(bad.path()), std::invalid_argument);
+  EXPECT_THROW(opened(worse.path()), std::invalid_argument);
+  EXPECT_THROW(drawn("Printf(\"hello\"); Point(1) = {0, 0, 0;"), std::invalid_argument);
   const CadCurve circle = stored("circle.step"), drawing = drawn(square("Line(5) = {1, 3};"), {5});
   EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(std::setlocale(LC_ALL, nullptr), locale);
-  double abort = 0, terminal = 1;
-  gmsh::option::getNumber("General.AbortOnError", abort);
-  gmsh::option::getNumber("General.Terminal", terminal);
-  EXPECT_EQ(abort, 2);
-  EXPECT_EQ(terminal, 0);
-  std::string current;
-  gmsh::model::getCurrent(current);
-  EXPECT_EQ(current, "of someone else");
-  std::vector<std::string> models;
-  gmsh::model::list(models);
-  for (const std::string& name : models) EXPECT_EQ(name.find("burnish"), std::string::npos) << name;
-  gmsh::model::remove();
-}
-
-// What gmsh 4.8.4 calls the second derivative: the reason for CadSpans. If this fails gmsh has become better.
-TEST(CadFile, SecondDerivativesOfGmshAreNotExact) {
-  const CadFile file("tests/support/cad/circle.step", {});
-  gmsh::model::add("circle");
-  gmsh::merge("tests/support/cad/circle.step");
-  std::vector<double> second;
-  gmsh::model::getSecondDerivative(1, 1, {0.}, second);
-  EXPECT_GT(std::abs(second[0] / -15 - 1), 1e-7);
-  EXPECT_LT(std::abs(second[0] / -15 - 1), 1e-6);
-  gmsh::model::remove();
+  for (int i = 1; i < NSIG; ++i) {
+    sigaction(i, nullptr, &after[i]);
+    EXPECT_EQ(before[i].sa_handler, after[i].sa_handler) << "signal " << i;
+    EXPECT_EQ(before[i].sa_flags, after[i].sa_flags) << "signal " << i;
+  }
 }
 
 TEST(CadFileErrors, Files) {
