@@ -3,16 +3,18 @@
 #include "geometry/circle.hpp"
 #include "kinematics/cartesian.hpp"
 #include "kinematics/polar.hpp"
+#include "support/profile_tool.hpp"
 #include <gtest/gtest.h>
 
 using namespace burnish;
+using namespace burnish::test;
 
 namespace {
 
 std::shared_ptr<const Tool<2>> roller(const char* name, bool polar = false) {
   std::shared_ptr<const Coordinates<2>> coordinates = std::make_shared<Cartesian>();
   if (polar) coordinates = std::make_shared<Polar>(Vector<2>(0, 0));
-  return std::make_shared<Tool<2>>(name, std::make_shared<Circle>(1.), coordinates);
+  return profile_tool(name, std::make_shared<Circle>(1.), coordinates);
 }
 
 ContactNode<2> node(NodeState state, int tool) {

@@ -3,6 +3,7 @@
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
 #include "kinematics/outline.hpp"
+#include "support/profile_tool.hpp"
 #include "unit/finite_difference.hpp"
 
 using namespace burnish;
@@ -11,7 +12,7 @@ using namespace burnish::test;
 namespace {
 
 template <class Shape> Tool<2> tool_of(Shape shape) {
-  return {"tool", std::make_shared<Shape>(std::move(shape)), std::make_shared<Cartesian>()};
+  return *profile_tool("tool", std::make_shared<Shape>(std::move(shape)), std::make_shared<Cartesian>());
 }
 const Eigen::Vector3d PLACE(2, -1, 0.3);
 

@@ -4,6 +4,7 @@
 #include "kinematics/cartesian.hpp"
 #include "kinematics/polar.hpp"
 #include "stepping/predictor.hpp"
+#include "support/profile_tool.hpp"
 #include "support/structured_mesh.hpp"
 #include "unit/finite_difference.hpp"
 
@@ -15,11 +16,10 @@ namespace {
 /// Block of 8 x 1 (nodes half a unit apart on top) under a plate that lies on it; x of the plate is moved.
 struct Carried {
   ContactMesh mesh = block_mesh(8, 2, 2, 8, 1);
-  MeshLocator<2> locator{mesh.space};
   ContactModel<2> model;
   BodyView<2> body;
   ContactState<2> state;
-  Program program{{1, 1, 0}, Vector<3>(0.5, 1, -7)};
+  PrescribedValues prescribed{{1, 1, 0}, Vector<3>(0.5, 1, -7)};
   Eigen::VectorXd u;
   StepHistory<2> history;
 
@@ -30,10 +30,9 @@ struct Carried {
     u = 1e-3 * body.X;
     for (Eigen::Index d = 1; d < u.size(); d += 2) u[d] = 0;
     model.candidates = nodes_along(mesh.surface);
-    model.tools = {std::make_shared<Tool<2>>("plate",
-                                             std::make_shared<Segment>(Vector<2>(20, 0), Vector<2>(-20, 0)),
-                                             std::make_shared<Cartesian>())};
-    model.friction = {make_coulomb(0.3)};
+    model.tools = {profile_tool("plate", std::make_shared<Segment>(Vector<2>(20, 0), Vector<2>(-20, 0)),
+                                std::make_shared<Cartesian>())};
+    model.laws.emplace_back(make_coulomb(0.3));
     model.first = {0, 3};
     state.q = Vector<3>(0, 1, 0);
     state.nodes.resize(model.candidates.size());
@@ -49,15 +48,16 @@ struct Carried {
   static Vector<2> increment(const Vector<2>& x) {
     return 1e-2 * Vector<2>(x[0] + 2 * x[1], 1 - x[0] * x[1]);
   }
-  void touch(int i, NodeState now, double slip_sign) {
+  /// @param along 1, -1: slides along the tangent (smaller x) or against it
+  void touch(int i, NodeState now, double along) {
     ContactNode<2>& node = state.nodes[i];
     node.state = now;
     node.tool = 0;
-    node.s[0] = node.s_ref[0] = 20 - body.position(u, model.candidates[i])[0];
-    node.slip_sign = slip_sign;
+    place_at(node, place_of(*model.tools[0], 20 - body.position(u, model.candidates[i])[0]));
+    node.slip_direction = along * model.tools[0]->surface().frame(node.place).E;
   }
   Prediction<2> predict_step(double dt, bool carry = true) const {
-    return predict(model, body, locator, mesh.space, program, state, u, history, dt, carry);
+    return Predictor<2>(mesh.space, model, body).predict(prescribed, state, u, history, dt, carry);
   }
 };
 
@@ -72,9 +72,9 @@ TEST(Predictor, FirstStepOnlyMovesTheTool) {
   EXPECT_STREQ(name_of(result.state.nodes[3].state), "sticking") << "a touched node is held";
   for (std::size_t i = 0; i < result.entry.size(); ++i) {
     EXPECT_EQ(result.entry[i].tool, 0);
-    EXPECT_NEAR(result.entry[i].s[0], 20 - carried.body.position(carried.u, carried.model.candidates[i])[0],
-                1e-13);
-    EXPECT_EQ(result.entry[i].s_ref, result.entry[i].s);
+    EXPECT_NEAR(result.entry[i].place.hint[0],
+                20 - carried.body.position(carried.u, carried.model.candidates[i])[0], 1e-13);
+    EXPECT_EQ(result.entry[i].slip_origin.y, result.entry[i].place.y);
   }
 }
 
@@ -87,7 +87,7 @@ TEST(Predictor, LastIncrementCarriedAlong) {
   for (const Case now : {Case{2, 0.5, 0.5}, Case{1, 0.5, 0.5}, Case{4, 1.1, 0.8}}) {
     Carried carried;
     carried.remember(2);
-    carried.program.value[0] = now.way;
+    carried.prescribed.value[0] = now.way;
     const auto result = carried.predict_step(now.dt);
     double worst = 0;
     for (int a = 0; a < carried.mesh.space.num_nodes; ++a) {
@@ -108,11 +108,11 @@ TEST(Predictor, IncrementTurnsWithThePivot) {
   ContactModel<2> model;
   model.candidates = nodes_along(mesh.surface);
   model.tools = {
-      std::make_shared<Tool<2>>("roller", std::make_shared<Circle>(15.), std::make_shared<Polar>())};
-  model.friction = {make_coulomb(0.3)};
+      profile_tool("roller", std::make_shared<Circle>(15.), std::make_shared<Polar>())};
+  model.laws.emplace_back(make_coulomb(0.3));
   model.first = {0, 3};
   const BodyView<2> body{Eigen::Map<const Eigen::VectorXd>(mesh.space.X.data(), mesh.space.num_dofs()),
-                         mesh.fixed, 0.5};
+                         mesh.fixed, 0.5, nullptr};
   ContactState<2> state;
   state.nodes.resize(model.candidates.size());
   state.q = Vector<3>(50, 1.6, 0); // clear of the ring
@@ -127,10 +127,9 @@ TEST(Predictor, IncrementTurnsWithThePivot) {
   history.du.resize(body.X.size());
   const auto angle_of = [&](int a) { return std::atan2(body.X[2 * a + 1], body.X[2 * a]); };
   for (int a = 0; a < mesh.space.num_nodes; ++a) history.du.segment<2>(2 * a) = increment(angle_of(a));
-  const MeshLocator<2> locator(mesh.space);
   const Eigen::VectorXd u = Eigen::VectorXd::Zero(body.X.size());
-  const auto result = predict<2>(model, body, locator, mesh.space, {{1, 1, 1}, Vector<3>(50, 1.6 + turn, 0)},
-                                 state, u, history, 1, true);
+  const auto result = Predictor<2>(mesh.space, model, body)
+                          .predict({{1, 1, 1}, Vector<3>(50, 1.6 + turn, 0)}, state, u, history, 1, true);
   for (int a = 0; a < mesh.space.num_nodes; ++a) {
     const double behind = angle_of(a) - turn;
     if (mesh.fixed[2 * a] || behind > M_PI / 2 + 0.4) continue;
@@ -148,15 +147,15 @@ TEST(Predictor, StatesCarriedAlong) {
   carried.touch(5, NodeState::STICKING, 0);
   carried.touch(6, NodeState::STICKING, 0);
   carried.touch(7, NodeState::SLIDING, -1);
-  carried.program.is_motion[2] = 1;
-  carried.program.value[2] = 0;
+  carried.prescribed.is_motion[2] = 1;
+  carried.prescribed.value[2] = 0;
   const auto result = carried.predict_step(1);
   // 5: slides toward smaller x as the plate leaves in +x, which is +s: agrees with its sign 1
   const char* expected[] = {"free",    "free",     "free",     "free",     "free",
                             "sliding", "sticking", "sticking", "sticking", "free"};
   for (int i = 0; i < 10; ++i) EXPECT_STREQ(name_of(result.state.nodes[i].state), expected[i]) << i;
-  EXPECT_EQ(result.state.nodes[5].slip_sign, 1);
-  EXPECT_EQ(result.state.nodes[8].slip_sign, 0) << "would slip against its sign: sticks";
+  EXPECT_EQ(result.state.nodes[5].slip_direction, carried.state.nodes[4].slip_direction);
+  EXPECT_EQ(result.state.nodes[8].slip_direction.norm(), 0) << "would slip against its sign: sticks";
   const int node = carried.model.candidates[6];
   EXPECT_NEAR(result.u[2 * node] - carried.u[2 * node], 0.5, 1e-13) << "sticking nodes go with the plate";
   const int fresh = carried.model.candidates[8];

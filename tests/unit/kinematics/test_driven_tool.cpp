@@ -1,14 +1,14 @@
-// A tool with its program and place (cxx/kinematics/driven_tool.hpp), as sessions and scripts use it.
+// A tool with what is prescribed for it and its place, as runs and scripts use it.
 #include "geometry/circle.hpp"
-#include "kinematics/driven_tool.hpp"
 #include "kinematics/polar.hpp"
+#include "support/profile_tool.hpp"
 #include "unit/finite_difference.hpp"
 
 using namespace burnish;
 using namespace burnish::test;
 
 TEST(DrivenTool, PlaceDriveAndForce) {
-  DrivenTool<2> roller("roller", std::make_shared<Circle>(2.));
+  DrivenTool<2> roller("roller", std::make_shared<ProfileSurface>(std::make_shared<Circle>(2.)));
   roller.set_coordinates(std::make_shared<Polar>());
   EXPECT_EQ(roller.q(), Eigen::VectorXd::Zero(3));
   EXPECT_EQ(roller.generalized_force(), Eigen::VectorXd::Zero(3));
@@ -25,9 +25,9 @@ TEST(DrivenTool, PlaceDriveAndForce) {
 }
 
 TEST(DrivenTool, BadInput) {
-  const auto circle = std::make_shared<Circle>(2.);
+  const auto circle = std::make_shared<ProfileSurface>(std::make_shared<Circle>(2.));
   expect_invalid([&] { DrivenTool<2>("", circle); }, "tool: the name is empty");
-  expect_invalid([&] { DrivenTool<2>("roller", nullptr); }, "tool: no profile");
+  expect_invalid([&] { DrivenTool<2>("roller", nullptr); }, "tool: no surface");
   DrivenTool<2> roller("roller", circle);
   const std::string early = "tool: \"roller\" has no coordinates yet: call coordinates(...) first";
   expect_invalid([&] { roller.tool(); }, early);

@@ -1,5 +1,5 @@
 // Every error of a session and of its corrector: message, and what to do about it.
-#include "support/step_loop.hpp"
+#include "support/run.hpp"
 #include "unit/finite_difference.hpp"
 
 using namespace burnish;
@@ -8,10 +8,9 @@ using namespace burnish::test;
 namespace {
 
 std::shared_ptr<DrivenTool<2>> roller(const std::string& name) {
-  auto tool = std::make_shared<DrivenTool<2>>(name, std::make_shared<Circle>(3.));
-  tool->set_coordinates(std::make_shared<Cartesian>());
-  return tool;
+  return driven_tool(name, std::make_shared<Circle>(3.), std::make_shared<Cartesian>());
 }
+const auto PLANE = std::make_shared<EdgeMeasure>();
 
 /// Block 4 x 1.5 with a roller at x = 2, its lowest point at `height` above the top.
 struct Block : Scene {
@@ -26,66 +25,64 @@ struct Block : Scene {
     tool->prescription().move("y", y);
     tool->prescription().move("angle", 0);
   }
-  void begin(double dt = 1) { session.begin(u, 0, dt, Stepping::IMPLICIT); }
+  void begin(double dt = 1) { contact().begin(u, 0, dt, Stepping::IMPLICIT); }
 };
 
 } // namespace
 
-TEST(SessionErrors, Construction) {
+TEST(ContactRunErrors, Construction) {
   const auto mesh = block_mesh(4, 2, 1, 4, 1.5);
-  expect_invalid([&] { Session<2>(mesh.space, mesh.surface, std::vector<char>(7, 0)); },
+  expect_invalid([&] { ContactSetup<2>(mesh.space, mesh.surface, std::vector<char>(7, 0), PLANE); },
                  "contact: number of fixed flags = 7, expected one per degree of freedom");
   const std::string none =
       "contact: number of candidate nodes = 0, expected at least one node on the labels that is not fixed";
-  expect_invalid([&] { Session<2>(mesh.space, {}, mesh.fixed); }, none);
-  expect_invalid([&] { Session<2>(mesh.space, mesh.surface, std::vector<char>(mesh.fixed.size(), 1)); },
+  expect_invalid([&] { ContactSetup<2>(mesh.space, {}, mesh.fixed, PLANE); }, none);
+  expect_invalid([&] { ContactSetup<2>(mesh.space, mesh.surface, std::vector<char>(mesh.fixed.size(), 1), PLANE); },
                  none);
 }
 
-TEST(SessionErrors, Tools) {
+TEST(ContactRunErrors, Tools) {
   Block block;
-  expect_invalid([&] { block.session.add_tool(roller("tool"), make_coulomb(0)); },
+  expect_invalid([&] { block.setup->add_tool(roller("tool"), make_coulomb(0)); },
                  "contact.add: tool \"tool\" is already there");
-  const auto bare = std::make_shared<DrivenTool<2>>("bare", std::make_shared<Circle>(3.));
-  expect_invalid([&] { block.session.add_tool(bare, make_coulomb(0)); }, "\"bare\" has no coordinates yet");
+  const auto bare = std::make_shared<DrivenTool<2>>("bare", std::make_shared<ProfileSurface>(std::make_shared<Circle>(3.)));
+  expect_invalid([&] { block.setup->add_tool(bare, make_coulomb(0)); }, "\"bare\" has no coordinates yet");
   block.begin();
-  expect_invalid([&] { block.session.add_tool(roller("late"), make_coulomb(0)); },
+  expect_invalid([&] { block.setup->add_tool(roller("late"), make_coulomb(0)); },
                  "contact.add: tools must be added before the first step");
   const auto mesh = block_mesh(4, 2, 1, 4, 1.5);
-  Session<2> empty(mesh.space, mesh.surface, mesh.fixed);
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.space.num_dofs());
-  expect_invalid([&] { empty.begin(u, 0, 1, Stepping::IMPLICIT); },
-                 "contact: number of tools = 0, expected at least one tool");
+  const auto empty = std::make_shared<ContactSetup<2>>(mesh.space, mesh.surface, mesh.fixed, PLANE);
+  expect_invalid([&] { ContactRun<2>{empty}; }, "contact: number of tools = 0, expected at least one tool");
 }
 
-TEST(SessionErrors, Approach) {
+TEST(ContactRunErrors, Approach) {
   Block block;
-  expect_invalid([&] { block.session.approach(1, "y", block.u); }, "contact.approach: tool = 1");
-  expect_invalid([&] { block.session.approach(-1, "y", block.u); }, "expected a tool that was added");
-  expect_invalid([&] { block.session.approach(0, "y", Eigen::VectorXd::Zero(3)); },
+  expect_invalid([&] { block.contact().approach(1, "y", block.u); }, "contact.approach: tool = 1");
+  expect_invalid([&] { block.contact().approach(-1, "y", block.u); }, "expected a tool that was added");
+  expect_invalid([&] { block.contact().approach(0, "y", Eigen::VectorXd::Zero(3)); },
                  "contact.approach: size of u = 3, expected number of dofs");
-  expect_invalid([&] { block.session.approach(0, "z", block.u); },
+  expect_invalid([&] { block.contact().approach(0, "z", block.u); },
                  "\"tool\" has no coordinate \"z\", its coordinates are x, y, angle");
   const std::string cannot =
       "alone does not bring it to the body; place the tool opposite the contact surface";
-  expect_invalid([&] { block.session.approach(0, "angle", block.u); },
+  expect_invalid([&] { block.contact().approach(0, "angle", block.u); },
                  "contact.approach: coordinate \"angle\" of tool \"tool\" " + cannot);
   block.place({2, 50, 0});
-  expect_invalid([&] { block.session.approach(0, "x", block.u); },
+  expect_invalid([&] { block.contact().approach(0, "x", block.u); },
                  "coordinate \"x\" of tool \"tool\" " + cannot);
   Eigen::VectorXd u = block.u;
   u[20] = std::nan("");
-  expect_invalid([&] { block.session.approach(0, "y", u); },
+  expect_invalid([&] { block.contact().approach(0, "y", u); },
                  "closest_point: x = nan nan, expected finite components");
 }
 
-TEST(SessionErrors, Begin) {
+TEST(ContactRunErrors, Begin) {
   Block block;
   expect_invalid([&] { block.begin(0); }, "contact.begin: dt = 0, expected > 0");
   expect_invalid([&] { block.begin(-1); }, "contact.begin: dt = -1, expected > 0");
   expect_invalid([&] { block.begin(std::nan("")); }, "contact.begin: dt = nan, expected > 0");
   Eigen::VectorXd u = Eigen::VectorXd::Zero(5);
-  expect_invalid([&] { block.session.begin(u, 0, 1, Stepping::IMPLICIT); },
+  expect_invalid([&] { block.contact().begin(u, 0, 1, Stepping::IMPLICIT); },
                  "contact.begin: size of u = 5, expected number of dofs");
   block.u[4] = std::nan("");
   expect_invalid([&] { block.begin(); }, "contact.begin: the displacement holds NaN or Inf");
@@ -93,24 +90,24 @@ TEST(SessionErrors, Begin) {
                  "tool \"tool\" has no coordinate \"z\", expected one of x, y, angle");
 }
 
-TEST(SessionErrors, UndrivenCoordinate) {
+TEST(ContactRunErrors, UndrivenCoordinate) {
   Scene scene(block_mesh(4, 2, 2, 4, 1.5), elastic_material());
   scene.add_tool(std::make_shared<Circle>(3.), std::make_shared<Cartesian>(), 0.3);
   scene.place({2, 5, 0});
   scene.tool->prescription().move("x", 2);
   expect_invalid(
-      [&] { scene.session.begin(scene.u, 0, 1, Stepping::IMPLICIT); },
+      [&] { scene.contact().begin(scene.u, 0, 1, Stepping::IMPLICIT); },
       "Prescription: coordinate \"y\" of tool \"tool\" has neither motion nor force; coordinate \"angle\"");
 }
 
-TEST(SessionErrors, ToolInsideTheBody) {
+TEST(ContactRunErrors, ToolInsideTheBody) {
   Block block(0.3, -0.1);
   expect_invalid([&] { block.begin(); }, "contact.begin: tool \"tool\" starts inside the workpiece: node ");
   expect_invalid([&] { block.begin(); }, " at 1.5 1.5 penetrates by 0.0572");
   expect_invalid([&] { block.begin(); }, "; place the tool outside and call approach");
 }
 
-TEST(SessionErrors, ForceWithoutContact) {
+TEST(ContactRunErrors, ForceWithoutContact) {
   Block block;
   block.tool->prescription().force("y", -1);
   expect_invalid(
@@ -118,13 +115,13 @@ TEST(SessionErrors, ForceWithoutContact) {
       "contact.begin: coordinate \"y\" of tool \"tool\" is under force but the tool touches nothing, so "
       "it has no support; bring the tool into contact by motion or with approach first, or give the "
       "coordinate a motion");
-  block.session.approach(0, "y", block.u);
+  block.contact().approach(0, "y", block.u);
   EXPECT_NO_THROW(block.begin());
 }
 
-TEST(SessionErrors, ForceThatNothingResists) {
+TEST(ContactRunErrors, ForceThatNothingResists) {
   Block block(0);
-  block.session.approach(0, "y", block.u);
+  block.contact().approach(0, "y", block.u);
   block.tool->prescription().force("angle", 0.1);
   expect_invalid(
       [&] { block.begin(); },
@@ -132,31 +129,31 @@ TEST(SessionErrors, ForceThatNothingResists) {
       "resists it; give it a motion or friction");
 }
 
-TEST(SessionErrors, CheckFactorizeCorrect) {
+TEST(ContactRunErrors, CheckFactorizeCorrect) {
   Block block;
   block.begin();
-  expect_invalid([&] { block.session.check(block.u, Eigen::VectorXd::Zero(4)); },
+  expect_invalid([&] { block.contact().check(block.u, Eigen::VectorXd::Zero(4)); },
                  "contact.check: size of the force array = 4, expected number of dofs");
   Eigen::VectorXd bad = block.R;
   bad[3] = std::nan("");
-  expect_invalid([&] { block.session.check(block.u, bad); },
+  expect_invalid([&] { block.contact().check(block.u, bad); },
                  "contact.check: the force array holds NaN or Inf");
   bad[3] = INFINITY;
-  expect_invalid([&] { block.session.check(block.u, bad); }, "the force array holds NaN or Inf");
-  expect_invalid([&] { block.session.correct(block.u, block.R); },
+  expect_invalid([&] { block.contact().check(block.u, bad); }, "the force array holds NaN or Inf");
+  expect_invalid([&] { block.contact().correct(block.u, block.R); },
                  "contact.correct: no factor: call factorize first");
   const auto small = pattern_from_elements<2>(3, 3, {0, 1, 2});
-  expect_invalid([&] { block.session.factorize(small, block.u); },
+  expect_invalid([&] { block.contact().factorize(small, block.u); },
                  "contact.factorize: size of K = 6, expected number of dofs");
 }
 
-TEST(SessionErrors, OrderOfCalls) {
+TEST(ContactRunErrors, OrderOfCalls) {
   Block block;
   const auto condense = [&](const Eigen::VectorXd& R) {
-    block.session.condense(block.tangent, block.u, R, GeometricTerms::COMPLETE, RightHandSide::TOTAL, false);
+    block.contact().condense(block.tangent, block.u, R, GeometricTerms::COMPLETE, RightHandSide::TOTAL, false);
   };
   expect_invalid([&] { condense(block.R); }, "contact.condense: call begin first");
-  expect_invalid([&] { block.session.expand(block.R, block.u); },
+  expect_invalid([&] { block.contact().expand(block.R, block.u); },
                  "contact.expand: call begin and condense first");
   block.begin();
   expect_invalid([&] { condense(Eigen::VectorXd::Zero(4)); },
@@ -165,57 +162,34 @@ TEST(SessionErrors, OrderOfCalls) {
   bad[3] = std::nan("");
   expect_invalid([&] { condense(bad); }, "contact.condense: the force array holds NaN or Inf");
   Eigen::VectorXd u = Eigen::VectorXd::Zero(5);
-  expect_invalid([&] { block.session.expand(block.R, u); }, "contact.expand: size of u = 5");
-  expect_invalid([&] { block.session.accept(u, block.R, {}); },
+  expect_invalid([&] { block.contact().expand(block.R, u); }, "contact.expand: size of u = 5");
+  expect_invalid([&] { block.contact().accept(u, block.R, {}); },
                  "contact.accept: size of the arrays = 5, expected number of dofs");
-  expect_invalid([&] { block.session.accept(block.u, u, {}); }, "contact.accept: size of the arrays");
+  expect_invalid([&] { block.contact().accept(block.u, u, {}); }, "contact.accept: size of the arrays");
 }
 
 // A tangent that stays indefinite: the corrector says so after four attempts.
-TEST(SessionErrors, IndefiniteTangent) {
+TEST(ContactRunErrors, IndefiniteTangent) {
   Block block;
   block.begin();
-  ASSERT_EQ(block.workpiece.update(block.u, 1, 0).status, UpdateStatus::OK);
-  block.workpiece.tangent(block.tangent, TangentKind::ELASTIC);
+  ASSERT_EQ(block.workpiece().update(block.u, 1, 0).status, UpdateStatus::OK);
+  block.workpiece().tangent(block.tangent, TangentKind::ELASTIC);
   for (double& value : block.tangent.value) value = -value;
-  auto& corrector = block.session.corrector();
+  auto& corrector = block.contact().corrector();
   for (int attempt = 0; attempt < 4; ++attempt) {
     EXPECT_FALSE(corrector.blend_exhausted());
-    EXPECT_EQ(block.session.factorize(block.tangent, block.u), FactorStatus::NOT_POSITIVE_DEFINITE);
+    EXPECT_EQ(block.contact().factorize(block.tangent, block.u), FactorStatus::NOT_POSITIVE_DEFINITE);
     EXPECT_GT(corrector.elastic_blend(), 0);
   }
   EXPECT_TRUE(corrector.blend_exhausted());
   EXPECT_EQ(corrector.reason(), "the tangent is not positive definite: loss of stability or limit load");
 }
 
-TEST(SessionErrors, NoConvergenceSaysHowFarItCame) {
+TEST(ContactRunErrors, NoConvergenceSaysHowFarItCame) {
   Block block;
-  block.session.approach(0, "y", block.u);
-  block.session.corrector().options().max_iterations = 1;
+  block.contact().approach(0, "y", block.u);
+  block.contact().corrector().options().max_iterations = 1;
   EXPECT_EQ(converge(block, 0, 1, Stepping::IMPLICIT), StepStatus::FAILED);
-  EXPECT_EQ(block.session.corrector().reason().find("no convergence in 1 iterations: residual "), 0u)
-      << block.session.corrector().reason();
-}
-
-TEST(CorrectorErrors, Construction) {
-  ContactModel<2> model;
-  model.first = {0};
-  const Eigen::VectorXd X = Eigen::VectorXd::Zero(4);
-  const std::vector<char> fixed(4, 0);
-  expect_invalid([&] { Corrector<2>(model, X, fixed); },
-                 "contact: number of candidate nodes = 0, expected at least one node on the label");
-  model.candidates = {0};
-  expect_invalid([&] { Corrector<2>(model, X, fixed); },
-                 "contact: number of tools = 0, expected at least one tool");
-  model.tools = {roller("tool")->shared_tool()};
-  model.friction = {make_coulomb(0)};
-  model.first = {0, 3};
-  expect_invalid(
-      [&] {
-        Corrector<2>(model, X, {0, 0});
-      },
-      "contact: number of fixed flags = 2, expected one per degree of freedom");
-  Eigen::VectorXd bad = X;
-  bad[1] = std::nan("");
-  expect_invalid([&] { Corrector<2>(model, bad, fixed); }, "contact: a node coordinate is not finite");
+  EXPECT_EQ(block.contact().reason().find("no convergence in 1 iterations: residual "), 0u)
+      << block.contact().reason();
 }

@@ -1,30 +1,18 @@
-// The contact surface: nodes in order, tributary lengths, uniform and linear pressure recovered, gaps.
-#include "contact/surface.hpp"
+// The report of the contact surface: tributary lengths, uniform and linear pressure recovered, gaps.
+#include "contact/surface_report.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
+#include "support/profile_tool.hpp"
 #include "unit/finite_difference.hpp"
 
 using namespace burnish;
 using namespace burnish::test;
 
-TEST(NodesAlong, OpenChainFromItsEnd) {
-  EXPECT_EQ(nodes_along<2>({{{7, 3}, {-1}}, {{9, 7}, {-1}}, {{3, 5}, {-1}}}), (std::vector<int>{5, 3, 7, 9}));
-  EXPECT_EQ(nodes_along<2>({{{7, 3}, {20}}, {{9, 7}, {21}}, {{3, 5}, {22}}}),
-            (std::vector<int>{5, 22, 3, 20, 7, 21, 9}));
-}
-
-TEST(NodesAlong, ClosedChainAndTwoChains) {
-  EXPECT_EQ(nodes_along<2>({{{0, 1}, {-1}}, {{2, 0}, {-1}}, {{1, 2}, {-1}}}).size(), 3u);
-  const auto two = nodes_along<2>({{{10, 11}, {-1}}, {{1, 2}, {-1}}, {{11, 12}, {-1}}, {{2, 3}, {-1}}});
-  EXPECT_EQ(two, (std::vector<int>{1, 2, 3, 10, 11, 12}));
-  EXPECT_TRUE(nodes_along<2>({}).empty());
-}
-
 namespace {
 
 /// A straight surface of three edges of lengths 1, 2, 3 (nodes 0..3, middle nodes 4..6), sloping, under a
 /// line that lies on it; u doubles all lengths.
-struct Surface {
+struct Sample {
   ContactModel<2> model;
   BodyView<2> body;
   ContactState<2> state;
@@ -32,7 +20,8 @@ struct Surface {
   Eigen::VectorXd u;
   Vector<2> along = Vector<2>(0.8, 0.6), normal = Vector<2>(0.6, -0.8); // tool's normal, into the body
 
-  explicit Surface(bool quadratic) {
+  explicit Sample(bool quadratic) {
+    body.measure = std::make_shared<EdgeMeasure>();
     const double places[] = {0, 1, 3, 6, 0.5, 2, 4.5}; // along the surface
     const int nodes = quadratic ? 7 : 4;
     body.X.resize(2 * nodes);
@@ -40,19 +29,18 @@ struct Surface {
       body.X.segment<2>(2 * a) = places[a] * along;
       model.candidates.push_back(a);
     }
-    for (int e = 0; e < 3; ++e) edges.push_back({e, e + 1, quadratic ? 4 + e : -1});
+    for (int e = 0; e < 3; ++e) edges.push_back({{e, e + 1}, {quadratic ? 4 + e : -1}, -1, 0});
     u = body.X;
     body.fixed.assign(2 * nodes, 0);
-    model.tools = {std::make_shared<Tool<2>>("line", std::make_shared<Segment>(20 * along, -20 * along),
-                                             std::make_shared<Cartesian>())};
-    model.friction = {make_coulomb(0.3)};
+    model.tools = {profile_tool("line", std::make_shared<Segment>(20 * along, -20 * along), std::make_shared<Cartesian>())};
+    model.laws.emplace_back(make_coulomb(0.3));
     model.first = {0, 3};
     state.q = Vector<3>::Zero();
     state.nodes.resize(nodes);
     for (int a = 0; a < nodes; ++a) {
       state.nodes[a].state = a % 2 ? NodeState::STICKING : NodeState::SLIDING;
       state.nodes[a].tool = 0;
-      state.nodes[a].s[0] = 20 - 2 * places[a];
+      place_at(state.nodes[a], place_of(*model.tools[0], 20 - 2 * places[a]));
     }
   }
   /// Consistent nodal forces of the pressure p0 + p1 (place) and 0.2 of it as traction along the tool's
@@ -80,16 +68,16 @@ struct Surface {
 } // namespace
 
 TEST(SurfaceReport, TributaryLengthsOfThePresentShape) {
-  const Eigen::VectorXd linear = Surface(false).report(Eigen::VectorXd::Zero(8)).area;
+  const Eigen::VectorXd linear = Sample(false).report(Eigen::VectorXd::Zero(8)).area;
   expect_close(linear, Eigen::Vector4d(1, 3, 5, 3), 1, 1e-14, "linear edges");
   Eigen::VectorXd expected(7);
   expected << 1. / 3, 1, 5. / 3, 1, 4. / 3, 8. / 3, 4;
-  expect_close(Surface(true).report(Eigen::VectorXd::Zero(14)).area, expected, 1, 1e-14, "quadratic edges");
+  expect_close(Sample(true).report(Eigen::VectorXd::Zero(14)).area, expected, 1, 1e-14, "quadratic edges");
 }
 
 TEST(SurfaceReport, UniformPressureRecovered) {
   for (const bool quadratic : {false, true}) {
-    const Surface surface(quadratic);
+    const Sample surface(quadratic);
     const auto report = surface.report(surface.loads(5, 0));
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(report.pressure.size());
     expect_close(report.pressure, 5 * ones, 5, 1e-14, "pressure");
@@ -103,17 +91,17 @@ TEST(SurfaceReport, UniformPressureRecovered) {
 
 // On quadratic edges a pressure that is linear along the surface is recovered by the fit.
 TEST(SurfaceReport, LinearPressureFitted) {
-  const Surface surface(true);
+  const Sample surface(true);
   const auto report = surface.report(surface.loads(3, 0.5));
   for (int a = 0; a < 7; ++a) {
     const double expected = 3 + 0.5 * surface.body.X.segment<2>(2 * a).norm();
     EXPECT_NEAR(report.pressure_fit[a], expected, 1e-12) << a;
-    EXPECT_NEAR(report.traction_fit[a], 0.2 * expected, 1e-12) << a;
+    EXPECT_NEAR(report.traction_fit(0, a), 0.2 * expected, 1e-12) << a;
   }
 }
 
 TEST(SurfaceReport, FreeNodesHaveGapsAndNoForce) {
-  Surface surface(false);
+  Sample surface(false);
   surface.state.nodes[0] = {};
   surface.u.segment<2>(0) += 0.25 * surface.normal;
   const auto report = surface.report(surface.loads(5, 0));
