@@ -1,5 +1,5 @@
 #include "contact/tool_support.hpp"
-#include <limits>
+#include <utility>
 
 namespace burnish {
 namespace {
@@ -18,7 +18,7 @@ template <int Dim>
 ToolContact contact_of(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses,
                        const ContactState<Dim>& state, int tool, const std::vector<char>& refused) {
   ToolContact result;
-  double smallest = 0;
+  std::pair<bool, double> smallest; // refused nodes come last
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const auto& node = state.nodes[i];
     if (!in_contact(node.state) || node.tool != tool || model.is_constrained(static_cast<int>(i))) continue;
@@ -28,8 +28,7 @@ ToolContact contact_of(const ContactModel<Dim>& model, const std::vector<Pose<Di
     result.normal = result.any ? Eigen::VectorXd(result.normal.cwiseMax(normal)) : normal;
     result.size = result.any ? Eigen::VectorXd(result.size.cwiseMax(size)) : size;
     result.any = true;
-    const bool last_resort = !refused.empty() && refused[i];
-    const double slip = slip_of(model, node).norm() + (last_resort ? std::numeric_limits<double>::max() : 0);
+    const std::pair<bool, double> slip(!refused.empty() && refused[i], slip_of(model, node).norm());
     if (result.least_slip >= 0 && slip >= smallest) continue;
     result.least_slip = static_cast<int>(i);
     smallest = slip;

@@ -233,7 +233,8 @@ void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
   take_areas(state, u);
   m_accepted.contact = state;
   m_accepted.generalized_force = m_corrector.last_balance().generalized_force;
-  m_accepted.corrector.load_scale = m_corrector.load_scale();
+  m_accepted.corrector = m_corrector.memory();
+  m_accepted.corrector.tangent = nullptr; // state() shares it; kept here, the next factor could not take its place
   m_accepted.prescribed = m_prescribed;
   m_accepted.left_out = left_out();
   m_corrector.accepted();
@@ -252,8 +253,11 @@ template <int Dim> void ContactRun<Dim>::accept_events(const std::vector<Contact
 
 template <int Dim> void ContactRun<Dim>::revert() {
   m_corrector.state() = m_accepted.contact;
-  m_corrector.set_load_scale(m_accepted.corrector.load_scale); // that of a step not accepted does not count
-  if (m_stepping == Stepping::IMPLICIT) m_corrector.drop_factor(); // an event step only becomes shorter
+  if (m_stepping == Stepping::IMPLICIT) {
+    m_corrector.restore(m_accepted.corrector);
+    m_corrector.drop_factor();
+  } else // an event step only becomes shorter: its factor serves on
+    m_corrector.set_load_scale(m_accepted.corrector.load_scale);
   m_log.events.clear();
   m_stage = Stage::NONE;
 }

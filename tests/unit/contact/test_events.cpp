@@ -129,12 +129,12 @@ TEST(Events, SlipToStickWhereTheSlipTurns) {
     scene.add_plate(0, 0.3);
     scene.touch(3, NodeState::SLIDING, side);
     for (Eigen::VectorXd* R : {&scene.R0, &scene.R1}) EventScene::set_force(*R, 3, 1, -0.3 * side);
-    scene.start.nodes[3].slip_rate = side;
+    scene.start.nodes[3].slip_rate = 1;
     scene.slip(scene.end.nodes[3], side * -0.5 * 2); // slips back at the rate 0.5 for dt = 2
     scene.single(EventKind::SLIP_TO_STICK, 3, 0.5);
     scene.start.nodes[3].slip_rate = 0;
     scene.single(EventKind::SLIP_TO_STICK, 3, 0);
-    scene.start.nodes[3].slip_rate = 0.1 * side; // stopped before this step already: at once
+    scene.start.nodes[3].slip_rate = 0.1; // stopped before this step already: at once
     scene.single(EventKind::SLIP_TO_STICK, 3, 0);
     scene.end.nodes[3] = scene.start.nodes[3];
     scene.slip(scene.end.nodes[3], side * 1e-3);

@@ -224,7 +224,7 @@ TEST(Tool, RefusesBadInput) {
   expect_invalid([] { profile_tool("", circle(1), cartesian()); }, "Tool: the name is empty");
   expect_invalid([] { Tool<2>("die", nullptr, cartesian()); },
                  "Tool: tool \"die\" has no surface (null pointer)");
-  expect_invalid([] { ProfileSurface(nullptr); }, "ProfileSurface: no profile (null pointer)");
+  expect_invalid([] { ProfileSurface(nullptr); }, "tool: no profile");
   expect_invalid([] { profile_tool("die", circle(1), nullptr); },
                  "Tool: tool \"die\" has no coordinates (null pointer)");
   const auto roller = profile_tool("roller", circle(1), polar(1));

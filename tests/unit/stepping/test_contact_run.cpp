@@ -35,7 +35,7 @@ struct Block : Scene {
 TEST(ContactRun, CandidatesAreTheFreeNodesOfTheSurface) {
   const auto mesh = block_mesh(3, 2, 2, 3, 1);
   auto fixed = mesh.fixed;
-  const int left = mesh.surface[0].vertex[0], right = mesh.surface[2].vertex[1];
+  const int left = mesh.surface[0].vertex[1], right = mesh.surface[2].vertex[0];
   fixed[2 * left] = fixed[2 * left + 1] = 1;
   fixed[2 * right] = 1; // held in one direction only: still a candidate
   const ContactSetup<2> setup(mesh.space, mesh.surface, fixed, std::make_shared<EdgeMeasure>());

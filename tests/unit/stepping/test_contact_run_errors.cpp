@@ -152,9 +152,9 @@ TEST(ContactRunErrors, OrderOfCalls) {
   const auto condense = [&](const Eigen::VectorXd& R) {
     block.contact().condense(block.tangent, block.u, R, GeometricTerms::COMPLETE, RightHandSide::TOTAL, false);
   };
-  expect_invalid([&] { condense(block.R); }, "contact.condense: call begin first");
+  expect_invalid([&] { condense(block.R); }, "contact.condense: no step is under way, call begin first");
   expect_invalid([&] { block.contact().expand(block.R, block.u); },
-                 "contact.expand: call begin and condense first");
+                 "contact.expand: no step is under way, call begin first");
   block.begin();
   expect_invalid([&] { condense(Eigen::VectorXd::Zero(4)); },
                  "contact.condense: size of the arrays = 4, expected number of dofs");
@@ -163,6 +163,9 @@ TEST(ContactRunErrors, OrderOfCalls) {
   expect_invalid([&] { condense(bad); }, "contact.condense: the force array holds NaN or Inf");
   Eigen::VectorXd u = Eigen::VectorXd::Zero(5);
   expect_invalid([&] { block.contact().expand(block.R, u); }, "contact.expand: size of u = 5");
+  expect_invalid([&] { block.contact().accept(block.u, block.R, {}); },
+                 "contact.accept: this step has not been checked, call check first");
+  block.contact().check(block.u, block.R);
   expect_invalid([&] { block.contact().accept(u, block.R, {}); },
                  "contact.accept: size of the arrays = 5, expected number of dofs");
   expect_invalid([&] { block.contact().accept(block.u, u, {}); }, "contact.accept: size of the arrays");
