@@ -9,13 +9,14 @@
 //     axisymmetric=true   x is the radius (as in rcMaterial)
 //   C.add(roller);  C.add(roller, label=3);  labels=: the part it may touch
 //     friction=0.3 | friction=0.3, shearlimit=1e8 | tresca=5e7 | sticking=true | frictionlaw="0.3*p/(1+p/k)":
-//     another law than the contact's, see friction_choice.hpp
+//     another law than the contact's; all: the core's contact/friction_laws.hpp
 //   C.parameter("k", 1e8);                         a number by name for the formulas of later calls of add
 //   C.warnings                                     text, one line each: tools that reach for one node, ...
 //   real q = C.approach(roller, "r", u[]);         moves one coordinate until the tool just touches
+#include "arguments.hpp"
 #include "base/error.hpp"
 #include "base/formula.hpp"
-#include "friction_choice.hpp"
+#include "contact/friction_laws.hpp"
 #include "named.hpp"
 #include "types.hpp"
 #include <algorithm>
@@ -95,20 +96,25 @@ std::vector<Facet<2>> reach_of(const Named& a, const ContactObject& contact) {
 
 struct AddTag {};
 struct AddTool {
-  static const int n = 7;
-  static basicAC_F0::name_and_type names[n];
+  static const std::vector<Parameter> laws;
+  static std::vector<basicAC_F0::name_and_type> list;
+  static const int n;
+  static basicAC_F0::name_and_type* const names;
   static bool call(const Named& a, Method<ContactHandle, AddTag> m, ToolHandle* tool) {
     ContactObject& contact = m->get();
-    const auto friction = friction_choice(a, contact.friction, contact.parameters);
+    const auto friction = called("contact.add", [&] {
+      return make_friction(arguments_of(a, laws), contact.friction, contact.parameters);
+    });
     contact.setup->add_tool(tool->get().tool, friction, reach_of(a, contact));
     tool->get().added = true;
     return true;
   }
 };
-basicAC_F0::name_and_type AddTool::names[] = {
-    {"friction", &typeid(double)}, {"shearlimit", &typeid(double)},   {"tresca", &typeid(double)},
-    {"sticking", &typeid(bool)},   {"frictionlaw", &typeid(string*)}, {"label", &typeid(long)},
-    {"labels", &typeid(KN_<long>)}};
+const std::vector<Parameter> AddTool::laws = friction_parameters();
+std::vector<basicAC_F0::name_and_type> AddTool::list =
+    names_of(laws, {{"label", &typeid(long)}, {"labels", &typeid(KN_<long>)}});
+const int AddTool::n = static_cast<int>(list.size());
+basicAC_F0::name_and_type* const AddTool::names = list.data();
 
 struct ParameterTag {};
 double parameter(const Method<ContactHandle, ParameterTag>& m, string* const& name, const double& value) {

@@ -8,47 +8,16 @@
 //   t.outlinex(n), t.outliney(n)               outline of the tool where it is, n points and its joints
 //   t.tightestradius                           smallest radius of curvature; inf for lines
 #include "tool_shapes.hpp"
+#include "arguments.hpp"
 #include "kinematics/outline.hpp"
 #include "types.hpp"
 
 namespace burnish {
 namespace {
 
-const std::vector<ShapeParameter>& parameters() {
-  static const std::vector<ShapeParameter> list = shape_parameters();
+const std::vector<Parameter>& parameters() {
+  static const std::vector<Parameter> list = shape_parameters();
   return list;
-}
-
-const std::type_info* type_of(ShapeValue value) {
-  switch (value) {
-  case ShapeValue::NUMBER:
-    return &typeid(double);
-  case ShapeValue::NUMBERS:
-    return &typeid(NumberList*);
-  case ShapeValue::TEXT:
-    return &typeid(string*);
-  case ShapeValue::FLAG:
-    return &typeid(bool);
-  }
-  return nullptr;
-}
-
-void take(const Named& named, const ShapeParameter& parameter, ShapeArguments& arguments) {
-  const std::string& name = parameter.name;
-  switch (parameter.value) {
-  case ShapeValue::NUMBER:
-    arguments.numbers[name] = named.real(name.c_str(), 0);
-    break;
-  case ShapeValue::NUMBERS:
-    arguments.lists[name] = named.numbers(name.c_str());
-    break;
-  case ShapeValue::TEXT:
-    arguments.texts[name] = named.text(name.c_str(), "");
-    break;
-  case ShapeValue::FLAG:
-    arguments.flags[name] = named.boolean(name.c_str(), false);
-    break;
-  }
 }
 
 string* help(Stack stack, const long&) { return new_string(stack, shape_help()); }
@@ -77,17 +46,11 @@ double tightest_radius(ToolHandle* const& handle) {
 } // namespace
 
 std::vector<basicAC_F0::name_and_type> shape_names(const std::vector<basicAC_F0::name_and_type>& more) {
-  std::vector<basicAC_F0::name_and_type> names;
-  for (const ShapeParameter& parameter : parameters())
-    names.push_back({parameter.name.c_str(), type_of(parameter.value)});
-  names.insert(names.end(), more.begin(), more.end());
-  return names;
+  return names_of(parameters(), more);
 }
 
 std::shared_ptr<const Profile<2>> shape_of(const Named& named) {
-  ShapeArguments arguments;
-  for (const ShapeParameter& parameter : parameters())
-    if (named.has(parameter.name.c_str())) take(named, parameter, arguments);
+  const Arguments arguments = arguments_of(named, parameters());
   return called("tool", [&] { return make_shape(arguments); });
 }
 

@@ -1,4 +1,5 @@
 #include "contact/formula_friction.hpp"
+#include "contact/friction_kind.hpp"
 #include "base/error.hpp"
 #include <cmath>
 
@@ -38,6 +39,14 @@ double FormulaFriction::slope(double N, double area) const {
 }
 
 bool FormulaFriction::vanishes() const { return m_t0 == 0 && !m_traction.depends_on(0); }
+
+FrictionKind formula_kind() {
+  return {"frictionlaw=",
+          {{"frictionlaw", ArgumentKind::TEXT, "traction as a formula of the pressure p, both [stress]"}},
+          [](const Arguments& a, const Constants& constants) {
+            return make_formula_friction(a.text("frictionlaw"), constants);
+          }};
+}
 
 std::shared_ptr<const FrictionLaw> make_formula_friction(const std::string& traction,
                                                          const std::map<std::string, double>& parameters) {

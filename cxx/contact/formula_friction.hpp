@@ -1,5 +1,5 @@
 #pragma once
-// Friction law that a script writes itself: traction as a formula of pressure.
+// User-defined friction law: traction as a formula of pressure.
 #include "base/formula.hpp"
 #include "contact/friction.hpp"
 
@@ -26,6 +26,8 @@ private:
   Formula m_traction, m_derivative;
   double m_t0 = 0, m_slope0 = 0; // at p = 0
 };
+
+FrictionKind formula_kind(); ///< frictionlaw=, for the table in friction_laws.hpp
 
 /// NoFriction for a formula that is 0 for every p, else FormulaFriction.
 std::shared_ptr<const FrictionLaw>

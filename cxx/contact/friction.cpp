@@ -1,5 +1,6 @@
 #include "contact/friction.hpp"
 #include "base/error.hpp"
+#include "contact/friction_kind.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,6 +32,29 @@ double LimitedCoulombFriction::slope(double N, double area) const {
 }
 
 double StickingFriction::limit(double, double) const { return std::numeric_limits<double>::infinity(); }
+
+FrictionKind coulomb_kind() {
+  return {"friction= (with shearlimit= if there is one)",
+          {{"friction", ArgumentKind::NUMBER, "Coulomb: largest traction friction*p"},
+           {"shearlimit", ArgumentKind::NUMBER, "[stress] and no more than this shear strength"}},
+          [](const Arguments& a, const Constants&) {
+            const double mu = a.number("friction", 0);
+            return a.has("shearlimit") ? make_limited_coulomb(mu, a.number("shearlimit", 0)) : make_coulomb(mu);
+          },
+          "shearlimit= limits Coulomb friction: give friction= with it"};
+}
+
+FrictionKind tresca_kind() {
+  return {"tresca=",
+          {{"tresca", ArgumentKind::NUMBER, "[stress] shear traction under any pressure"}},
+          [](const Arguments& a, const Constants&) { return make_tresca(a.number("tresca", 0)); }};
+}
+
+FrictionKind sticking_kind() {
+  return {"sticking=true",
+          {{"sticking", ArgumentKind::FLAG, "true: a node never slides"}},
+          [](const Arguments&, const Constants&) { return std::make_shared<StickingFriction>(); }};
+}
 
 std::shared_ptr<const FrictionLaw> make_coulomb(double mu) {
   if (mu == 0) return std::make_shared<NoFriction>();

@@ -5,7 +5,7 @@
 namespace burnish {
 
 /// Friction limit g(N, A) and its slope dg/dN; a node sticks while |T| <= g and slides with |T| = g, opposing
-/// slip. A is the node's share of the surface, so that laws of pressure p = N/A and traction read
+/// slip. A is the node's tributary area, so that laws of pressure p = N/A and traction read
 /// g = A t(N/A) [A: length per unit thickness in plane strain, area of the whole ring when axisymmetric].
 /// Every law goes on continuously below N = 0, with the slope that it has there: an iteration passes through
 /// N < 0, and a node that has just touched starts from N = 0.
@@ -81,6 +81,12 @@ public:
   double slope(double, double) const override { return 0; }
   bool sticks_always() const override { return true; }
 };
+
+/// Entries of the table in friction_laws.hpp.
+struct FrictionKind;
+FrictionKind coulomb_kind(); ///< friction=, shearlimit=
+FrictionKind tresca_kind();
+FrictionKind sticking_kind();
 
 /// NoFriction for mu == 0, else CoulombFriction.
 std::shared_ptr<const FrictionLaw> make_coulomb(double mu);

@@ -80,12 +80,12 @@ double ArcChain::tightest_radius() const {
 
 ShapeKind arc_chain_shape() {
   return {"chain=[x0,y0,r0, x1,y1,r1, ...]",
-          {{"chain", ShapeValue::NUMBERS,
+          {{"chain", ArgumentKind::NUMBERS,
             "lines from corner to corner, each corner with the radius of its fillet [length]"},
-           {"closed", ShapeValue::FLAG,
+           {"closed", ArgumentKind::FLAG,
             "true: back to the first corner, body outside; else the body is on the left"},
-           {"inside", ShapeValue::FLAG, "true: body on the other side"}},
-          [](const ShapeArguments& given) {
+           {"inside", ArgumentKind::FLAG, "true: body on the other side"}},
+          [](const Arguments& given) {
             const std::vector<double> p = given.list("chain");
             require(p.size() % 3 == 0 && !p.empty(), "chain", "number of values in chain", p.size(),
                     "three per point: [x0,y0,r0, x1,y1,r1, ...]");

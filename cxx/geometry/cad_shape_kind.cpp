@@ -7,7 +7,7 @@ namespace burnish {
 
 namespace {
 
-std::vector<int> tags_of(const ShapeArguments& given) {
+std::vector<int> tags_of(const Arguments& given) {
   std::vector<int> tags;
   if (!given.has("curves")) return tags;
   if (given.list("curves").empty())
@@ -23,14 +23,14 @@ std::vector<int> tags_of(const ShapeArguments& given) {
 
 ShapeKind cad_curve_shape() {
   return {"cad=\"file\"",
-          {{"cad", ShapeValue::TEXT,
+          {{"cad", ArgumentKind::TEXT,
             "curves of a .geo, .step, .stp or .brep file; closed: body outside, open: on the left"},
-           {"curves", ShapeValue::NUMBERS, "tags of the curves, as gmsh numbers them; all unless given"},
-           {"scale", ShapeValue::NUMBER,
+           {"curves", ArgumentKind::NUMBERS, "tags of the curves, as gmsh numbers them; all unless given"},
+           {"scale", ArgumentKind::NUMBER,
             "the script's unit of length per unit of the file (STEP: per mm); 1 unless given"},
-           {"geo", ShapeValue::TEXT, "\"R=2; H=8\", numbers for the DefineConstants of a .geo file"},
-           {"inside", ShapeValue::FLAG, "true: body on the other side"}},
-          [](const ShapeArguments& given) {
+           {"geo", ArgumentKind::TEXT, "\"R=2; H=8\", numbers for the DefineConstants of a .geo file"},
+           {"inside", ArgumentKind::FLAG, "true: body on the other side"}},
+          [](const Arguments& given) {
             CadSelection selection;
             selection.file = given.text("cad");
             selection.curves = tags_of(given);

@@ -39,9 +39,9 @@ ParamRange<2> Circle::range() const { return {Param<2>(0.), Param<2>(2 * std::ac
 
 ShapeKind circle_shape() {
   return {"circle=R",
-          {{"circle", ShapeValue::NUMBER, "roller about the origin of the tool's frame; radius [length]"},
-           {"inside", ShapeValue::FLAG, "true: a hollow die, the body inside the circle"}},
-          [](const ShapeArguments& given) {
+          {{"circle", ArgumentKind::NUMBER, "roller about the origin of the tool's frame; radius [length]"},
+           {"inside", ArgumentKind::FLAG, "true: a hollow die, the body inside the circle"}},
+          [](const Arguments& given) {
             return std::make_shared<Circle>(given.number("circle", 0), given.flag("inside"));
           }};
 }

@@ -11,7 +11,7 @@ namespace burnish {
 namespace {
 
 bool takes(const ShapeKind& kind, const std::string& name) {
-  const auto named = [&](const ShapeParameter& parameter) { return parameter.name == name; };
+  const auto named = [&](const Parameter& parameter) { return parameter.name == name; };
   return std::any_of(kind.parameters.begin(), kind.parameters.end(), named);
 }
 
@@ -31,16 +31,16 @@ const std::vector<ShapeKind>& shape_kinds() {
   return kinds;
 }
 
-std::vector<ShapeParameter> shape_parameters() {
-  std::map<std::string, ShapeParameter> all;
+std::vector<Parameter> shape_parameters() {
+  std::map<std::string, Parameter> all;
   for (const ShapeKind& kind : shape_kinds())
-    for (const ShapeParameter& parameter : kind.parameters) all.emplace(parameter.name, parameter);
-  std::vector<ShapeParameter> list;
+    for (const Parameter& parameter : kind.parameters) all.emplace(parameter.name, parameter);
+  std::vector<Parameter> list;
   for (const auto& [name, parameter] : all) list.push_back(parameter);
   return list;
 }
 
-std::shared_ptr<const Profile<2>> make_shape(const ShapeArguments& arguments) {
+std::shared_ptr<const Profile<2>> make_shape(const Arguments& arguments) {
   const ShapeKind* chosen = nullptr;
   int count = 0;
   for (const ShapeKind& kind : shape_kinds()) {
@@ -49,7 +49,7 @@ std::shared_ptr<const Profile<2>> make_shape(const ShapeArguments& arguments) {
     ++count;
   }
   if (count != 1) fail("shape", "give exactly one profile: " + examples());
-  for (const ShapeParameter& other : shape_parameters())
+  for (const Parameter& other : shape_parameters())
     if (arguments.has(other.name) && !takes(*chosen, other.name))
       fail("shape", chosen->parameters[0].name + "= takes no " + other.name + "=" + chosen->remark);
   return chosen->make(arguments);
@@ -58,7 +58,7 @@ std::shared_ptr<const Profile<2>> make_shape(const ShapeArguments& arguments) {
 std::string shape_help() {
   std::string text;
   for (const ShapeKind& kind : shape_kinds())
-    for (const ShapeParameter& parameter : kind.parameters) {
+    for (const Parameter& parameter : kind.parameters) {
       const bool first = &parameter == &kind.parameters[0];
       std::string left = first ? kind.example : "    " + parameter.name + "=";
       left.resize(std::max<std::size_t>(left.size() + 2, 34), ' ');

@@ -8,12 +8,12 @@ namespace burnish {
 const std::vector<ShapeKind>& shape_kinds();
 
 /// Parameters of all kinds, each name once.
-std::vector<ShapeParameter> shape_parameters();
+std::vector<Parameter> shape_parameters();
 
 /// The profile that the arguments name.
 /// @throws std::invalid_argument for none or several kinds, for a parameter of another kind, and what the
 /// profile refuses
-std::shared_ptr<const Profile<2>> make_shape(const ShapeArguments& arguments);
+std::shared_ptr<const Profile<2>> make_shape(const Arguments& arguments);
 
 /// Every kind with its parameters, a line each.
 std::string shape_help();

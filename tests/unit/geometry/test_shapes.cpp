@@ -12,12 +12,12 @@ namespace {
 
 const Param<2> ANY(0.0);
 
-void refuses(const ShapeArguments& arguments, const std::string& message) {
+void refuses(const Arguments& arguments, const std::string& message) {
   expect_invalid([&] { make_shape(arguments); }, message);
 }
 
-ShapeArguments cad(const std::string& file) {
-  ShapeArguments arguments;
+Arguments cad(const std::string& file) {
+  Arguments arguments;
   arguments.texts["cad"] = file;
   return arguments;
 }
@@ -26,13 +26,13 @@ ShapeArguments cad(const std::string& file) {
 
 TEST(Shapes, TheTableIsWhole) {
   std::set<std::string> chosen;
-  std::map<std::string, ShapeValue> values;
+  std::map<std::string, ArgumentKind> values;
   for (const ShapeKind& kind : shape_kinds()) {
     ASSERT_FALSE(kind.parameters.empty());
     const std::string first = kind.parameters[0].name;
     EXPECT_TRUE(chosen.insert(first).second) << first << " chooses two kinds";
     EXPECT_EQ(kind.example.rfind(first + "=", 0), 0u) << kind.example;
-    for (const ShapeParameter& parameter : kind.parameters) {
+    for (const Parameter& parameter : kind.parameters) {
       EXPECT_GT(parameter.help.size(), 10u) << parameter.name;
       EXPECT_EQ(parameter.help.find('\n'), std::string::npos) << parameter.name;
       EXPECT_EQ(parameter.name.find('_'), std::string::npos) << "no name for a script";
@@ -45,13 +45,13 @@ TEST(Shapes, TheTableIsWhole) {
   for (const std::string& first : chosen) {
     int kinds = 0;
     for (const ShapeKind& kind : shape_kinds())
-      for (const ShapeParameter& parameter : kind.parameters) kinds += parameter.name == first;
+      for (const Parameter& parameter : kind.parameters) kinds += parameter.name == first;
     EXPECT_EQ(kinds, 1) << first << " is an option of another kind";
   }
 }
 
 TEST(Shapes, EachKind) {
-  ShapeArguments circle, line, chain;
+  Arguments circle, line, chain;
   circle.numbers["circle"] = 2;
   EXPECT_NEAR(make_shape(circle)->closest_point({5, 0}, ANY).gap, 3, 1e-15);
   circle.flags["inside"] = true;
@@ -61,17 +61,17 @@ TEST(Shapes, EachKind) {
   chain.lists["chain"] = {1, 1, 1, -1, 1, 1, -1, -1, 1, 1, -1, 1};
   chain.flags["closed"] = true;
   EXPECT_NEAR(make_shape(chain)->closest_point({3, 0}, ANY).gap, 2, 1e-14);
-  ShapeArguments roller = cad("tests/support/cad/circle.step");
+  Arguments roller = cad("tests/support/cad/circle.step");
   roller.numbers["scale"] = 0.1;
   roller.lists["curves"] = {1};
   EXPECT_NEAR(make_shape(roller)->tightest_radius(), 1.5, 1e-13);
-  ShapeArguments punch = cad("tests/support/cad/punch.geo");
+  Arguments punch = cad("tests/support/cad/punch.geo");
   punch.texts["geo"] = "R=1; H=7";
   EXPECT_NEAR(make_shape(punch)->tightest_radius(), 1, 1e-13);
 }
 
 TEST(ShapesErrors, NoneOrSeveralOrOthersParameters) {
-  ShapeArguments two, closed, turned;
+  Arguments two, closed, turned;
   const std::string one = "shape: give exactly one profile: circle=R, line=[x0,y0,x1,y1], chain=[x0,y0,r0, "
                           "x1,y1,r1, ...] or cad=\"file\"";
   refuses({}, one);
@@ -87,7 +87,7 @@ TEST(ShapesErrors, NoneOrSeveralOrOthersParameters) {
 }
 
 TEST(ShapesErrors, Values) {
-  ShapeArguments line, chain, roller = cad("tests/support/cad/circle.step");
+  Arguments line, chain, roller = cad("tests/support/cad/circle.step");
   line.lists["line"] = {0, 0, 1};
   refuses(line, "line: number of values in line = 3, expected 4: [x0,y0,x1,y1]");
   for (const std::size_t n : {0, 4}) {
