@@ -1,6 +1,6 @@
 #pragma once
 // The dense nonsymmetric contact block: W' S A + Geo on the active nodes, S the Schur complement of the body
-// on them (METHOD.md 3 and 5; article eq. 1.13-1.21 after eliminating all other nodes).
+// on them (METHOD.md 3.4, ALGORITHMS.md 8.4).
 #include "contact/linearization.hpp"
 #include "solver/active_cholesky.hpp"
 

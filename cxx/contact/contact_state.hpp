@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// States of a boundary node (METHOD.md 4). TOUCHED: came into contact at the last event, neither stick nor slip
+/// States of a boundary node (METHOD.md 4.1). TOUCHED: came into contact at the last event, neither stick nor slip
 /// decided. LEAVING: released at the last event, its remaining reaction still to be taken off. RECEDING: released, the
 /// touch test passes over it while it moves away.
 enum class NodeState : char { FREE, TOUCHED, SLIDING, STICKING, LEAVING, RECEDING };

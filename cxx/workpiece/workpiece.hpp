@@ -46,7 +46,7 @@ public:
   /// Its tangent (symmetric part), into a matrix with this discretization's pattern: replaces the values.
   /// Right after accept, revert or set_state the increment is zero and CONSISTENT means RATE, its limit for a
   /// step that goes on like the last one. RATE: a point loads if it flowed in the last update.
-  /// @param elastic_blend 0..1: share of the elastic moduli mixed into plastic points (ALGORITHMS.md 5)
+  /// @param elastic_blend 0..1: part of elastic moduli in plastic points (ALGORITHMS.md 5.2)
   /// @throws std::invalid_argument if the pattern is another one or elastic_blend is out of range
   void tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, double elastic_blend = 0) const;
   NodeBlockMatrix<Dim> pattern() const { return m_assembly.pattern(); }

@@ -105,7 +105,7 @@ TEST(Tool, DerivativesAgainstFiniteDifferences) {
         }
 }
 
-TEST(Tool, WrittenFormulasOfThePolarCircle) { // method.md section 2
+TEST(Tool, WrittenFormulasOfThePolarCircle) { // METHOD.md 2.3
   const double R = 15, r = 45, phi = 0.7, theta = -0.4, s = 2.1;
   const SurfacePoint<2> point =
       Tool<2>("roller", circle(1), polar(1)).surface(Vector3d(r, phi, theta), Param<2>(s));
