@@ -16,7 +16,7 @@ struct CondensedSystem {
   Eigen::VectorXd rhs;
 };
 
-/// What the right-hand side holds.
+/// What the right-hand side consists of.
 enum class RightHandSide {
   TOTAL, ///< applied generalized forces minus the total internal forces
   RATES, ///< increments of the applied forces and motions only: the article's pure rates. Neither forces out
@@ -49,7 +49,7 @@ public:
     Eigen::VectorXd
         F; ///< R + K du on the candidates, Dim*candidates: of those in contact their force [force]
   };
-  /// @throws std::invalid_argument if z has not the size of the last condensed system or holds NaN
+  /// @throws std::invalid_argument if z has not the size of the last condensed system or contains NaN
   Expansion expand(const Eigen::VectorXd& z) const;
 
 private:

@@ -19,7 +19,7 @@ template <int Dim> struct ContactBlockInput {
   Eigen::VectorXd offset; ///< X(q,y) - x of the nodes, Dim*nodes [length]
   /// Stiffness that was added to the body's tangent on the diagonal of nodes in contact or beside it before
   /// `flexibility` and `free_increment` were made, and is taken off again here, exactly: a body that only its
-  /// tools hold has a singular tangent. Dim*nodes [force/length], or empty: none.
+  /// tools support has a singular tangent. Dim*nodes [force/length], or empty: none.
   Eigen::VectorXd added_stiffness;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Friction law that a script writes itself: traction as a formula of pressure.
+// User-defined friction law: traction as a formula of pressure.
 #include "base/formula.hpp"
 #include "contact/friction.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 // A way through a step: which equilibria are solved one after another, and what is accepted. The Stepper does what a
-// scheme asks for and tells it how it went.
+// scheme asks for and reports how it went.
 #include "stepping/contact_run.hpp"
 #include "stepping/run_body.hpp"
 #include <memory>

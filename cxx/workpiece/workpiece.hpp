@@ -38,7 +38,7 @@ public:
   ///                     freeze_iteration and is frozen from there on (a point that yields later gets one
   ///                     then)
   /// @throws std::invalid_argument if the size, dt, iteration or an option is wrong, or where axisymmetric a
-  ///         node on the axis has u_r other than 0 but for rounding (names it): the solver must hold it
+  ///         node on the axis has u_r other than 0 but for rounding (names it): the solver must constrain it
   UpdateResult update(const Eigen::VectorXd& displacement, double dt, int iteration);
   /// Internal force of state(): sum over points V0 P grad_X N, P = tau F^-T, and where axisymmetric V0 P_zz
   /// N/R on the radial dof, the force of the whole ring; num_dofs [force].

@@ -61,7 +61,7 @@ whole "$SCRATCH/force" error 'contact.check: R[0] = ' 20 15e-3
 
 broken record 's/^func int record(real t) {/& int[int] two(2); if (t > 0.5) two[7] = 1;/'
 finish record 20 'Out of bound in operator []'
-whole "$SCRATCH/record" error 'an error of the script or of FreeFEM, told above' 20 15e-3
+whole "$SCRATCH/record" error 'an error of the script or of FreeFEM, reported above' 20 15e-3
 
 # a formula of the roller's coordinates that ends at phi = 1.6, on the way
 broken formula 's|^roller.coordinates(.*|roller.coordinates("r, phi, theta", x="r*cos(phi)+1e-30*sqrt(phi-1.6)", y="r*sin(phi)", angle="theta");|'

@@ -168,5 +168,5 @@ TEST(Condensation, BadInput) {
   scene.condense(RightHandSide::TOTAL);
   Eigen::VectorXd z = Eigen::VectorXd::Zero(27);
   z[3] = std::nan("");
-  expect_invalid([&] { scene.condensation.expand(z); }, "expand: the solution holds NaN or Inf");
+  expect_invalid([&] { scene.condensation.expand(z); }, "expand: the solution contains NaN or Inf");
 }

@@ -171,7 +171,7 @@ TEST(CondensedTangentMore, TwoTools) {
   expect_blocks(s.tangent(GeometricTerms::COMPLETE), s.expected(), s.kinds(), 1e-9);
 }
 
-// Laws of pressure and traction, every node with a share of its own; the limited one on both sides of its kink.
+// Laws of pressure and traction, every node with a tributary area of its own; the limited one on both sides of its kink.
 TEST(CondensedTangentMore, EveryFrictionLaw) {
   struct Case {
     const char* name;

@@ -88,7 +88,7 @@ TEST(SessionErrors, Begin) {
   expect_invalid([&] { block.session.begin(u, 0, 1, Stepping::IMPLICIT); },
                  "contact.begin: size of u = 5, expected number of dofs");
   block.u[4] = std::nan("");
-  expect_invalid([&] { block.begin(); }, "contact.begin: the displacement holds NaN or Inf");
+  expect_invalid([&] { block.begin(); }, "contact.begin: the displacement contains NaN or Inf");
   expect_invalid([&] { block.tool->prescription().move("z", 1); },
                  "tool \"tool\" has no coordinate \"z\", expected one of x, y, angle");
 }
@@ -140,9 +140,9 @@ TEST(SessionErrors, CheckFactorizeCorrect) {
   Eigen::VectorXd bad = block.R;
   bad[3] = std::nan("");
   expect_invalid([&] { block.session.check(block.u, bad); },
-                 "contact.check: the force array holds NaN or Inf");
+                 "contact.check: the force array contains NaN or Inf");
   bad[3] = INFINITY;
-  expect_invalid([&] { block.session.check(block.u, bad); }, "the force array holds NaN or Inf");
+  expect_invalid([&] { block.session.check(block.u, bad); }, "the force array contains NaN or Inf");
   expect_invalid([&] { block.session.correct(block.u, block.R); },
                  "contact.correct: no factor: call factorize first");
   const auto small = pattern_from_elements<2>(3, 3, {0, 1, 2});
@@ -163,7 +163,7 @@ TEST(SessionErrors, OrderOfCalls) {
                  "contact.condense: size of the arrays = 4, expected number of dofs");
   Eigen::VectorXd bad = block.R;
   bad[3] = std::nan("");
-  expect_invalid([&] { condense(bad); }, "contact.condense: the force array holds NaN or Inf");
+  expect_invalid([&] { condense(bad); }, "contact.condense: the force array contains NaN or Inf");
   Eigen::VectorXd u = Eigen::VectorXd::Zero(5);
   expect_invalid([&] { block.session.expand(block.R, u); }, "contact.expand: size of u = 5");
   expect_invalid([&] { block.session.accept(u, block.R, {}); },
