@@ -58,6 +58,7 @@ suite     = $(foreach s,$(1),$(or $(strip $(call program,$(s)) $(call scripts,$(
 stray     = $(filter-out tests/run_scripts.sh tests/support/% tests/benchmark/% $(ALL_SOURCES) \
               $(foreach s,$(SUITES),$(call scripts,$(s))),$(shell find tests -name '*.cpp' -o -name '*.edp' -o -name '*.sh'))
 
+FORMATTED = cxx plugins tests -name '*.[ch]pp'
 CASES     = $(sort $(patsubst cases/%/,%,$(dir $(wildcard cases/*/*.edp))))
 
 # --- environment of every script: our folders first, then FreeFEM's ------------------------------------------
@@ -99,7 +100,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures sweep test $(SUITES:%=test-%) bench packages format clean help FORCE
+.PHONY: build run run-fine figures sweep test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
 .PHONY: compile programs
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -123,7 +124,7 @@ sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3": ca
 	@CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' \
 	  BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
 
-test: packages ## all quick tests: unit, plugin, verification, regression (under ten minutes)
+test: packages format-check ## all quick tests: format, unit, plugin, verification, regression (under ten minutes)
 	$(if $(stray),$(error in no suite: $(stray)))
 	$(COMPILE) compile $(call program,unit) $(call program,verification)
 	@$(TEST) $(call suite,regression verification plugin unit)
@@ -147,7 +148,11 @@ packages: ## look for the Debian packages needed and install what is missing
 
 format: ## clang-format on all C++ files
 	@$(PACKAGES) format
-	find cxx plugins tests -name '*.[ch]pp' -exec clang-format -i {} +
+	find $(FORMATTED) -exec clang-format -i {} +
+
+format-check: ## are all C++ files as make format leaves them?
+	@$(PACKAGES) format
+	@find $(FORMATTED) -exec clang-format --dry-run -Werror {} + || { echo "not formatted: run make format"; exit 1; }
 
 clean: ## remove everything built (results in out/ stay)
 	rm -rf $(BUILD)

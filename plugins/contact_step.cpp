@@ -1,5 +1,5 @@
 // The verbs of a step.
-//   C.begin(u[], t, dt);                 u: in accepted, out predicted; the drives hold the values at t + dt
+//   C.begin(u[], t, dt);                 u: in accepted, out predicted; the prescriptions have the values at t + dt
 //     events=true                        contact states stay fixed (event stepping)
 //     rates=true                         pure rates from the accepted state, see contact_matrix.cpp
 //   int st = C.check(u[], R);            rcConverged, rcIterate, rcRefactorize, rcBacktracked, rcFailed (C.reason tells why)

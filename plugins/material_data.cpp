@@ -71,7 +71,8 @@ struct DisplacementTag {};
 KN_<double> displacement(Stack stack, const Method<MaterialHandle, DisplacementTag>& m, const long& i) {
   return guarded([&] {
     const Eigen::VectorXd& u = m->get().workpiece().state().displacement;
-    return component(stack, std::vector<double>(u.data(), u.data() + u.size()), i, 2, "material.displacement");
+    return component(stack, std::vector<double>(u.data(), u.data() + u.size()), i, 2,
+                     "material.displacement");
   });
 }
 long degree(MaterialHandle* const& h) {

@@ -4,10 +4,10 @@
 //     hardening="linear" (default): sigY + H*ep; the laws and their parameters are listed in cxx/material/hardening.cpp
 //     update="substepped" | "single" | "euler", pathlimit=1.5
 //     axisymmetric=true   x >= 0 is the radius, y runs along the axis, [u, v] = [u_r, u_z], no torsion; forces are those
-//                         of the whole ring [force]. The script holds u_r = 0 on the axis: on(axis, u=0)
+//                         of the whole ring [force]. The script prescribes u_r = 0 on the axis: on(axis, u=0)
 //   int st = M.update(u[], dt, it);   stress at u from the accepted state; 0, or 1 for an inverted element
 //   M.force(R);  M.accept();  M.revert();
-//   matrix K = M.tangent();           kind="consistent" | "rate" | "elastic", blend=0..1 (share of elastic moduli)
+//   matrix K = M.tangent();           kind="consistent" | "rate" | "elastic", blend=0..1 (part of elastic moduli)
 //   M.stress(0), M.plasticstraineq ...  fields at the points: material_data.cpp
 // Element events of the step that the last update made (first yield, unloading):
 //   real f = M.events(1e-3);          earliest fraction and all within the tolerance of it, 2 if there is none

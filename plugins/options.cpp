@@ -44,7 +44,8 @@ string* text_option(Stack stack, string* const& name, string* const& otherwise) 
 }
 string* text_with_help(Stack stack, string* const& name, string* const& otherwise, string* const& unit,
                        string* const& meaning) {
-  return guarded([&] { return new_string(stack, script_options().text(*name, *otherwise, *unit, *meaning)); });
+  return guarded(
+      [&] { return new_string(stack, script_options().text(*name, *otherwise, *unit, *meaning)); });
 }
 bool options_end(const long&) {
   return guarded([&] {
@@ -52,7 +53,8 @@ bool options_end(const long&) {
         script_options().text("-options", "", "", "list: prints all options with their values, as JSON");
     script_options().refuse_unknown();
     if (script_options().wants_help()) {
-      cout << "options of " << script_options().script() << ", with defaults and units:\n" << script_options().help();
+      cout << "options of " << script_options().script() << ", with defaults and units:\n"
+           << script_options().help();
       leave(0);
     }
     if (!list.empty()) {

@@ -40,7 +40,8 @@ int run(std::vector<std::string> words) {
 long pictures(string* const& folder) {
   cout.flush();
   const int code = run({environment("PYTHON", "python3"), plot_program(), *folder});
-  if (code != 0) cout << "burnish: warning: the pictures could not be drawn (exit status " << code << ")" << endl;
+  if (code != 0)
+    cout << "burnish: warning: the pictures could not be drawn (exit status " << code << ")" << endl;
   return code;
 }
 

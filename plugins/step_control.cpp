@@ -13,7 +13,7 @@
 //     S.refuse(text)  the task cannot be done: the step is tried shorter;   S.stop(text)  ends the run at the accepted state
 //     S.count("steps" | "rejected" | "pieces" | "pileups" | "atonce" | "blind"), S.excess (article: largest q/sigma_y - 1)
 //     S.crawls, S.lastrejection, S.rejecteddt: steps far below dtmax after a failure; why the last step was rejected
-//   A loop of one's own:   S.propose(width, speed), S.accepted(), S.rejected() (false: below the floor), S.cut(f)
+//   A user-defined loop:   S.propose(width, speed), S.accepted(), S.rejected() (false: below the floor), S.cut(f)
 //   S.t, S.dt, S.tend, S.finished, S.atoutput
 #include "base/error.hpp"
 #include "named.hpp"
@@ -175,7 +175,7 @@ string* last_rejection(Stack stack, H* const& h) {
   return new_string(stack, h->get().stepper ? h->get().stepper->last_rejection() : "");
 }
 
-// --- a loop of one's own
+// --- a user-defined loop
 struct ProposeTag {};
 struct AcceptedTag {};
 struct RejectedTag {};

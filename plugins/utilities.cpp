@@ -27,7 +27,7 @@ void note_signal(int) {
   interrupted = 1;
 }
 
-// Taken, not only read: an error of FreeFEM's own leaves no text, and must not be told by an older one.
+// Taken, not only read: an error of FreeFEM's own leaves no text, and must not be reported by the text of an older one.
 string* last_error_text(Stack stack, const long&) {
   return new_string(stack, std::exchange(last_error(), std::string()));
 }

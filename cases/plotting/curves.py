@@ -149,7 +149,7 @@ def pressure_panel(axes, run, name, mu=None, expected=None, columns=3):
         axes.plot(arc[order], values, color=color, label=label)
         if len(order) < 120:
             axes.plot(arc[order], run.units.stress * run.surface[nodal][order], color=color, marker="o", markersize=3,
-                      linestyle="none", alpha=0.5, label="nodal force over its share" if nodal == "pressure" else None)
+                      linestyle="none", alpha=0.5, label="nodal force over tributary area" if nodal == "pressure" else None)
         if mu and label == "pressure p":
             for sign in (1, -1):
                 axes.plot(arc[order], sign * mu * values, color=GRAY, linewidth=0.9, linestyle="--", zorder=1.5,
@@ -165,7 +165,7 @@ def pressure_panel(axes, run, name, mu=None, expected=None, columns=3):
 
 
 def pressure_figure(run, mu=None, expected=None):
-    """Contact pressure and friction under each tool at the end (dots: nodal forces over their share of the surface);
+    """Contact pressure and friction under each tool at the end (dots: nodal forces over their tributary areas);
     None without contact."""
     touching = [o for o in dict.fromkeys(run.surface["tool"]) if o and under_tool(run, o)]
     if not touching:

@@ -137,7 +137,7 @@ bool test_free(const ContactModel<Dim>& model, int candidate, const std::vector<
   const auto nearest = nearest_tool(model, poses, x, enters, candidate);
   if (!(nearest.foot.gap < -gap_tolerance)) return false;
   const auto foot = model.tools[nearest.tool]->point(poses[nearest.tool], nearest.foot.place);
-  if (admissible_normal(model, candidate, foot.n).isZero()) return false; // the supports hold it
+  if (admissible_normal(model, candidate, foot.n).isZero()) return false; // the supports block it
   const TangentialLaw<Dim>& law = model.law(candidate, nearest.tool);
   const bool returns =
       enters.tool == nearest.tool && !(entry.releases[candidate] > 1 && law.friction().sticks_always());

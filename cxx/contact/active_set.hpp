@@ -46,7 +46,7 @@ template <int Dim> struct WindowSolution {
 };
 
 /// Solves the block, tests every window node, changes states and repeats until nothing changes.
-/// A sticking node with N < 0 first slides; only a sliding node is released (METHOD.md 5).
+/// A sticking node with N < 0 first slides; only a sliding node is released (METHOD.md 5.4).
 template <int Dim>
 WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                  const PrescribedValues& prescribed, const ContactState<Dim>& state,

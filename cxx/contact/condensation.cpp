@@ -259,7 +259,7 @@ template <int Dim>
 typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::VectorXd& z) const {
   require(z.size() == m_full.n && m_full.n > 0, "expand", "size of the solution", z.size(),
           "the size of the last condensed matrix");
-  if (!z.allFinite()) fail("expand", "the solution holds NaN or Inf");
+  if (!z.allFinite()) fail("expand", "the solution contains NaN or Inf");
   const Eigen::Index ndof = m_body.X.size();
   Expansion result{z.head(ndof), Eigen::MatrixXd::Zero(Dim - 1, m_model.candidates.size()),
                    z.tail(m_model.num_coordinates()), m_candidate_R};

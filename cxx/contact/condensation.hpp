@@ -1,6 +1,6 @@
 #pragma once
-// The condensed sparse system K^ z = r^ in nodes, slips and tool coordinates: K^ = W' K A + Geo (method.md
-// section 3, article eq. 1.13-1.21). One matrix for any sparse solver; the pattern is fixed for the run.
+// The condensed sparse system K^ z = r^ in nodes, slips and tool coordinates: K^ = W' K A + Geo
+// (METHOD.md 3.3). One matrix for any sparse solver; the pattern is fixed for the run.
 #include "contact/body_view.hpp"
 #include "contact/linearization.hpp"
 #include "solver/node_block_matrix.hpp"
@@ -16,12 +16,12 @@ struct CondensedSystem {
   Eigen::VectorXd rhs;
 };
 
-/// What the right-hand side holds.
+/// What the right-hand side consists of.
 enum class RightHandSide {
   TOTAL, ///< applied generalized forces minus the total internal forces
   RATES, ///< increments of the applied forces and motions only: the article's pure rates. Neither forces out
          ///< of balance nor nodes off their tool are corrected; what a release left behind is taken off
-         ///< (section 2)
+         ///< (METHOD.md 3.6)
 };
 
 /// Unknowns: dof d of a free node at position d; a sliding node has its Dim-1 slips at its first dofs and zero at
@@ -49,7 +49,7 @@ public:
     Eigen::VectorXd
         F; ///< R + K du on the candidates, Dim*candidates: of those in contact their force [force]
   };
-  /// @throws std::invalid_argument if z has not the size of the last condensed system or holds NaN
+  /// @throws std::invalid_argument if z has not the size of the last condensed system or contains NaN
   Expansion expand(const Eigen::VectorXd& z) const;
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 // The dense nonsymmetric contact block: W' S A + Geo on the active nodes, S the Schur complement of the body
-// on them (METHOD.md 3 and 5; article eq. 1.13-1.21 after eliminating all other nodes).
+// on them (METHOD.md 3.4, ALGORITHMS.md 8.4).
 #include "contact/linearization.hpp"
 #include "solver/active_cholesky.hpp"
 
@@ -19,7 +19,7 @@ template <int Dim> struct ContactBlockInput {
   Eigen::VectorXd offset; ///< X(q,y) - x of the nodes, Dim*nodes [length]
   /// Stiffness that was added to the body's tangent on the diagonal of nodes in contact or beside it before
   /// `flexibility` and `free_increment` were made, and is taken off again here, exactly: a body that only its
-  /// tools hold has a singular tangent. Dim*nodes [force/length], or empty: none.
+  /// tools support has a singular tangent. Dim*nodes [force/length], or empty: none.
   Eigen::VectorXd added_stiffness;
 };
 

@@ -91,7 +91,7 @@ ContactPoint<Dim> contact_point(const ContactModel<Dim>& model, const std::vecto
 template <int Dim>
 Vector<Dim> admissible_normal(const ContactModel<Dim>& model, int candidate, const Vector<Dim>& n) {
   if (!model.is_constrained(candidate)) return n;
-  constexpr double across = 1e-4; // squared cosine below which the supports hold the node against the tool
+  constexpr double across = 1e-4; // squared cosine below which the supports block the node against the tool
   Vector<Dim> free = n;
   for (int c = 0; c < Dim; ++c)
     if (model.constrained[candidate][c]) free[c] = 0;

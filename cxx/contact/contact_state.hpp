@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// States of a boundary node (METHOD.md 4). TOUCHED: came into contact at the last event, neither stick nor slip
+/// States of a boundary node (METHOD.md 4.1). TOUCHED: came into contact at the last event, neither stick nor slip
 /// decided. LEAVING: released at the last event, its remaining reaction still to be taken off. RECEDING: released, the
 /// touch test passes over it while it moves away.
 enum class NodeState : char { FREE, TOUCHED, SLIDING, STICKING, LEAVING, RECEDING };
@@ -22,10 +22,9 @@ template <int Dim> struct ContactNode {
   SurfacePlace<Dim> place;       ///< contact point on the tool
   SurfacePlace<Dim> slip_origin; ///< where it sticks; the slip of the step is counted from here
   Vector<Dim> slip_direction =
-      Vector<Dim>::Zero(); ///< of a node that slides against friction: unit tangent; else zero
-  double slip_rate = 0;    ///< slip of the last step along it over the time [length/time]
-  double tributary_area =
-      1; ///< its part of the surface at the start of the step, see FrictionLaw [length or area]
+      Vector<Dim>::Zero();   ///< of a node that slides against friction: unit tangent; else zero
+  double slip_rate = 0;      ///< slip of the last step along it over the time [length/time]
+  double tributary_area = 1; ///< METHOD.md (3.13), at the start of the step [length or area]
 };
 
 /// Contact point, and the slip counts from there anew.

@@ -1,6 +1,6 @@
 #pragma once
 // Contact events inside a step: everything is linear in the fraction of the step; the earliest one is located
-// and all within its tolerance are taken together (article section 2; METHOD.md 4).
+// and all within its tolerance are taken together (METHOD.md 4.2, ALGORITHMS.md 10).
 #include "contact/body_view.hpp"
 #include "contact/contact_model.hpp"
 #include <string>
@@ -54,7 +54,7 @@ struct EventTolerance {
 /// All events of the step that lie within the tolerance of the earliest; empty if the whole step is free of
 /// events. Fractions are those of linear interpolation; touch fractions are refined on the true gap. An event
 /// whose quantity comes within its tolerance at the end of the step, from above, has the fraction 1.
-/// @param supports candidates that must not begin to slide, since nothing else holds their tool; they are
+/// @param supports candidates that must not begin to slide, since nothing else supports their tool; they are
 /// released directly
 template <int Dim>
 std::vector<ContactEvent<Dim>> earliest_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,

@@ -5,7 +5,7 @@
 namespace burnish {
 
 /// Friction limit g(N, A) and its slope dg/dN; a node sticks while |T| <= g and slides with |T| = g, opposing
-/// slip. A is the node's tributary area, so that laws of pressure p = N/A and traction read
+/// slip. A is the node's tributary area (METHOD.md 3.9), so that laws of pressure p = N/A and traction read
 /// g = A t(N/A) [A: length per unit thickness in plane strain, area of the whole ring when axisymmetric].
 /// Every law goes on continuously below N = 0, with the slope that it has there: an iteration passes through
 /// N < 0, and a node that has just touched starts from N = 0.

@@ -1,10 +1,10 @@
 #pragma once
-// Residual and linearization of one contact node: the rows W, the columns A and the geometric terms of METHOD.md 3.
+// Residual and linearization of one contact node: the rows W, the columns A and the geometric terms of METHOD.md 3.2.
 #include "contact/contact_model.hpp"
 
 namespace burnish {
 
-/// Which second-derivative terms enter K^ (article eq. 1.20, 1.21; METHOD.md 3).
+/// Which second-derivative terms enter K^ (METHOD.md 3.6, article (1.20), (1.21)).
 enum class GeometricTerms {
   COMPLETE, ///< all four parts: symmetric without friction, quadratic convergence
   ARTICLE,  ///< only the (s,s) and (s,q) parts of the article

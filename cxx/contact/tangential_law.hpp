@@ -1,6 +1,6 @@
 #pragma once
 // What happens along the surface at a node in contact: the cone of friction, stick, slip and release. The only place
-// that knows them (METHOD.md 3, 4).
+// that knows them (METHOD.md 3.1, 3.10).
 #include "contact/contact_state.hpp"
 #include "contact/friction.hpp"
 #include "kinematics/tool.hpp"
@@ -34,7 +34,7 @@ template <int Dim> struct SlidingRows {
 /// zero without friction; slip and traction are vectors of Dim-1 numbers.
 ///   sticks   |T| <= g(N)      slides   T = -m g(N), m along the slip
 /// g goes on below N = 0 as the friction law says; a node there is released or slides before that matters.
-/// In space m turns with the slip: its derivative (METHOD.md 3, cone form) belongs into rows(), and nowhere else.
+/// In space m turns with the slip: its derivative (METHOD.md 3.12) belongs into rows(), and nowhere else.
 template <int Dim> class TangentialLaw {
 public:
   /// @throws std::invalid_argument for a null law
@@ -45,7 +45,7 @@ public:
   /// State test of a node in contact.
   ///   slides: released at tension, sticks when it has slipped against its direction
   ///   sticks: slides at tension or outside the cone; released at tension where it never slides
-  /// (A sticking node under tension first slides, only a sliding one is released: METHOD.md 5.)
+  /// (A sticking node under tension first slides, only a sliding one is released: METHOD.md 5.4.)
   /// @param slip of the step, in E [length]; @param area tributary area
   Change test(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip, const Param<Dim>& m,
               double area, const ContactTolerance& tolerance) const;

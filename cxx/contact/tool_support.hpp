@@ -12,8 +12,8 @@ template <int Dim>
 int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                       ContactState<Dim>& state, const std::vector<char>& refused = {});
 
-/// A body that only its tools hold slides one way before the neutral point of a tool, the other way behind it.
-/// If no node sticks there, nothing but the curvature of the contact holds it along the tool, and the solution
+/// A body that only its tools support slides one way before the neutral point of a tool, the other way behind it.
+/// If no node sticks there, nothing but the curvature of the contact supports it along the tool, and the solution
 /// is far off: the node that slipped least sticks, unless it could not before. @returns whether one was chosen
 template <int Dim>
 bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& state,

@@ -7,8 +7,8 @@ namespace burnish {
 
 /// Lines from point to point, each corner replaced by the arc of the given radius that touches both its
 /// lines. Parameter s = arc length from the first point (closed: from where the line after the first point's
-/// fillet begins). The tangent is continuous, the curvature jumps at the joints (article, eq. 1.2: a profile
-/// of smooth pieces; method.md section 4: passing from piece to piece is an event).
+/// fillet begins). The tangent is continuous, the curvature jumps at the joints (METHOD.md 2.5); passing from piece
+/// to piece is an event (METHOD.md 4.2).
 ///   open    0 <= s <= L, the body on the LEFT of the direction of travel
 ///   closed  periodic, s any real number, the body OUTSIDE whatever the direction of travel
 ///   inside  swaps the side of the body in both

@@ -1,5 +1,5 @@
 #pragma once
-// What can be told of a CAD file before gmsh reads it.
+// Checks of the text of a CAD file before OpenCASCADE or gmsh reads it.
 #include <map>
 #include <string>
 

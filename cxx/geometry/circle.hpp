@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// Periodic profile x(s) = R e(s), parameter s = angle [rad], any real number (method.md section 2).
+/// Periodic profile x(s) = R e(s), parameter s = angle [rad], any real number (METHOD.md 2.3).
 /// The point runs counter-clockwise in both variants; only the side of the body differs:
 ///   outside (default)  n = +e(s), gap = |x| - R
 ///   inside             n = -e(s), gap = R - |x|   (body in the hollow, normal to the center)

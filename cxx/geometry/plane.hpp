@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-/// e(angle) = (cos, sin), the unit vector of method.md section 2; 2 [-]; angle [rad], counter-clockwise.
+/// e(angle) = (cos, sin), the unit vector of METHOD.md 2.1; 2 [-]; angle [rad], counter-clockwise.
 inline Vector<2> plane_direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// v turned by +90 degrees: e'(angle) = left_of(e(angle)); 2, unit of v.

@@ -43,7 +43,7 @@ public:
   /// Smallest radius of curvature where the body may touch [length]; infinity for a straight line.
   virtual double tightest_radius() const = 0;
   /// Number of the smooth piece that holds s, 0, 1, ...; at a joint the piece that begins there. A node that
-  /// passes from piece to piece has an event (method.md section 4).
+  /// passes from piece to piece has an event (METHOD.md 4.2).
   virtual int piece(const Param<Dim>&) const { return 0; }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// A rigid tool's surface in the tool's own frame, known through points: foot, normal, curvature (METHOD.md 2). Curves of
-// the plane come in by ProfileSurface.
+// A rigid tool's surface in the tool's own frame, known through points: foot, normal, curvature (METHOD.md 2.2). Curves
+// of the plane come in by ProfileSurface.
 #include "base/types.hpp"
 #include <limits>
 #include <vector>
@@ -46,7 +46,7 @@ public:
     return frame(to).E.transpose() * (to.y - from.y);
   }
   /// Number of the smooth piece that holds the place; at a joint the piece that begins there. A node that passes from
-  /// piece to piece has an event (METHOD.md 4).
+  /// piece to piece has an event (METHOD.md 4.2).
   virtual int piece(const SurfacePlace<Dim>&) const { return 0; }
   /// The place at the part f (0..1) of the way from one place to another. In space: the foot of the chord's point.
   virtual SurfacePlace<Dim> between(const SurfacePlace<Dim>& from, const SurfacePlace<Dim>& to,

@@ -1,5 +1,5 @@
 #pragma once
-// Polar coordinates of a plane tool about a fixed pivot (method.md section 2).
+// Polar coordinates of a plane tool about a fixed pivot (METHOD.md (2.2)).
 #include "kinematics/coordinates.hpp"
 
 namespace burnish {

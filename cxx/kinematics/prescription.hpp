@@ -1,6 +1,6 @@
 #pragma once
 // What the program prescribes for the coordinates of one tool: motion or conjugate force
-// (method.md sections 2, 3).
+// (METHOD.md 2.4, 3.1).
 #include <string>
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-// A rigid tool: a surface placed by generalized coordinates, x = o(q) + R(q) y  (METHOD.md 2).
+// A rigid tool: a surface placed by generalized coordinates, x = o(q) + R(q) y, METHOD.md (2.1).
 #include "geometry/surface.hpp"
 #include "kinematics/coordinates.hpp"
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// A point of a placed tool with what the linearization needs (article eq. 1.2). d(eta) is a motion along the tangents,
+/// A point of a placed tool with what the linearization needs (METHOD.md (2.5)). d(eta) is a motion along the tangents,
 /// dx = E d(eta) + sum X_k dq^k, d2x/d(eta)2 = -n B.
 template <int Dim> struct SurfacePoint {
   Vector<Dim> x, n;                            ///< point; unit normal out of the tool, into the body

@@ -1,5 +1,5 @@
 #pragma once
-// Isotropic elasticity E of the rate law (3.1): stress = K tr(d) I + 2G dev(d).
+// Isotropic elasticity E of the rate law, METHOD.md (1.6): stress = K tr(d) I + 2G dev(d).
 #include "material/law_parameter.hpp"
 #include "material/step_kinematics.hpp"
 

@@ -12,7 +12,7 @@ struct YieldStress {
   double slope = 0; ///< H' = d sigma_y/d ep [stress]
 };
 
-/// sigma_y(ep) of METHOD.md 1. Immutable.
+/// sigma_y(ep) of METHOD.md 1.7, Y there. Immutable.
 class HardeningLaw {
 public:
   virtual ~HardeningLaw() = default;

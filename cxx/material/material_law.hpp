@@ -57,7 +57,7 @@ inline PointResult determinant_result(double det) {
 
 enum class TangentKind {
   CONSISTENT, ///< linearization of the chosen finite-step update
-  RATE,       ///< rate tangent of (1.11), (3.1) at the end of the step; the point loads if `plastic`
+  RATE,       ///< rate tangent, METHOD.md (1.8), at the end of the step; the point loads if `plastic`
   ELASTIC,    ///< elastic moduli with the geometric terms
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Push to the reference configuration: first Piola stress and its tangent (METHOD.md 1).
+// Push to the reference configuration: first Piola stress and its tangent (METHOD.md (1.3), (1.9)).
 #include "material/gradient.hpp"
 #include "material/stress_algebra.hpp"
 

@@ -1,6 +1,5 @@
 #pragma once
-// Kinematics of one step at one point: midpoint gradient, strain increment, Hughes-Winget rotation
-// (METHOD.md 1).
+// Kinematics of a step at a point: midpoint gradient, strain increment, rotation [HughesWinget1980] (METHOD.md 1.6).
 #include "material/gradient.hpp"
 #include "material/stress_algebra.hpp"
 #include "material/update_options.hpp"
@@ -24,7 +23,7 @@ template <int Dim> struct StepKinematics {
 };
 
 /// From F_old to F in one step. A rigid rotation by any angle below pi gives dd = 0 and alpha = that angle.
-/// With StrainFrame::END, dd = Q sym(G) Q' with Q the rotation by alpha/2 (a departure from METHOD.md 1).
+/// With StrainFrame::END, dd = Q sym(G) Q' with Q the rotation by alpha/2, METHOD.md (1.14).
 /// Never throws: where det_mid is not > 0 the other members are not set.
 inline StepKinematics<2> step_kinematics(const Gradient<2>& F_old, const Gradient<2>& F, StrainFrame frame) {
   StepKinematics<2> kin;

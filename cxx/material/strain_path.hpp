@@ -28,8 +28,8 @@ inline double curvature_share(int k, int n) {
   return 0.5 * step * ((2 * k + 1) * step - 1);
 }
 
-/// StrainFrame::END turns dd_p by the step's rotation together with the old stress; ALGORITHMS.md 2, and so
-/// StrainFrame::MIDPOINT, leaves it, and a spin curves the path.
+/// StrainFrame::END turns dd_p by the step's rotation together with the old stress (ALGORITHMS.md 2);
+/// StrainFrame::MIDPOINT leaves it, and a spin curves the path.
 /// @param elastic_increment 2G dev(dd) [stress]
 /// @param derivative filled unless null; exact, the limiter's dependence on dd included
 template <int Dim>

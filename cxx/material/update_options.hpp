@@ -6,19 +6,19 @@ namespace burnish {
 enum class StressUpdate {
   SUBSTEPPED,    ///< sub-stepped radial return on the quadratic strain path (ALGORITHMS.md 2)
   SINGLE,        ///< one radial return per step
-  FORWARD_EULER, ///< rate (3.1) times the increment, the article's scheme: no return, leaves the surface
+  FORWARD_EULER, ///< the article's: METHOD.md (1.6) times the increment, no return, leaves the surface
 };
 /// Frame in which the strain increments meet the turned old stress.
 enum class StrainFrame {
-  MIDPOINT, ///< dd and dd_p as they are (METHOD.md 1, ALGORITHMS.md 2): first order where the body spins
-  END,      ///< dd turned by the other half of the rotation, dd_p by the whole: second order, same cost
+  MIDPOINT, ///< dd and dd_p as they are: first order where the body spins
+  END,      ///< dd turned by half the rotation, METHOD.md (1.14), dd_p by the whole: second order
 };
 
 /// Each law takes the ones that concern it.
 struct UpdateOptions {
   StressUpdate update = StressUpdate::SUBSTEPPED;
   StrainFrame strain_frame = StrainFrame::END;
-  double path_limit = 1.5;                 ///< L of ALGORITHMS.md 2; 0: straight; infinite: no limit
+  double path_limit = 1.5;                 ///< L of ALGORITHMS.md (2.2); 0: straight; infinite: no limit
   int min_substeps = 3, max_substeps = 20; ///< bounds of the number of substeps of a point
   double substep_strain = 0.3; ///< substep when q of the elastic increment exceeds this fraction of sigma_y
   int freeze_iteration = 3;    ///< number of substeps may only grow before, is frozen from here on

@@ -5,8 +5,8 @@
 namespace burnish {
 
 /// A mesh with its quadrature. Everything refers to the reference configuration; integration happens there
-/// (METHOD.md 1). Axisymmetric: displacements and forces without torsion; weights hold 2 pi R, so that nodal forces
-/// are those of the whole ring [force], not per unit of thickness or angle.
+/// (METHOD.md 1.1, 1.3). Axisymmetric: displacements and forces without torsion; weights contain 2 pi R, so that nodal
+/// forces are those of the whole ring [force], not per unit of thickness or angle.
 template <int Dim> struct Discretization : Mesh<Dim> {
   int points_per_element = 0;
   std::vector<double> weight;     ///< num_points: quadrature weight times element volume [length^Dim],

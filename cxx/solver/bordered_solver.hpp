@@ -1,6 +1,6 @@
 #pragma once
 // Direct solver for matrices that are symmetric except in few rows or columns, as the condensed contact
-// matrix is: friction spoils the symmetry of the contact rows only (method.md section 5).
+// matrix is: friction spoils the symmetry of the contact rows only (METHOD.md 5.3).
 #include "solver/factor_status.hpp"
 #include "solver/sparse_view.hpp"
 #include <Eigen/Dense>

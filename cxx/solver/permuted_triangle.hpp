@@ -1,7 +1,7 @@
 #pragma once
 // The free part of a node-block matrix in the order of elimination: interior by a fill-reducing order, then
-// the contact candidates, whose Schur complement is thereby the trailing block of the factor (method.md
-// section 5).
+// the contact candidates, whose Schur complement is thereby the trailing block of the factor
+// (METHOD.md 5.3).
 #include "solver/node_block_matrix.hpp"
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 // CHOLMOD factor of the symmetric tangent with the contact candidates ordered last, so that their Schur
-// complement is the trailing block of the factor (METHOD.md 5).
+// complement is the trailing block of the factor (METHOD.md 5.3).
 #include "solver/body_solver.hpp"
 #include <memory>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Anderson mixing in the energy product of the tangent (algorithms.md 5.5).
+// Anderson mixing in the energy product of the tangent (ALGORITHMS.md 5.5).
 #include <Eigen/Dense>
 #include <deque>
 

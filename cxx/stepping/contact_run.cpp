@@ -112,7 +112,7 @@ template <int Dim> Prediction<Dim> ContactRun<Dim>::predicted(const Eigen::Vecto
 template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, double dt, Stepping stepping) {
   require(std::isfinite(dt) && dt > 0, "contact.begin", "dt", dt, "> 0");
   require(u.size() == m_accepted.u.size(), "contact.begin", "size of u", u.size(), "number of dofs");
-  if (!u.allFinite()) fail("contact.begin", "the displacement holds NaN or Inf");
+  if (!u.allFinite()) fail("contact.begin", "the displacement contains NaN or Inf");
   m_stage = Stage::NONE;
   const bool first = m_accepted.history.dt == 0;
   if (first) // the script's places count, after another tool's approach too
@@ -269,7 +269,7 @@ const CondensedSystem& ContactRun<Dim>::condense(const NodeBlockMatrix<Dim>& K, 
   require_begun("contact.condense");
   require(u.size() == m_accepted.u.size() && R.size() == m_accepted.u.size(), "contact.condense",
           "size of the arrays", R.size(), "number of dofs");
-  if (!R.allFinite()) fail("contact.condense", "the force array holds NaN or Inf");
+  if (!R.allFinite()) fail("contact.condense", "the force array contains NaN or Inf");
   m_corrector.count_condensation();
   m_corrector.prepare_condensed();
   return m_condensation.condense(K, m_corrector.state(), {&m_prescribed, &m_prescribed_start}, u, R, terms,

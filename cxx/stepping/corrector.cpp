@@ -100,7 +100,7 @@ template <int Dim> std::string Corrector<Dim>::reason_of_failure(double scale) c
   } else if (m_balance.friction > (1 + m_options.tolerance) * m_balance.friction_limit) {
     text << ": the forces balance with friction that adds up to " << m_balance.friction
          << " over the contact nodes, whose limits add up to " << m_balance.friction_limit
-         << ": too little to hold a coordinate under force";
+         << ": too little to balance a coordinate under force";
   } else {
     text << ": the forces balance, but states cycle";
   }
@@ -122,7 +122,7 @@ template <int Dim> StepStatus Corrector<Dim>::backtrack(Eigen::VectorXd& u) {
 template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(),
           "number of dofs");
-  if (!R.allFinite()) fail("contact.check", "the force array holds NaN or Inf");
+  if (!R.allFinite()) fail("contact.check", "the force array contains NaN or Inf");
   const double scale = balance_at(u, R);
   const double res = m_balance.residual;
   if (!std::isfinite(res)) return give_up("the residual is not finite");
@@ -225,7 +225,7 @@ template <int Dim> Eigen::VectorXd Corrector<Dim>::solve(const Eigen::VectorXd& 
 template <int Dim> std::string Corrector<Dim>::singular_reason(const WindowSolution<Dim>& solution) const {
   if (solution.weakest_coordinate >= 0)
     return "nothing resists " + m_model.coordinate(solution.weakest_coordinate) + " under force control";
-  return m_floating ? "singular contact block: neither supports nor tools hold the workpiece"
+  return m_floating ? "singular contact block: neither supports nor tools constrain the workpiece"
                     : "singular contact block";
 }
 

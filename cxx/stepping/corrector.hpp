@@ -50,7 +50,7 @@ public:
   void measure(const Eigen::VectorXd& u, const Eigen::VectorXd& R);
   /// Factor of the tangent for the steps to come. NOT_POSITIVE_DEFINITE leaves no factor.
   FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
-  /// Share of the elastic moduli to mix into the next tangent: none at the predicted state, more at every
+  /// Part of elastic moduli to mix into the next tangent: none at the predicted state, more at every
   /// further factorization of a step (it breaks cycles of plastic points) and after a loss of definiteness.
   double elastic_blend() const;
   /// The tangent stays indefinite: a limit load.

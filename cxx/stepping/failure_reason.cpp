@@ -36,7 +36,7 @@ template <int Dim> std::string end_of_tool(const ContactSetup<Dim>& setup, const
     std::ostringstream text;
     text << "; node " << setup.candidates()[i] << " in contact is " << away
          << " from the end of the profile of tool \"" << tool.name()
-         << "\", where the contact ends with a jump: let the profile go on and bend away from the "
+         << "\", where the contact ends with a jump: let the profile go on and curve away from the "
          << "workpiece (chain= with a fillet)";
     return text.str();
   }

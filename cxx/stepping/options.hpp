@@ -25,12 +25,13 @@ struct StepOptions {
   double least_load = 1e-9;      ///< a load below this part of what rounding leaves is none
   double spacing_of_tool = 1e-2; ///< spacing of a single candidate, over the length scale of the first tool
   int max_indefinite = 3;        ///< tangents in a row that may be indefinite
-  /// Share of elastic moduli in the tangent after 0, 1, 2, ... factorizations of the step: breaks cycles of plastic points
+  /// Part of elastic moduli in the tangent after 0, 1, 2, ... factorizations of the step: ends cycles of plastic points
   std::array<double, 4> blend_by_factorization{0, 0.2, 0.2, 0.4};
   /// The same after 0, 1, 2, ... losses of definiteness in a row (ALGORITHMS.md 5.2)
   std::array<double, 4> blend_by_failure{0, 0.05, 0.2, 0.8};
-  int max_together =
-      8; ///< condensed iterations that change any number of states; later ones change one, which ends cycles
+  /// Condensed iterations that change any number of states; later ones change one, which ends cycles
+  /// (ALGORITHMS.md 5.8)
+  int max_together = 8;
   int steps_per_factor = 2; ///< event steps that one factor serves
   GeometricTerms terms = GeometricTerms::COMPLETE;
 };

@@ -19,7 +19,7 @@ template <int Dim>
 void check_not_inside(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& locator,
                       const ContactState<Dim>& state, const Eigen::VectorXd& u);
 
-/// A coordinate under zero force that moves no contact point along the normal of a frictionless tool is held where it
+/// A coordinate under zero force that moves no contact point along the normal of a frictionless tool is fixed where it
 /// is. @returns their names, for reports. @throws std::invalid_argument for one under a force
 template <int Dim>
 std::vector<std::string> hold_unresisted(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,

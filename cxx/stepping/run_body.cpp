@@ -39,7 +39,9 @@ template <int Dim> long WorkpieceBody<Dim>::accept_events() {
   return n;
 }
 
-template <int Dim> void WorkpieceBody<Dim>::keep_plastic(double noise) { burnish::keep_plastic(noise, *m_workpiece); }
+template <int Dim> void WorkpieceBody<Dim>::keep_plastic(double noise) {
+  burnish::keep_plastic(noise, *m_workpiece);
+}
 
 template <int Dim> double WorkpieceBody<Dim>::find_earliest_user(double overshoot, double least) {
   m_user.set_overshoot(overshoot);

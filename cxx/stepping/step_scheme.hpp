@@ -1,6 +1,6 @@
 #pragma once
 // A way through a step: which equilibria are solved one after another, and what is accepted. The Stepper does what a
-// scheme asks for and tells it how it went.
+// scheme asks for and reports how it went.
 #include "stepping/contact_run.hpp"
 #include "stepping/run_body.hpp"
 #include <memory>
@@ -90,7 +90,7 @@ protected:
   std::vector<ContactEvent<Dim>> m_events;
 };
 
-/// Implicit step (ALGORITHMS.md): contact states inside the iteration, one piece.
+/// Implicit step (ALGORITHMS.md 9.1): contact states inside the iteration, one piece.
 template <int Dim> class ImplicitScheme final : public StepScheme<Dim> {
 public:
   using StepScheme<Dim>::StepScheme;
@@ -98,9 +98,9 @@ public:
   SchemeTask solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) override;
 };
 
-/// Event step: from event to event through the step; every piece in equilibrium with fixed contact states, which change
-/// only at its end. Where states contradict one another at one instant, a short piece with the states inside the
-/// iteration finds the ones that agree.
+/// Event step (ALGORITHMS.md 9.2): from event to event through the step; every piece in equilibrium with fixed contact
+/// states, which change only at its end. Where states contradict one another at one instant, a short piece with the
+/// states inside the iteration finds the ones that agree.
 template <int Dim> class EventScheme final : public StepScheme<Dim> {
 public:
   using StepScheme<Dim>::StepScheme;
@@ -118,7 +118,7 @@ private:
   bool m_adapt = false; // this piece has the states inside the iteration
 };
 
-/// The article's own scheme: pure rates, cut at the earliest event (edp/rcArticle.idp).
+/// The article's own scheme: pure rates, cut at the earliest event (ALGORITHMS.md 9.3, edp/rcArticle.idp).
 template <int Dim> class ArticleScheme final : public StepScheme<Dim> {
 public:
   using StepScheme<Dim>::StepScheme;

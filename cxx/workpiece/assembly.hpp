@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// force += the share of a point: V0 P grad_X N, and where axisymmetric V0 P_zz N/R on the radial dof [force].
+/// force += the contribution of a point: V0 P grad_X N, and where axisymmetric V0 P_zz N/R on the radial dof [force].
 /// @param P first Piola stress there [stress]; @param force num_dofs
 template <int Dim>
 void add_force(const Discretization<Dim>& mesh, int point, const Gradient<Dim>& P, Eigen::VectorXd& force);
@@ -19,7 +19,7 @@ public:
   /// Values zero.
   const NodeBlockMatrix<Dim>& pattern() const { return m_pattern; }
   bool fits(const NodeBlockMatrix<Dim>& matrix) const;
-  /// matrix += the share of a point with the moduli A = dP/dF, of which the blocks on and above the diagonal of the
+  /// matrix += the contribution of a point with the moduli A = dP/dF, of which the blocks on and above the diagonal of the
   /// element count; the others are their transposes. @param mesh that of the constructor; @param matrix fits
   void add(const Discretization<Dim>& mesh, int point, const PiolaTangent<Dim>& A,
            NodeBlockMatrix<Dim>& matrix) const;

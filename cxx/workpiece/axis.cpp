@@ -23,7 +23,7 @@ template <int Dim> void AxisNodes<Dim>::check(const Eigen::VectorXd& displacemen
     if (!(std::abs(displacement[Dim * a]) > m_rounding)) continue;
     std::ostringstream what;
     what << "radial displacement of node " << a << " on the axis = " << displacement[Dim * a]
-         << ", expected 0: hold it there, on(axis, u=0)";
+         << ", expected 0: constrain it there, on(axis, u=0)";
     fail(where, what.str());
   }
 }

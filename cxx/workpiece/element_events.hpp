@@ -1,6 +1,6 @@
 #pragma once
 // Events of quadrature points inside a step: first yield and elastic unloading, located in the fraction of
-// the step (article section 2: "transitions in the finite elements"; METHOD.md 4). Knows no tool.
+// the step (METHOD.md 4.2, ALGORITHMS.md 10). Knows no tool.
 #include "workpiece/workpiece.hpp"
 #include <string>
 

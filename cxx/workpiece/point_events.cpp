@@ -27,7 +27,7 @@ template <int Dim> struct PointPath {
 };
 
 // Where the value passes through zero between a (value va < 0) and b (vb >= 0): regula falsi, the weights
-// halved as in the Illinois rule, every third time the middle; ends on the side that is not below zero.
+// halved [DowellJarratt1971], every third time the middle; ends on the side that is not below zero.
 template <class Value> double rising_root(const Value& value, double a, double va, double b, double vb) {
   for (int it = 0; it < MAX_PASSES && b - a > ROOT_ERROR && vb != 0; ++it) {
     const double f = it % 3 == 2 ? 0.5 * (a + b) : a + (b - a) * va / (va - vb);

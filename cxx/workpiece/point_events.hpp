@@ -1,6 +1,6 @@
 #pragma once
 // Events of quadrature points that a script defines by a formula on the state of a point (damage, healing, a
-// yield condition, a place that is reached; article section 2, METHOD.md 4). They only report: nothing in the
+// yield condition, a place that is reached; ALGORITHMS.md 13). They only report: nothing in the
 // workpiece changes by them. Knows no tool.
 #include "base/formula.hpp"
 #include "workpiece/element_events.hpp"

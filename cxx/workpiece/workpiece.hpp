@@ -38,7 +38,7 @@ public:
   ///                     freeze_iteration and is frozen from there on (a point that yields later gets one
   ///                     then)
   /// @throws std::invalid_argument if the size, dt, iteration or an option is wrong, or where axisymmetric a
-  ///         node on the axis has u_r other than 0 but for rounding (names it): the solver must hold it
+  ///         node on the axis has u_r other than 0 but for rounding (names it): the solver must constrain it
   UpdateResult update(const Eigen::VectorXd& displacement, double dt, int iteration);
   /// Internal force of state(): sum over points V0 P grad_X N, P = tau F^-T, and where axisymmetric V0 P_zz
   /// N/R on the radial dof, the force of the whole ring; num_dofs [force].
@@ -46,7 +46,7 @@ public:
   /// Its tangent (symmetric part), into a matrix with this discretization's pattern: replaces the values.
   /// Right after accept, revert or set_state the increment is zero and CONSISTENT means RATE, its limit for a
   /// step that goes on like the last one. RATE: a point loads if it flowed in the last update.
-  /// @param elastic_blend 0..1: share of the elastic moduli mixed into plastic points (ALGORITHMS.md 5)
+  /// @param elastic_blend 0..1: part of elastic moduli in plastic points (ALGORITHMS.md 5.2)
   /// @throws std::invalid_argument if the pattern is another one or elastic_blend is out of range
   void tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, double elastic_blend = 0) const;
   NodeBlockMatrix<Dim> pattern() const { return m_assembly.pattern(); }

@@ -15,7 +15,7 @@ finish() {
 # 1. A load that nothing bears: the step falls below its floor
 "$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -F0 1e9 -out "$SCRATCH/floor" >"$SCRATCH/floor.log" 2>&1
 status=$?
-finish floor 3 'burnish: stopped early: '
+finish floor 3 ', step below its floor ('
 whole "$SCRATCH/floor" 'step below its floor' '' 20 15e-3
 
 # 2. Ctrl-C and SIGTERM after some steps, in both integrators
@@ -31,7 +31,7 @@ for run in INT:implicit TERM:implicit INT:event; do
   kill -s "$signal" "$process"
   wait "$process"
   status=$?
-  finish "$name" 130 'burnish: stopped early: interrupted'
+  finish "$name" 130 ', interrupted'
   whole "$SCRATCH/$name" interrupted interrupted 10 15e-3
 done
 
@@ -47,7 +47,7 @@ broken() {
 }
 at='func int program(real t) {'
 broken drive "s/^$at/$at rcCheck(t < 0.5, \"the drive gives up at t = \" + t);/"
-finish drive 20 'burnish: stopped early: the drive gives up at t = 0.5'
+finish drive 20 ', error: the drive gives up at t = 0.5'
 whole "$SCRATCH/drive" error 'the drive gives up at t = 0.5' 20 15e-3
 
 broken motion "s/^$at/$at if (t > 0.5) roller.move(\"psi\", 0);/"
@@ -55,13 +55,13 @@ finish motion 20 'has no coordinate "psi"'
 whole "$SCRATCH/motion" error 'has no coordinate "psi", expected one of r, phi, theta' 20 15e-3
 
 # within a step, when the displacements are those of the predictor already
-broken force "s/none(0);/none(Vh.ndof); none = 0;/; s/^$at/$at if (t > 0.5) none[0] = sqrt(-1.);/"
-finish force 20 'burnish: stopped early: contact.check: R[0] = '
-whole "$SCRATCH/force" error 'contact.check: R[0] = ' 20 15e-3
+broken force "s/^$at/$at if (t > 0.5) { rcExternal.resize(Vh.ndof); rcExternal = 0; rcExternal[0] = sqrt(-1.); }/"
+finish force 20 ', error: stepcontrol.next: R[0] = '
+whole "$SCRATCH/force" error 'stepcontrol.next: R[0] = ' 20 15e-3
 
 broken record 's/^func int record(real t) {/& int[int] two(2); if (t > 0.5) two[7] = 1;/'
 finish record 20 'Out of bound in operator []'
-whole "$SCRATCH/record" error 'an error of the script or of FreeFEM, told above' 20 15e-3
+whole "$SCRATCH/record" error 'an error of the script or of FreeFEM, reported above' 20 15e-3
 
 # a formula of the roller's coordinates that ends at phi = 1.6, on the way
 broken formula 's|^roller.coordinates(.*|roller.coordinates("r, phi, theta", x="r*cos(phi)+1e-30*sqrt(phi-1.6)", y="r*sin(phi)", angle="theta");|'
@@ -69,8 +69,8 @@ finish formula 20 'x of tool "roller" "r*cos(phi)+1e-30*sqrt(phi-1.6)": sqrt(-'
 whole "$SCRATCH/formula" error 'is no finite real number, at r = 0.0' 20 15e-3
 
 # external forces of another size are refused, not left out
-broken external 's/none(0);/none(3); none = 0;/'
-finish external 20 'burnish: rcRun: size of external = 3, expected 0 or '
+broken external 's/^rcContactAngles = /rcExternal.resize(3); rcExternal = 0; &/'
+finish external 20 'rcRun: size of rcExternal = 3, expected 0 or '
 
 # 4. Names and numbers that JSON does not take as they are
 odd="$SCRATCH/a \"quoted\" \\name"

@@ -1,5 +1,5 @@
 #pragma once
-// Example 1 of the article on a coarse structured mesh: a roller on a ring sector (METHOD.md section 6).
+// Example 1 of the article on a coarse structured mesh: a roller on a ring sector (METHOD.md 6.1).
 #include "support/run.hpp"
 
 namespace burnish::test {

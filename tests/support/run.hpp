@@ -35,8 +35,9 @@ inline void answer(Task task, Scene& scene, Stepper<2>& stepper, const ProgramAt
 
 /// Goes on to the end of the run. @param on_accept after every accepted piece of a step, u, R at its end
 /// @returns FINISHED or STOPPED
-inline Task run(Scene& scene, Stepper<2>& stepper, const ProgramAt& program,
-                const std::function<void()>& on_accept = [] {}) {
+inline Task run(
+    Scene& scene, Stepper<2>& stepper, const ProgramAt& program,
+    const std::function<void()>& on_accept = [] {}) {
   for (;;) {
     const long pieces = stepper.counts().scheme.pieces;
     const Task task = stepper.next(scene.u, scene.R);

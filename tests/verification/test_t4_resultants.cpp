@@ -32,8 +32,7 @@ private:
   static bool pressed(NodeState now) {
     return now == NodeState::SLIDING || now == NodeState::STICKING || now == NodeState::LEAVING;
   }
-  /// X_r = e(phi), X_phi = r e'(phi) and X_theta = (x - center) turned, written down from METHOD.md
-  /// section 2.
+  /// X_r = e(phi), X_phi = r e'(phi) and X_theta = (x - center) turned, written down from METHOD.md 2.3.
   Vector<3> sum_forces() {
     const auto& contact = m_rolling.scene.contact();
     const Eigen::VectorXd q = m_rolling.scene.tool->q();

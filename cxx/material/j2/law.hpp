@@ -1,6 +1,6 @@
 #pragma once
 // J2 plasticity with isotropic hardening and the Jaumann rate of the Kirchhoff stress, as a law of the workpiece
-// (METHOD.md 1, ALGORITHMS.md 2).
+// (METHOD.md 1.4 to 1.7, ALGORITHMS.md 2).
 #include "material/j2/point_update.hpp"
 #include "material/material_law.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Parameters of J2 plasticity with isotropic hardening (METHOD.md 1).
+// Parameters of J2 plasticity with isotropic hardening (METHOD.md 1.4, 1.7).
 #include "material/elastic.hpp"
 #include "material/hardening.hpp"
 

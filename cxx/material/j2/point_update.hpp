@@ -28,13 +28,13 @@ struct PointScheme {
   int substeps = 0;        ///< SUBSTEPPED only: number of substeps, 0: elastic step
 };
 
-/// tau = R tau_old R' + E:dd returned to the yield surface, or forward Euler of (3.1) which does not return.
+/// tau = R tau_old R' + E:dd returned to the yield surface, or forward Euler of METHOD.md (1.6) which does not return.
 /// @param kin of the step, det_mid > 0; @param trial elastic_trial(material.elastic, kin, old stress)
 template <int Dim>
 J2End<Dim> updated_point(const J2Parameters& material, const PointScheme& scheme, const J2Start<Dim>& old,
                          const StepKinematics<Dim>& kin, const ElasticTrial<Dim>& trial);
 
-/// d tau/dy of updated_point, exact: the chain of ALGORITHMS.md 2 through all substeps, here directly
+/// d tau/dy of updated_point, exact: the chain rule of METHOD.md (1.15), (1.17) through all substeps, here directly
 /// for the increments y of step_kinematics.hpp instead of MA and MB.
 template <int Dim>
 StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const PointScheme& scheme,
@@ -49,10 +49,10 @@ PiolaTangent<Dim> consistent_tangent(const J2Parameters& material, const PointSc
                                      const StepKinematics<Dim>& kin, const Gradient<Dim>& F,
                                      const Stress<Dim>& stress);
 
-/// Tangent of the rates (1.11) on the reference mesh, symmetric [stress]:
+/// Tangent of the rates, METHOD.md (1.8), on the reference mesh, symmetric [stress]:
 /// with dF = L F, dF:dP = dL_ij (D:d + w tau - tau d)_ij.
 /// (The article writes D:d - d.tau - tau.w: its double dot pairs dL_ij with the transpose.)
-/// @param plastic true: D of (3.1) loading; false: elastic moduli, same geometric terms
+/// @param plastic true: D of METHOD.md (1.6) loading; false: elastic moduli, same geometric terms
 template <int Dim>
 PiolaTangent<Dim> rate_tangent(const J2Parameters& material, const Stress<Dim>& stress,
                                double plastic_strain_eq, const Gradient<Dim>& F, bool plastic);

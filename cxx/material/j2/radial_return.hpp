@@ -10,7 +10,7 @@ template <int Dim> struct ReturnDerivative {
   ScalarByIncrement<Dim> plastic_strain_eq = ScalarByIncrement<Dim>::Zero();
 };
 
-/// Backward Euler step of (3.1) from the deviatoric trial stress: with x the plastic increment,
+/// Backward Euler step of METHOD.md (1.6) from the deviatoric trial stress: with x the plastic increment,
 ///   q - 3G x = sigma_y(ep + x), s := (1 - 3G x/q) s; nothing if q <= sigma_y(ep).
 /// @param s  trial deviator in, returned deviator out [stress]; @param plastic_strain_eq ep in and out [-]
 /// @return x >= 0
@@ -27,7 +27,7 @@ double radial_return(const J2Parameters& material, Stress<Dim>& s, double& plast
   return increment;
 }
 
-/// The same with the chain rule (ALGORITHMS.md 2): dq = 1.5 s:ds/q, H' = slope of sigma_y at the end,
+/// The same with the chain rule, METHOD.md (1.17): dq = 1.5 s:ds/q, H' = slope of sigma_y at the end,
 /// dx = (dq - H' d ep)/(3G + H'), d theta = H' d ep_new/q - theta dq/q, ds := theta ds + s_trial d theta.
 /// @param derivative of the trial on entry, of the returned values on exit
 template <int Dim>

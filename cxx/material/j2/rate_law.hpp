@@ -1,5 +1,5 @@
 #pragma once
-// The rate law (3.1): Jaumann rate of the Kirchhoff stress = D:d, and its forward Euler step.
+// The rate law, METHOD.md (1.6): Jaumann rate of the Kirchhoff stress = D:d, and its forward Euler step.
 #include "material/j2/parameters.hpp"
 
 namespace burnish {
@@ -7,7 +7,7 @@ namespace burnish {
 /// A stress counts as on the surface from this fraction of sigma_y on: for rounding only.
 inline constexpr double YIELD_FRACTION = 1 - 1e-9;
 
-/// Loading test of (3.1): q >= sigma_y(ep) and s:d > 0.
+/// Loading test of METHOD.md (1.6): q >= sigma_y(ep) and s:d > 0.
 /// @param yielded the point is on the surface by an event, whatever q says within the event's tolerance
 template <int Dim>
 bool loads(const J2Parameters& material, const Stress<Dim>& s, double plastic_strain_eq, const Stress<Dim>& d,
@@ -27,12 +27,12 @@ double plastic_factor(const J2Parameters& material, const Stress<Dim>& s, double
 
 /// d tau/dy for the rates y = (d_xx, d_yy, d_zz, d_xy, w_21): D in the strain columns, w tau - tau w in the
 /// column of the rotation.
-/// @param stress Kirchhoff stress tau [stress]; @param plastic true: D of (3.1), false: E
+/// @param stress Kirchhoff stress tau [stress]; @param plastic true: D of METHOD.md (1.6), false: E
 template <int Dim>
 StressByIncrement<Dim> rate_moduli(const J2Parameters& material, const Stress<Dim>& stress,
                                    double plastic_strain_eq, bool plastic);
 
-/// Forward Euler step of (3.1), the article's: tau = R tau_old R' + D(R s_old R'):dd,
+/// Forward Euler step of METHOD.md (1.6), the article's: tau = R tau_old R' + D(R s_old R'):dd,
 /// ep += 3G (s:dd)/(q (3G + H')). No return: the stress leaves the yield surface, on purpose, by O(|dd|^2) a
 /// step, and a step that crosses the surface stays elastic to its end (events are to cut it there).
 /// @param elastic_increment 2G dev(dd) [stress]

@@ -6,7 +6,7 @@
 namespace burnish {
 
 /// Runs the n substeps st = s + elastic_increment/n + share_k curvature, each returned radially; n = 1 is the single
-/// return. (ALGORITHMS.md writes st = s + wd De - wq Dp with wq = b share_k, wd = 1/n + wq: the same numbers.)
+/// return. (ALGORITHMS.md (2.3) writes the same with w_q = b curvature_share(k, n), w_d = 1/n + w_q.)
 /// @param s deviator R s_old R' in, deviator at the end of the step out [stress]
 /// @param plastic_strain_eq ep in and out [-]
 /// @return accumulated plastic increment >= 0

@@ -1,5 +1,5 @@
 #pragma once
-// The condensed residual of METHOD.md 3, written down once more for the tests, and its derivative by
+// The condensed residual of METHOD.md 3.1, written down once more for the tests, and its derivative by
 // finite differences.
 #include "contact/condensation.hpp"
 #include "unit/finite_difference.hpp"

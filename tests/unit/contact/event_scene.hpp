@@ -48,7 +48,8 @@ struct EventScene {
     ContactNode<2>& node = start.nodes[i];
     node.state = state;
     node.tool = 0;
-    place_at(node, model.tools[0]->foot(model.poses(start.q)[0], body.position(u0, i), node.place.hint).place);
+    place_at(node,
+             model.tools[0]->foot(model.poses(start.q)[0], body.position(u0, i), node.place.hint).place);
     node.slip_direction = along * model.tools[0]->surface().frame(node.place).E;
     end.nodes[i] = node;
   }

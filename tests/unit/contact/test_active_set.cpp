@@ -67,7 +67,7 @@ TEST(ActiveSet, WithoutFrictionNodesSlide) {
   }
 }
 
-// Adhesion: a sticking node slides first, and only a sliding one is released (METHOD.md 5).
+// Adhesion: a sticking node slides first, and only a sliding one is released (METHOD.md 5.4).
 TEST(ActiveSet, StickingNodeSlidesBeforeItIsReleased) {
   Springs springs(0.3, 0.1);
   springs.touch(2, NodeState::STICKING, 0);

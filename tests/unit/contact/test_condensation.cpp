@@ -128,8 +128,7 @@ TEST(Condensation, ExpandSeparatesNodesSlipsAndCoordinates) {
   const auto p = scene.contact.model.tools[0]->point(state.q, state.nodes[3].place);
   EXPECT_LE((step.du.segment<2>(sticking) - p.x_q * step.dq).norm(), 1e-14);
   const auto slide = scene.contact.model.tools[0]->point(state.q, state.nodes[1].place);
-  EXPECT_LE((step.du.segment<2>(sliding) - slide.x_q * step.dq - slide.E * step.slip.col(1)).norm(),
-            1e-14);
+  EXPECT_LE((step.du.segment<2>(sliding) - slide.x_q * step.dq - slide.E * step.slip.col(1)).norm(), 1e-14);
 }
 
 TEST(Condensation, PatternStaysWhenStatesChange) {
@@ -158,9 +157,10 @@ TEST(Condensation, BadInput) {
   Scene smooth(0);
   expect_invalid(
       [&] {
-        smooth.condensation.condense(
-            smooth.spring.tangent(smooth.u), smooth.contact.state,
-            {&smooth.contact.prescribed, &smooth.before}, smooth.u, smooth.spring.force(smooth.u), GeometricTerms::ARTICLE, RightHandSide::TOTAL, true);
+        smooth.condensation.condense(smooth.spring.tangent(smooth.u), smooth.contact.state,
+                                     {&smooth.contact.prescribed, &smooth.before}, smooth.u,
+                                     smooth.spring.force(smooth.u), GeometricTerms::ARTICLE,
+                                     RightHandSide::TOTAL, true);
       },
       "condense: the article's terms are not symmetric");
   expect_invalid([&] { scene.condensation.expand(Eigen::VectorXd::Zero(27)); },
@@ -168,5 +168,5 @@ TEST(Condensation, BadInput) {
   scene.condense(RightHandSide::TOTAL);
   Eigen::VectorXd z = Eigen::VectorXd::Zero(27);
   z[3] = std::nan("");
-  expect_invalid([&] { scene.condensation.expand(z); }, "expand: the solution holds NaN or Inf");
+  expect_invalid([&] { scene.condensation.expand(z); }, "expand: the solution contains NaN or Inf");
 }

@@ -35,7 +35,7 @@ struct Pressed {
     for (int a : {0, 1, 2}) body.fixed[2 * a] = body.fixed[2 * a + 1] = 1;
     model.candidates = {6, 7, 8};
     model.tools = {profile_tool("roller", std::make_shared<Circle>(RADIUS),
-                                             std::make_shared<Polar>(Vector<2>(0, -SIDE)))};
+                                std::make_shared<Polar>(Vector<2>(0, -SIDE)))};
     model.laws.emplace_back(make_coulomb(mu));
     model.first = {0, 3};
     state.nodes.resize(3);

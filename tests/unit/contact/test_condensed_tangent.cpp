@@ -16,8 +16,9 @@ struct Sample {
   Eigen::VectorXd u;
   Eigen::MatrixXd tangent(GeometricTerms terms, bool half = false) {
     Condensation<2> condensation(contact.model, spring.body);
-    return dense(condensation.condense(spring.tangent(u), contact.state, {&contact.prescribed, &contact.prescribed}, u,
-                                       spring.force(u), terms, RightHandSide::TOTAL, half));
+    return dense(condensation.condense(spring.tangent(u), contact.state,
+                                       {&contact.prescribed, &contact.prescribed}, u, spring.force(u), terms,
+                                       RightHandSide::TOTAL, half));
   }
   std::vector<Unknown> kinds() const {
     return unknowns(contact.model, contact.state, contact.prescribed, spring.body);
@@ -170,7 +171,7 @@ TEST(CondensedTangentMore, TwoTools) {
   expect_blocks(s.tangent(GeometricTerms::COMPLETE), s.expected(), s.kinds(), 1e-9);
 }
 
-// Laws of pressure and traction, every node with a share of its own; the limited one on both sides of its kink.
+// Laws of pressure and traction, every node with a tributary area of its own; the limited one on both sides of its kink.
 TEST(CondensedTangentMore, EveryFrictionLaw) {
   struct Case {
     const char* name;
@@ -190,7 +191,8 @@ TEST(CondensedTangentMore, EveryFrictionLaw) {
       node.tributary_area = 0.4 + 0.3 * static_cast<double>(i);
       if (node.state != NodeState::SLIDING) continue;
       const auto p = s.contact.model.tools[0]->point(s.contact.state.q, node.place);
-      steep += c.law->slope(R.segment<2>(2 * s.contact.model.candidates[i]).dot(p.n), node.tributary_area) > 0;
+      steep +=
+          c.law->slope(R.segment<2>(2 * s.contact.model.candidates[i]).dot(p.n), node.tributary_area) > 0;
     }
     EXPECT_EQ(steep, c.steep);
     expect_blocks(s.tangent(GeometricTerms::COMPLETE), s.expected(), s.kinds(), 1e-9);

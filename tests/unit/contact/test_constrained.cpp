@@ -30,7 +30,8 @@ EventScene constrained_scene() {
 TEST(RigidMotions, ConstrainedOrFree) {
   EXPECT_FALSE(constrains_rigid_motions(square_body({0, 0, 0, 0, 0, 0, 0, 0})));
   EXPECT_FALSE(constrains_rigid_motions(square_body({1, 0, 0, 0, 0, 0, 1, 0}))) << "free along y";
-  EXPECT_FALSE(constrains_rigid_motions(square_body({1, 1, 0, 0, 0, 0, 0, 0}))) << "free to turn about node 0";
+  EXPECT_FALSE(constrains_rigid_motions(square_body({1, 1, 0, 0, 0, 0, 0, 0})))
+      << "free to turn about node 0";
   EXPECT_TRUE(constrains_rigid_motions(square_body({1, 1, 0, 1, 0, 0, 0, 0})));
   EXPECT_TRUE(constrains_rigid_motions(square_body({1, 0, 0, 0, 0, 0, 1, 1})));
 }

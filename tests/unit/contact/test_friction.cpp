@@ -158,7 +158,7 @@ TEST(Friction, FormulaOutsideItsRange) {
                  "friction law \"0.5*p*(1 - p/8)\": -1.25 at p = 10, expected a traction >= 0");
   const FormulaFriction pole("p/(4 - p)");
   expect_invalid([&] { pole.limit(4, 1); }, "p/(4 - p)");
-  EXPECT_TRUE(std::isnan(turns.limit(std::nan(""), 1))) << "a failed iteration is told by its force";
+  EXPECT_TRUE(std::isnan(turns.limit(std::nan(""), 1))) << "a failed iteration is recognized by its force";
   EXPECT_FALSE(std::isfinite(turns.limit(INF, 1)));
   EXPECT_DOUBLE_EQ(turns.limit(-6, 1), -3);
   EXPECT_EQ(turns.slope(-6, 1), 0.5);

@@ -34,13 +34,14 @@ TEST(ApplyEvents, EachKind) {
   scene.touch(2, NodeState::SLIDING, -1);
   scene.touch(3, NodeState::STICKING, 0);
   for (int i : {1, 2, 3}) {
-    scene.start.nodes[i].slip_origin = place_of(*scene.model.tools[0], EventScene::s(scene.start.nodes[i]) - 0.1);
+    scene.start.nodes[i].slip_origin =
+        place_of(*scene.model.tools[0], EventScene::s(scene.start.nodes[i]) - 0.1);
     scene.start.nodes[i].slip_rate = 3;
   }
   apply_events<2>(scene.model, scene.body,
                   {event_at(EventKind::TOUCH, 0), event_at(EventKind::RELEASE, 1),
-                   event_at(EventKind::SLIP_TO_STICK, 2), event_at(EventKind::STICK_TO_SLIP, 3, Vector<2>(1, 0)),
-                   event_at(EventKind::YIELD, -1)},
+                   event_at(EventKind::SLIP_TO_STICK, 2),
+                   event_at(EventKind::STICK_TO_SLIP, 3, Vector<2>(1, 0)), event_at(EventKind::YIELD, -1)},
                   scene.u0, scene.start);
   expect_node(scene.start.nodes[0], NodeState::TOUCHED, 20);
   EXPECT_EQ(scene.start.nodes[0].tool, 0);

@@ -27,7 +27,7 @@ TEST(Circle, PointsAndNormals) {
   }
 }
 
-TEST(Circle, WrittenFormulaOfSecondDerivative) { // method.md section 2: X_ss = -R n for n out of the circle
+TEST(Circle, WrittenFormulaOfSecondDerivative) { // METHOD.md 2.3: X_ss = -R n for n out of the circle
   const Circle circle(15);
   for (double s : ANGLES) {
     const ProfilePoint<2> point = circle.evaluate(Param<2>(s));

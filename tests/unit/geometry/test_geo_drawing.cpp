@@ -160,7 +160,7 @@ TEST(GeoDrawing, Circles) {
 // gmsh's own values are off by 1e-8 at the ends of the axes.
 TEST(GeoDrawing, Ellipses) {
   const std::string points = "Point(20) = {1, 2, 0}; Point(21) = {5, 2, 0}; Point(22) = {1, 4, 0};";
-  // quarter from the long axis to the short one; the axis is told by any point on either axis
+  // quarter from the long axis to the short one; the axis is given by any point on either axis
   for (const char* axis : {"21", "22"})
     check(
         points + "Ellipse(1) = {21, 20, " + axis + ", 22};", 1,

@@ -32,7 +32,7 @@ TEST(StrainPath, SubstepSharesSumToTheEndPoint) { // sum wq = 0, so sum wd = 1: 
   }
 }
 
-TEST(StrainPath, WrittenFormula) { // st = s + wd De - wq Dp of ALGORITHMS.md 2
+TEST(StrainPath, WrittenFormula) { // st = s + wd De - wq Dp of ALGORITHMS.md (2.3)
   const ElasticModuli elastic = example_material().elastic;
   const StepKinematics<2> kin = step_of(tensor(1.004, 0.003, 0.001, 0.997));
   const double ra = 0.7, b = 2 * ra / (1 + ra);

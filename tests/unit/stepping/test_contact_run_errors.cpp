@@ -85,7 +85,7 @@ TEST(ContactRunErrors, Begin) {
   expect_invalid([&] { block.contact().begin(u, 0, 1, Stepping::IMPLICIT); },
                  "contact.begin: size of u = 5, expected number of dofs");
   block.u[4] = std::nan("");
-  expect_invalid([&] { block.begin(); }, "contact.begin: the displacement holds NaN or Inf");
+  expect_invalid([&] { block.begin(); }, "contact.begin: the displacement contains NaN or Inf");
   expect_invalid([&] { block.tool->prescription().move("z", 1); },
                  "tool \"tool\" has no coordinate \"z\", expected one of x, y, angle");
 }
@@ -137,9 +137,9 @@ TEST(ContactRunErrors, CheckFactorizeCorrect) {
   Eigen::VectorXd bad = block.R;
   bad[3] = std::nan("");
   expect_invalid([&] { block.contact().check(block.u, bad); },
-                 "contact.check: the force array holds NaN or Inf");
+                 "contact.check: the force array contains NaN or Inf");
   bad[3] = INFINITY;
-  expect_invalid([&] { block.contact().check(block.u, bad); }, "the force array holds NaN or Inf");
+  expect_invalid([&] { block.contact().check(block.u, bad); }, "the force array contains NaN or Inf");
   expect_invalid([&] { block.contact().correct(block.u, block.R); },
                  "contact.correct: no factor: call factorize first");
   const auto small = pattern_from_elements<2>(3, 3, {0, 1, 2});
@@ -160,7 +160,7 @@ TEST(ContactRunErrors, OrderOfCalls) {
                  "contact.condense: size of the arrays = 4, expected number of dofs");
   Eigen::VectorXd bad = block.R;
   bad[3] = std::nan("");
-  expect_invalid([&] { condense(bad); }, "contact.condense: the force array holds NaN or Inf");
+  expect_invalid([&] { condense(bad); }, "contact.condense: the force array contains NaN or Inf");
   Eigen::VectorXd u = Eigen::VectorXd::Zero(5);
   expect_invalid([&] { block.contact().expand(block.R, u); }, "contact.expand: size of u = 5");
   expect_invalid([&] { block.contact().accept(block.u, block.R, {}); },

@@ -236,8 +236,9 @@ TEST(Axisymmetric, TheAxisMustBeHeld) {
   u[2 * 3 + 1] = 1e-3;
   EXPECT_EQ(body.update(u, 1, 0).status, UpdateStatus::OK);
   u[2 * 3] = 1e-3;
-  expect_invalid([&] { body.update(u, 1, 0); },
-                 "Workpiece::update: radial displacement of node 3 on the axis = 0.001, expected 0: hold it");
+  expect_invalid(
+      [&] { body.update(u, 1, 0); },
+      "Workpiece::update: radial displacement of node 3 on the axis = 0.001, expected 0: constrain it");
 }
 
 TEST(Axisymmetric, AStepCutAtTheYieldEventEndsOnTheSurface) {

@@ -88,7 +88,7 @@ TEST(ConvergenceOfUpdate, PathIsSecondOrder) {
 }
 
 TEST(ConvergenceOfUpdate, DefaultSubstepsOnLargeSteps) {
-  // the numbers that ALGORITHMS.md 2 asks for, at ten steps for the whole turn: the elastic increment is
+  // the numbers that ALGORITHMS.md (2.4) asks for, at ten steps for the whole turn: the elastic increment is
   // about 1.9 yield stresses a step
   const Point exact = reference(turning);
   const double single = error(end_of(turning, {StressUpdate::SINGLE}, 10, 1), exact);

@@ -126,7 +126,7 @@ TEST(PointTangent, ForwardEuler) {
   EXPECT_GE(plastic, 12); // from the surface, loading
 }
 
-TEST(PointTangent, Nonsymmetry) { // why its symmetric part may be used: METHOD.md 1
+TEST(PointTangent, Nonsymmetry) { // why its symmetric part may be used: METHOD.md 1.6
   PointWalk step = stressed(1);
   const auto nonsymmetry = [&](StressUpdate update, StrainFrame frame) {
     step.frame = frame;
@@ -174,7 +174,7 @@ TEST(RateTangent, IsTheLimitOfTheSingleReturn) {
 }
 
 TEST(RateTangent, IsTheWorkOfTheRates) {
-  // dF:dP = dL_ij (D:d + w tau - tau d)_ij with dF = L F, METHOD.md 1; w has no hoop part
+  // dF:dP = dL_ij (D:d + w tau - tau d)_ij with dF = L F, METHOD.md (1.8); w has no hoop part
   const J2Parameters material = example_material();
   const PointWalk step = stressed(1, 0.7);
   const Gradient<2> F = step.old.F, rates = gradient(tensor(0.3, -0.5, 0.9, 0.2), 0.4),

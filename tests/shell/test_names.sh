@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Names in cxx/NAMES.md occur in the tree and follow its rule, options in ALGORITHMS.md have the defaults of the structures
+# (names.py); wrong ones in a copy are found.
+set -eu
+"$PYTHON" tests/shell/names.py
+
+copy="$SCRATCH/copy" wrong=0
+mkdir -p "$copy/cxx"
+for folder in edp plugins; do ln -s "$PWD/$folder" "$copy/$folder"; done
+for folder in cxx/*/; do ln -s "$PWD/$folder" "$copy/${folder%/}"; done
+expect() { # file, what sed does to it, what must be said then
+  cp cxx/NAMES.md cxx/ALGORITHMS.md "$copy/cxx"
+  sed -i "$2" "$copy/cxx/$1"
+  ! cmp -s "cxx/$1" "$copy/cxx/$1" || { echo "nothing changed by $2"; wrong=1; }
+  if "$PYTHON" tests/shell/names.py "$copy" >"$SCRATCH/said.txt" || ! grep -q "^cxx/$1:[0-9]*: $3" "$SCRATCH/said.txt"
+  then echo "not found: $3"; cat "$SCRATCH/said.txt"; wrong=1; fi
+}
+expect NAMES.md 's/`WorkpieceState::stress`/`WorkpieceState::stresses`/' "the C++ name WorkpieceState::stresses does not occur"
+expect NAMES.md 's/`M.stresseq`/`M.equivalentstress`/' "the script name M.equivalentstress does not occur"
+expect NAMES.md 's/`dtmax=`/`largestdt=`/' "the script name largestdt= does not occur"
+expect NAMES.md 's/`rcConverged`/`rcDone`/' "the script name rcDone does not occur"
+expect NAMES.md 's/`normal_force`/`force_normal`/' "the file name force_normal does not occur"
+expect NAMES.md '/^| `hardening_modulus` | `H`/d' "hardening_modulus and H break the rule"
+expect NAMES.md '/^| `hint` | `s`/a | `stress` | `F` | none |' "no row needs the exception stress, F"
+expect ALGORITHMS.md 's/^| `growth` | 1.3 /| `growth` | 1.4 /' "growth is 1.3 in StepControlOptions"
+expect ALGORITHMS.md '/^| `max_together` /d' "the table of options lacks max_together of StepOptions"
+expect ALGORITHMS.md 's/^| `slow` /| `fast` /' "StepOptions has no member fast"
+exit $wrong
