@@ -97,13 +97,6 @@ def history_figure(run, panels=None, against="t"):
     return figure
 
 
-def arcs(surface):
-    """Length along the surface in the order of the nodes, and the number of each node's chain; neighbors that are far
-    apart belong to different chains."""
-    gaps = np.hypot(np.diff(surface["x"]), np.diff(surface["y"]))
-    return np.r_[0, np.cumsum(gaps)], np.r_[0, np.cumsum(gaps > 8 * np.median(gaps))]
-
-
 def under_tool(run, name):
     """Arc from the middle of the contact, growing with x (or y where the surface stands upright), the nodes near the
     contact of one tool, and what the arc is called; None without contact. On a level surface x is the arc. Of several
@@ -112,7 +105,7 @@ def under_tool(run, name):
     touching = contact.touching(surface) & (surface["tool"] == name)
     if not touching.any():
         return None
-    arc, chain = arcs(surface)
+    arc, chain = contact.arcs(surface)
     mine = chain == np.bincount(chain[touching]).argmax()
     touching &= mine
     nodes = np.flatnonzero(touching)
