@@ -208,7 +208,9 @@ def expected_figure(run):
     for i, (name, r) in enumerate(rows):
         deviation = (r["value"] - r["expected"]) / (abs(r["expected"]) or 1) if r["value"] is not None else np.nan
         part = np.clip(deviation / r["tolerance"], -1.9, 1.9) if r["tolerance"] else 0.0
-        axes.barh(i, part, color=BLUE if abs(part) <= 1 else RED, height=0.5, zorder=2)
+        color = BLUE if abs(part) <= 1 else RED
+        axes.barh(i, part, color=color, height=0.5, zorder=2)
+        axes.plot(part, i, color=color, marker="o", markersize=7, zorder=3)  # seen where the bar is short too
         value = "nan" if r["value"] is None else f"{r['value']:.5g}"
         error = f"{100 * deviation:+.3g} %" if r["expected"] else f"{deviation:+.3g}"
         unit = r["unit"] if r["unit"] != "-" else ""
