@@ -1,4 +1,4 @@
-"""Unit tests of the pictures:  pictures.py FOLDER  with the run "finished" of test_pictures.sh in it."""
+"""Unit tests of the pictures:  pictures.py FOLDER  with the runs of test_pictures.sh in it."""
 import contextlib
 import io
 import shutil
@@ -54,6 +54,11 @@ class Refused(unittest.TestCase):
 
 
 class Scene(unittest.TestCase):
+    def test_something_is_drawn(self):
+        for path in sorted([*FINISHED.glob("*.png"), *(FOLDER / "stopped").glob("*.png")]):
+            with self.subTest(path=path):
+                self.assertEqual(faults(path), [])
+
     def test_units_are_neutral(self):
         run = Run(str(FINISHED))
         self.assertEqual(run.units.length_unit, r"$10^{-3}$ length")
