@@ -75,7 +75,8 @@ class Scene(unittest.TestCase):
         """The exit code of the pictures of any scene, their names, and what is said."""
         said = io.StringIO()
         with contextlib.redirect_stderr(said), contextlib.redirect_stdout(io.StringIO()):
-            code = case.draw_all(Run(str(folder)), (case.history, case.pressure, case.expected), str(folder), patient=True)
+            pictures = (case.history, case.pressure, case.expected)
+            code = case.draw_all(Run(str(folder)), pictures, str(folder), patient=True)
         return code, sorted(p.stem for p in folder.glob("*.png")), said.getvalue()
 
     def test_files_that_are_missing(self):

@@ -1,7 +1,7 @@
 """Is a PNG file a picture with something in it?  picture.py FILE...  says what is wrong and exits with 1.
 
-The file is decoded. Looked at: its size in pixels, the number of its colors, and how much of it is colored: curves, bands and
-marks are; text, grid, frames and tools are gray, so axes without anything in them are refused.
+The file is decoded. Looked at: its size in pixels, the number of its colors, and how much of it is colored: curves, bands
+and marks are; text, grid, frames and tools are gray, so axes without anything in them are refused.
 """
 import os
 import sys
