@@ -75,4 +75,10 @@ drawn failing
 PYTHON=$SCRATCH/nothing run 0 without -element P1 -series 0
 warned -1 || fail "without a Python: no warning"
 
+# a script that reads no options: results in the folder out, not in the root of the file system
+sed '/rcCaseOptions/d; /rcInt/d; /rcOptionsEnd/d; /fails/d; s/^rcLeastSteps/rcElement = "P1"; &/' "$scene/press.edp" \
+  >"$SCRATCH/plain.edp"
+(cd "$SCRATCH" && PYTHON=true "$BURNISH" plain.edp) >"$SCRATCH/log.txt" 2>&1 || fail "plain: exit status $?"
+[ -s "$SCRATCH/out/final.vtu" ] || fail "plain: no results in out"
+
 "$PYTHON" tests/shell/pictures.py "$SCRATCH"
