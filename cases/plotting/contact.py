@@ -38,13 +38,30 @@ def middle_of_contact(surface):
     return np.array([surface[c][nodes[[0, -1]]].mean() for c in "xy"])
 
 
+def arcs(surface):
+    """Length along the surface in the order of the nodes, and the number of each node's chain; neighbors that are far
+    apart belong to different chains."""
+    gaps = np.hypot(np.diff(surface["x"]), np.diff(surface["y"]))
+    return np.r_[0, np.cumsum(gaps)], np.r_[0, np.cumsum(gaps > 8 * np.median(gaps))]
+
+
+def contact_arcs(surface):
+    """Slices of nodes in contact that follow one another on one chain and touch the same tool."""
+    where, chain, parts = touching(surface), arcs(surface)[1], []
+    tool = surface.get("tool", np.zeros(len(where)))
+    for part in runs(where):
+        cuts = np.flatnonzero((np.diff(chain[part]) != 0) | (tool[part][1:] != tool[part][:-1])) + part.start + 1
+        parts += [slice(a, b) for a, b in zip([part.start, *cuts], [*cuts, part.stop])]
+    return parts
+
+
 def mark_contact(axes, surface, letters="EF", scale=MM):
     """Bold line along the contact arc with a letter at each end, the first one at the larger angle; scale: to mm."""
     where = touching(surface)
     if not where.any():
         return Line2D([], [], linestyle="none", label="no contact")
     x, y = scale * surface["x"], scale * surface["y"]
-    for part in runs(where):
+    for part in contact_arcs(surface):
         dot = "o" if part.stop - part.start == 1 else None
         axes.plot(x[part], y[part], color="black", linewidth=4, solid_capstyle="butt", marker=dot, zorder=4)
     ends = np.flatnonzero(where)[[0, -1]]

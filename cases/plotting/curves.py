@@ -97,13 +97,6 @@ def history_figure(run, panels=None, against="t"):
     return figure
 
 
-def arcs(surface):
-    """Length along the surface in the order of the nodes, and the number of each node's chain; neighbors that are far
-    apart belong to different chains."""
-    gaps = np.hypot(np.diff(surface["x"]), np.diff(surface["y"]))
-    return np.r_[0, np.cumsum(gaps)], np.r_[0, np.cumsum(gaps > 8 * np.median(gaps))]
-
-
 def under_tool(run, name):
     """Arc from the middle of the contact, growing with x (or y where the surface stands upright), the nodes near the
     contact of one tool, and what the arc is called; None without contact. On a level surface x is the arc. Of several
@@ -112,7 +105,7 @@ def under_tool(run, name):
     touching = contact.touching(surface) & (surface["tool"] == name)
     if not touching.any():
         return None
-    arc, chain = arcs(surface)
+    arc, chain = contact.arcs(surface)
     mine = chain == np.bincount(chain[touching]).argmax()
     touching &= mine
     nodes = np.flatnonzero(touching)
@@ -215,7 +208,9 @@ def expected_figure(run):
     for i, (name, r) in enumerate(rows):
         deviation = (r["value"] - r["expected"]) / (abs(r["expected"]) or 1) if r["value"] is not None else np.nan
         part = np.clip(deviation / r["tolerance"], -1.9, 1.9) if r["tolerance"] else 0.0
-        axes.barh(i, part, color=BLUE if abs(part) <= 1 else RED, height=0.5, zorder=2)
+        color = BLUE if abs(part) <= 1 else RED
+        axes.barh(i, part, color=color, height=0.5, zorder=2)
+        axes.plot(part, i, color=color, marker="o", markersize=7, zorder=3)  # seen where the bar is short too
         value = "nan" if r["value"] is None else f"{r['value']:.5g}"
         error = f"{100 * deviation:+.3g} %" if r["expected"] else f"{deviation:+.3g}"
         unit = r["unit"] if r["unit"] != "-" else ""

@@ -6,7 +6,7 @@ from matplotlib.ticker import MaxNLocator
 
 from plotting import contact, maps, tools
 from plotting.figure import GRAY, key_under_labels, new_figure, say_empty
-from plotting.units import amount
+from plotting.units import amount, in_powers, power_of_ten
 
 # name in the .vtu, label, color map, whether it is measured in units of stress
 Quantity = namedtuple("Quantity", "name label colors stress")
@@ -16,20 +16,26 @@ STRAIN = Quantity("plastic_strain_eq", "accumulated plastic strain", "magma_r", 
 
 def unit_of(run, quantity):
     """Unit in the pictures, factor from the file's numbers to it."""
-    return (run.units.stress_unit, run.units.stress) if quantity.stress else ("-", 1.0)
+    if quantity.stress:
+        return run.units.stress_unit, run.units.stress
+    exponent = power_of_ten(np.nanmax(run.field.data[quantity.name], initial=0.0), 1e-3)
+    return in_powers(exponent, "-"), 10.0**-exponent
 
 
 def levels_to(largest, number=14):
-    """Round levels from zero to the largest value."""
+    """Round levels from zero to the largest value; None if that is zero."""
+    if not largest > 0:
+        return None
     return MaxNLocator(number, steps=[1, 2, 2.5, 5, 10]).tick_values(0, largest)
 
 
 def draw_map(axes, mesh, values, levels, outlines, box, cmap, unit="mm"):
-    """Filled bands, outline of the workpiece, tools; unit: of length. Returns (bands or None, handles)."""
+    """Filled bands, outline of the workpiece, tools; levels: None for no bands; unit: of length. Returns (bands or
+    None, handles)."""
     maps.set_view(axes, box, unit)
     axes.grid(False)
     bands = None
-    if np.nanmax(values) > levels[0] and np.nanmax(values) > 0:
+    if levels is not None:
         bands = maps.draw_bands(axes, mesh, np.maximum(values, levels[0]), levels, cmap)
     axes.triplot(mesh, color="black", linewidth=0.2, alpha=min(0.35, 400 / len(mesh.triangles)), zorder=1.5)
     maps.draw_outline(axes, mesh)
@@ -69,7 +75,7 @@ def field_figure(run, quantity, box=None, width=8.5):
     outlines = tools.at_time(run.tools, run.t)
     box = box or tools.widened(mesh_box(run.mesh), outlines)
     figure, axes = new_figure(width, shape_of(box, width))
-    levels = levels_to(max(values.max(), 1e-12))
+    levels = levels_to(values.max())
     bands, handles = draw_map(axes, run.mesh, values, levels, outlines, box, quantity.colors, run.units.length_unit)
     draw_symmetry_axis(axes, run, box)
     if run.has("surface.csv"):
@@ -107,7 +113,7 @@ def sequence_figure(run, quantity, number=4, width=10.0):
     height = rows * ((width - 2.4) / columns * (box[3] - box[2]) / (box[1] - box[0]) + 0.4) + 0.6
     figure, panels = new_figure(width, float(np.clip(height, 3.5, 12)), nrows=rows, ncols=columns, squeeze=False,
                                 sharex=True, sharey=True)
-    levels = levels_to(max(max(values.max() for _, _, values in shown), 1e-12))
+    levels = levels_to(max(values.max() for _, _, values in shown))
     bands = None
     for axes, (t, mesh, values), drawn in zip(panels.flat, shown, outlines):
         mine, _ = draw_map(axes, mesh, values, levels, drawn, box, quantity.colors, run.units.length_unit)

@@ -1,4 +1,5 @@
-"""What a run wrote, read when a picture asks for it: a file that is missing or broken spoils no picture that does without."""
+"""What a run wrote, read when a picture asks for it: a file that is missing or broken spoils no picture that does
+without it."""
 import os
 from functools import cached_property
 from xml.etree import ElementTree

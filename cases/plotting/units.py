@@ -3,8 +3,8 @@ from collections import namedtuple
 
 import numpy as np
 
-# Factors from the numbers of the files to those of the pictures, and the units there; the force and the moment of a plane
-# scene are per unit of thickness
+# Factors from the numbers of the files to those of the pictures, and the units there; the force and the moment of a
+# plane scene are per unit of thickness
 Units = namedtuple("Units", "length stress force moment length_unit stress_unit force_unit moment_unit")
 SYSTEMS = {"m": Units(1e3, 1e-6, 1e-3, 1.0, "mm", "MPa", "kN/m", r"N$\cdot$m/m"),
            "mm": Units(1.0, 1.0, 1.0, 1.0, "mm", "MPa", "N/mm", r"N$\cdot$mm/mm")}
@@ -30,8 +30,8 @@ def in_powers(exponent, unit):
 
 
 def neutral(size, stress, axisymmetric=None):
-    """Units of a scene that does not say them: names of the dimensions, with the powers of ten that a size of the workpiece
-    and a largest stress ask for. axisymmetric: None if it is not known."""
+    """Units of a scene that does not say them: names of the dimensions, with the powers of ten that a size of the
+    workpiece and a largest stress ask for. axisymmetric: None if it is not known."""
     lengths, stresses = power_of_ten(size), power_of_ten(stress)
     per = "/length" if axisymmetric is False else ""
     return Units(10.0**-lengths, 10.0**-stresses, 1.0, 1.0, in_powers(lengths, "length"),

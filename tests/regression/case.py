@@ -6,9 +6,10 @@ NAME.json:
     {"about": "what is run, units of the numbers",
      "relative_tolerance": {"default": 0.01, "depth": 0.002, "angle": {"absolute": 1e-6}},
      "runs": {"p2": {"options": "-steps 20 -R 0.01", "values": {"depth": 9.5e-05, "Q_y": -4e5, "counts.steps": 40}},
-              "p1": {"options": "-steps 20 -element P1", "pictures": true, "values": {...}}}}
+              "p1": {"options": "-steps 20 -element P1", "pictures": ["stress"], "values": {...}}}}
 A name is looked for in the summary's "results", then in its "final"; "part.name" looks into that part. Every run must
-finish with exit code 0 (so rcExpect holds), with one line of history for each step; "pictures": true: plot.py must draw.
+finish with exit code 0 (so rcExpect holds), with one line of history for each step; "pictures": the names of the PNG files
+that plot.py must draw, each with something in it (tests/support/picture.py); without it none are drawn.
 From the top folder, after make:  python3 tests/regression/case.py NAME --store  puts the computed numbers into NAME.json in
 place of the stored ones (start with any); look at the difference before committing.
 """
@@ -23,6 +24,8 @@ import sys
 from run import Checks
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(os.path.dirname(HERE), "support"))
+from picture import faults
 
 
 def number(summary, name):
@@ -37,11 +40,20 @@ def number(summary, name):
     return None
 
 
+def compare_pictures(folder, label, expected, checks):
+    """Those drawn are those expected, with something in each."""
+    drawn = sorted(os.path.basename(path)[:-len(".png")] for path in glob.glob(os.path.join(folder, "*.png")))
+    checks.that(f"{label} pictures", drawn == sorted(expected), f"{drawn}, expected {sorted(expected)}")
+    for name in drawn:
+        wrong = faults(os.path.join(folder, name + ".png"))
+        checks.that(f"{label} picture {name}", not wrong, "; ".join(wrong) or "something is drawn")
+
+
 def run(case, label, options, pictures, checks):
     """Runs the case into $SCRATCH/LABEL; its summary, None if there is none."""
     folder = os.path.join(os.environ.get("SCRATCH", f"out/regression/{case}"), label)
     command = [os.environ.get("BURNISH", "build/burnish"), f"cases/{case}/{case}.edp", "-out", folder, "-series", "1",
-               "-pictures", str(int(pictures)), *shlex.split(options)]
+               "-pictures", str(int(bool(pictures))), *shlex.split(options)]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     tail = "\n".join(done.stdout.splitlines()[-25:])
     checks.that(f"{label} exit code", done.returncode == 0,
@@ -58,9 +70,7 @@ def run(case, label, options, pictures, checks):
     steps = summary["counts"]["steps"]
     checks.that(f"{label} history", lines == steps + 1, f"{lines} lines, {steps} steps")
     if pictures:
-        drawn = [os.path.getsize(p) for p in glob.glob(os.path.join(folder, "*.png"))]
-        checks.that(f"{label} pictures", drawn and min(drawn) > 5000 and "could not be drawn" not in done.stdout,
-                    f"{len(drawn)}, the smallest of {min(drawn, default=0)} bytes")
+        compare_pictures(folder, label, pictures, checks)
     return summary
 
 
@@ -88,7 +98,7 @@ def main(arguments):
     tolerances = stored["relative_tolerance"]
     checks, compared = Checks(), 0
     for label, entry in stored["runs"].items():
-        summary = run(case, label, entry.get("options", ""), entry.get("pictures", False), checks)
+        summary = run(case, label, entry.get("options", ""), entry.get("pictures", []), checks)
         for name, expected in entry["values"].items() if summary else ():
             computed = number(summary, name)
             if store and computed is not None:

@@ -2,6 +2,7 @@
 # make sweep's script on a coarse rolling case: grid, folders, table, picture; finished variants are not run again; a failed one
 # is listed, makes the exit status 1 and is run again; what cannot be run is refused before anything runs.
 set -u
+picture=$PWD/tests/support/picture.py
 work=$SCRATCH/top # links to the cases, so that out/ is our own
 mkdir -p "$work" && ln -s "$PWD/cases" "$work" && cd "$work" || exit 1
 coarse="-inner 3 -outer 16 -sides 3 -steps 4 -width 2 -tolerance 1e-3"
@@ -24,7 +25,7 @@ ran grid 4
 lines grid 5
 holds grid "R,mu,status,t,r,Q_r,phi,Q_phi,theta,Q_theta," $top/sweep.csv
 holds grid ",depth,rotation," $top/sweep.csv
-[ "$(wc -c <$top/sweep.png)" -gt 20000 ] || fail "grid: the picture is too small"
+"${PYTHON:-python3}" "$picture" $top/sweep.png >>log || fail "grid: the picture"
 [ -s "$top/R=0.016,mu=0.3/log.txt" ] || fail "grid: no log of a variant"
 grep -q "^0.016,0.3,finished,1," $top/sweep.csv || fail "grid: the row of a variant"
 

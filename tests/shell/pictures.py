@@ -1,0 +1,116 @@
+"""Unit tests of the pictures:  pictures.py FOLDER  with the runs of test_pictures.sh in it."""
+import contextlib
+import io
+import shutil
+import sys
+import unittest
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(TOP / "cases"), str(TOP / "tests/support")]
+import numpy as np
+from picture import faults
+from PIL import Image
+from plotting import case, contact, curves, fields, units
+from plotting.figure import new_figure, save
+from plotting.run import Run
+
+FOLDER = Path(sys.argv.pop(1))
+FINISHED = FOLDER / "finished"
+
+
+class Refused(unittest.TestCase):
+    """What tests/support/picture.py says of files that are no pictures."""
+
+    def refused(self, path, word):
+        self.assertIn(word, "; ".join(faults(path)))
+
+    def test_missing(self):
+        self.refused(FOLDER / "nothing.png", "missing")
+
+    def test_blank(self):
+        for color in ("white", "black", "red"):
+            Image.new("RGB", (900, 600), color).save(FOLDER / "blank.png")
+            self.refused(FOLDER / "blank.png", "1 colors")
+
+    def test_axes_without_curves(self):
+        figure, axes = new_figure()
+        axes.set_title("Nothing in it")
+        self.refused(save(figure, FOLDER, "empty"), "blank: 0 %")
+        figure, axes = new_figure()
+        axes.plot([0, 1], [0, 1])
+        self.assertEqual(faults(save(figure, FOLDER, "curve")), [])
+
+    def test_small(self):
+        with Image.open(FINISHED / "stress.png") as picture:
+            picture.resize((120, 80)).save(FOLDER / "small.png")
+        self.refused(FOLDER / "small.png", "120 x 80 pixels")
+
+    def test_broken(self):
+        whole = (FINISHED / "stress.png").read_bytes()
+        for name, content in (("cut", whole[:len(whole) // 2]), ("text", b"t,x,y\n" * 5000), ("none", b"")):
+            (FOLDER / f"{name}.png").write_bytes(content)
+            self.refused(FOLDER / f"{name}.png", "cannot be decoded")
+
+
+class Scene(unittest.TestCase):
+    def test_something_is_drawn(self):
+        for path in sorted([*FINISHED.glob("*.png"), *(FOLDER / "stopped").glob("*.png")]):
+            with self.subTest(path=path):
+                self.assertEqual(faults(path), [])
+
+    def test_units_are_neutral(self):
+        run = Run(str(FINISHED))
+        self.assertEqual(run.units.length_unit, r"$10^{-3}$ length")
+        self.assertEqual(run.units.stress_unit, r"$10^{6}$ stress")
+        axes = fields.field_figure(run, fields.STRESS).axes
+        self.assertEqual([axes[0].get_xlabel(), axes[0].get_ylabel(), axes[1].get_ylabel()],
+                         [r"x [$10^{-3}$ length]", r"y [$10^{-3}$ length]", r"von Mises stress [$10^{6}$ stress]"])
+        titles = [a.get_title(loc="left") for a in curves.history_figure(run).axes]
+        self.assertIn(r"drive force [$10^{3}$ force/length]", titles)
+        self.assertEqual(units.neutral(40.0, 300.0).length_unit, "length")
+        self.assertEqual(units.neutral(40.0, 300.0, axisymmetric=True).force_unit, "force")
+
+    def draw(self, folder):
+        """The exit code of the pictures of any scene, their names, and what is said."""
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said), contextlib.redirect_stdout(io.StringIO()):
+            pictures = (case.history, case.pressure, case.expected)
+            code = case.draw_all(Run(str(folder)), pictures, str(folder), patient=True)
+        return code, sorted(p.stem for p in folder.glob("*.png")), said.getvalue()
+
+    def test_files_that_are_missing(self):
+        folder = FOLDER / "part"
+        folder.mkdir()
+        shutil.copy(FINISHED / "surface.csv", folder)
+        self.assertEqual(self.draw(folder), (0, ["pressure"], ""))
+
+    def test_file_that_is_broken(self):
+        folder = FOLDER / "broken"
+        folder.mkdir()
+        (folder / "history.csv").write_text("t,x\n0,many\n")
+        (folder / "history.png").write_bytes(b"of an earlier run")
+        code, drawn, said = self.draw(folder)
+        self.assertEqual((code, drawn), (1, []))
+        self.assertIn("history.csv: line 2, column x: not a number: 'many'", said)
+
+
+class ContactLine(unittest.TestCase):
+    def parts(self, x, y, tools):
+        surface = {"x": np.array(x, float), "y": np.array(y, float), "tool": np.array(tools),
+                   "state": np.where(np.array(tools) == "", "free", "sliding")}
+        return [(p.start, p.stop) for p in contact.contact_arcs(surface)]
+
+    def test_one_piece(self):
+        self.assertEqual(self.parts(range(6), [0] * 6, ["", "a", "a", "a", "", ""]), [(1, 4)])
+
+    def test_not_across_the_body(self):
+        """Upper and lower surface follow one another in the table; no line joins them."""
+        self.assertEqual(self.parts([*range(5)] * 2, [0] * 5 + [9] * 5, ["a"] * 10), [(0, 5), (5, 10)])
+
+    def test_not_between_tools(self):
+        self.assertEqual(self.parts(range(6), [0] * 6, ["a", "a", "b", "b", "b", ""]), [(0, 2), (2, 5)])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
