@@ -1,6 +1,6 @@
 """Measures the tables of cases/rolling/README.md and cases/planetary/README.md and writes them there:
 
-    make tables                          all of them, one run after the other: about 20 minutes on one core
+    make tables                          all of them, one run after the other: about half an hour
     make tables OPTIONS="rolling"        those of one README
     make tables OPTIONS="--keep"         takes runs of the same options that out/tables/ has already
 
@@ -88,7 +88,8 @@ def rolling(options=""):
 
 
 def numbers(r):
-    return [f"{r.depth:.2f}", f"{r.theta:.3f}", f"{r.moment:.1f}", f"{r.ep:.4f}"]
+    signed = [f"{r.theta:.3f}", f"{r.moment:.1f}"]
+    return [f"{r.depth:.2f}", *(x.replace("-", "−") for x in signed), f"{r.ep:.4f}"]
 
 
 NUMBERS = ["depth µm", "θ deg", "Q_φ N·m/m", "ep"]
@@ -208,10 +209,10 @@ def planetary(options=""):
     return r
 
 
-def area(r, region):
-    """mm² above the initial yield stress, as the run prints it behind the region's strain."""
-    line = next(line for line in r.log.splitlines() if line.strip().startswith("ep, " + region))
-    x = float(re.search(r"above the initial yield stress on (\S+) mm", line)[1])
+def area(r, roller):
+    """mm² above the initial yield stress on both sides, as the run prints it behind the strains of the regions."""
+    lines = [line for line in r.log.splitlines() if line.strip().startswith(f"ep, roller {roller},")]
+    x = sum(float(re.search(r"above the initial yield stress on (\S+) mm", line)[1]) for line in lines)
     return "0" if x == 0 else f"{x:.2f}" if x < 1 else f"{x:.1f}"
 
 
@@ -225,7 +226,7 @@ def planetary_loads():
     for load in (2.36e3, 5e4, 8e4, 1e5, 1.2e5, 1.25e5, 1.3e5, 1.5e5):
         r = planetary(LOADED if load == 1.2e5 else f"{LOADED} -F0 {load:g}")
         rows.append([power(load) + (" (default)" if load == 1.2e5 else ""), *r.strains,
-                     f"{area(r, REGIONS[0])} / {area(r, REGIONS[2])}", f"{r.result('advance of roller 2'):.0f}",
+                     f"{area(r, 1)} / {area(r, 2)}", f"{r.result('advance of roller 2'):.0f}",
                      r.cpu, r.stopped()])
     return table(["F₀ N/m", *STRAINS, "area at roller 1 / 2, mm²", "advance µm", "CPU s", ""], rows)
 
@@ -241,9 +242,9 @@ def equal(element, mm):
 
 def planetary_mesh():
     meshes = [("P1", f"{mm} mm", equal("P1", mm)) for mm in (1.2, 0.8, 0.7, 0.4, 0.2)]
-    meshes += [("P1", "80 µm", "-element P1"), ("P2", "1.6 mm", equal("P2", 1.6)), ("P2", "0.8 mm", equal("P2", 0.8)),
-               ("P2", "300 µm (1 mm elsewhere, `-inner 80`)", COARSER), ("P2", "160 µm", LOADED),
-               ("P2", "80 µm (default)", "")]
+    meshes += [("P1", "80 µm (0.5 mm elsewhere)", "-element P1"), ("P2", "1.6 mm", equal("P2", 1.6)), ("P2", "0.8 mm", equal("P2", 0.8)),
+               ("P2", "300 µm (1 mm elsewhere, `-inner 80`)", COARSER), ("P2", "160 µm (0.5 mm elsewhere)", LOADED),
+               ("P2", "80 µm (0.5 mm elsewhere; default)", "")]
     rows = []
     for element, size, options in meshes:
         r = planetary(options)
