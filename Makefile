@@ -100,7 +100,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures sweep test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
 .PHONY: compile programs
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -119,6 +119,9 @@ case-%: build ## run cases/NAME/NAME.edp, options in OPTIONS="..."
 
 figures: packages ## draw the pictures of out/CASE again, CASE=rolling unless given
 	$(PYTHON) cases/$(CASE)/plot.py out/$(CASE)
+
+tables: build ## measure the tables in the READMEs of cases/rolling and cases/planetary again, OPTIONS="--keep rolling"
+	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) cases/tables.py $(OPTIONS)
 
 sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3": cases/sweep/sweep.sh
 	@CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' \

@@ -1,0 +1,301 @@
+"""Measures the tables of cases/rolling/README.md and cases/planetary/README.md and writes them there:
+
+    make tables                          all of them, one run after the other: about half an hour
+    make tables OPTIONS="rolling"        those of one README
+    make tables OPTIONS="--keep"         takes runs of the same options that out/tables/ has already
+
+A table stands between the lines <!-- table NAME --> and <!-- end -->; all between them is replaced. Runs are at the sizes
+that the tables name, without pictures; CPU s is that of the FreeFEM process. A run that stops early is shown as such.
+"""
+import json
+import math
+import os
+import re
+import shlex
+import subprocess
+import sys
+
+TOP = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+KEEP = False
+
+
+class Run:
+    """One run of a case: its summary and what it printed."""
+
+    done = {}  # (case, options): Run
+
+    def __init__(self, case, options):
+        folder = os.path.join("out/tables", case, re.sub(r"[^\w.=-]+", "_", options.strip()) or "default")
+        log, mark = os.path.join(folder, "log.txt"), os.path.join(folder, "options.txt")
+        if not (KEEP and os.path.exists(mark) and open(mark).read() == options):
+            os.makedirs(folder, exist_ok=True)
+            burnish = os.environ.get("BURNISH", "build/burnish")
+            command = [burnish, f"cases/{case}/{case}.edp", "-pictures", "0", "-out", folder, *shlex.split(options)]
+            with open(log, "w", encoding="utf-8") as file:
+                code = subprocess.run(command, stdout=file, stderr=subprocess.STDOUT).returncode
+            if code not in (0, 3):
+                sys.exit(f"tables.py: exit code {code} of {' '.join(command)}, see {log}")
+            with open(mark, "w", encoding="utf-8") as file:
+                file.write(options)
+        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+            self.summary = json.load(file)
+        with open(log, encoding="utf-8", errors="replace") as file:
+            self.log = file.read()
+        self.final, self.counts = self.summary["final"], self.summary["counts"]
+        self.finished, self.ep = self.summary["status"] == "finished", self.final["plastic_strain_eq_max"]
+        self.steps, self.factorizations = self.counts["steps"], self.counts["factorizations"]
+        self.nodes, self.t = self.summary["mesh"]["nodes"], self.final["t"]
+        self.cpu = brief(self.summary["cpu_seconds"]["total"])
+        print(f"{case} {options}: {self.summary['status']}, {self.cpu} s CPU", flush=True)
+
+    def result(self, name):
+        return self.summary["results"][name]["value"]
+
+    def stopped(self):
+        return "" if self.finished else f"stops at t = {self.t:.3f}"
+
+
+def run(case, options=""):
+    if (case, options) not in Run.done:
+        Run.done[case, options] = Run(case, options)
+    return Run.done[case, options]
+
+
+def brief(x):
+    """Two digits: 0.42, 6.0, 38, 109."""
+    return f"{x:.0f}" if x >= 10 else f"{x:.1f}" if x >= 1 else f"{x:.2f}"
+
+
+def strain(x):
+    return "0" if x == 0 else f"{x:.4f}" if x >= 1e-3 else f"{x:.5f}"
+
+
+def off(x, y):
+    """Difference of x from y in per cent."""
+    return f"{brief(100 * abs(x / y - 1))} %"
+
+
+def table(head, rows):
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(str(c) for c in line) + " |" for line in lines)
+
+
+# --- rolling ------------------------------------------------------------------------------------------------------
+def rolling(options=""):
+    r = run("rolling", options)
+    r.depth, r.theta, r.moment = r.result("depth"), r.result("rotation"), r.result("moment Q_phi")
+    return r
+
+
+def numbers(r):
+    signed = [f"{r.theta:.3f}", f"{r.moment:.1f}"]
+    return [f"{r.depth:.2f}", *(x.replace("-", "−") for x in signed), f"{r.ep:.4f}"]
+
+
+NUMBERS = ["depth µm", "θ deg", "Q_φ N·m/m", "ep"]
+
+
+def rolling_steps():
+    rows, runs = [], []
+    for n in (100, 200, 400, 800):
+        r = rolling("" if n == 200 else f"-steps {n}")
+        runs.append(r)
+        rows.append([f"`-steps {n}`" + (" (default)" if n == 200 else ""), r.steps, r.factorizations, *numbers(r), r.cpu])
+
+    def against(a, b):
+        return (f"depth {off(a.depth, b.depth)}, θ {off(a.theta, b.theta)}, Q_φ {off(a.moment, b.moment)}, "
+                f"ep {off(a.ep, b.ep)}")
+    return (table(["options", "steps", "factorizations", *NUMBERS, "CPU s"], rows) + "\n\n"
+            f"The default against half its steps: {against(runs[1], runs[2])};\n"
+            f"against the last row: {against(runs[1], runs[3])}.")
+
+
+MESHES = [("P1", 10, 150, 20), ("P1", 20, 400, 40), ("P1", 40, 1200, 80), ("P2", 5, 75, 10), ("P2", 10, 150, 20),
+          ("P2", 20, 300, 40)]
+
+
+# sizes of the tables that compare schemes: seconds a run in place of minutes
+MEDIUM = "-element P2 -inner 5 -outer 75 -sides 10"
+COARSE = "-inner 4 -outer 40 -sides 8"
+
+
+def on_mesh(element, inner, outer, sides):
+    if (element, inner, outer, sides) == ("P2", 10, 150, 20):
+        return rolling()
+    return rolling(f"-element {element} -inner {inner} -outer {outer} -sides {sides}")
+
+
+def rolling_mesh():
+    rows = []
+    for mesh in MESHES:
+        r = on_mesh(*mesh)
+        name = "{} {}/{}/{}".format(*mesh) + {MESHES[2]: " (the article's)", MESHES[4]: " (default)"}.get(mesh, "")
+        rows.append([name, r.nodes, *numbers(r), r.factorizations, r.cpu])
+    return table(["mesh inner/outer/sides", "nodes", *NUMBERS, "factorizations", "CPU s"], rows)
+
+
+def rolling_integrator():
+    rows = []
+    for name, options in (("implicit, sub-stepped return (default)", ""),
+                          ("implicit, single return, `-update single`", " -update single"),
+                          ("the same, `-steps 800`", " -update single -steps 800"),
+                          ("event, `-scheme event`", " -scheme event"),
+                          ("implicit, `-tolerance 1e-8`", " -tolerance 1e-8")):
+        r = rolling(MEDIUM + options)
+        rows.append([name, r.steps, r.factorizations, *numbers(r), r.cpu])
+    return table(["", "steps", "factorizations", *NUMBERS, "CPU s"], rows)
+
+
+def rolling_article():
+    kinds = {"implicit": "", "article": "-scheme article", "complete terms": "-scheme article -terms complete",
+             "no element events": "-scheme article -events none", "radial return": "-scheme article -update single"}
+    runs = [rolling(f"{COARSE} {options}".strip()) for options in kinds.values()]
+
+    def outside(r):
+        found = re.search(r"outside the yield surface by up to (\S+) %", r.log)
+        return f"{float(found[1]):.0f} %" if found else "0"
+
+    def line(name, give):
+        return [name, *(give(r) for r in runs)]
+    rows = [line("t reached", lambda r: f"{r.t:g}"),
+            line("Q_θ reached (applied: 2000)", lambda r: f"{r.result('moment Q_theta'):.0f}"),
+            line("−Q_r reached (applied: 750 000)", lambda r: f"{-1e3 * r.result('force Q_r'):.0f}"),
+            line("−Q_φ", lambda r: f"{-r.moment:.0f}"),
+            line("depth µm", lambda r: f"{r.depth:.1f}"),
+            line("ep", lambda r: f"{r.ep:.3f}"),
+            line("largest unbalanced force / load",
+                 lambda r: "{:.1g}".format(r.summary["residual"]["last"] / r.summary["residual"]["load"])),
+            line("stress outside the yield surface", outside),
+            line("stick–slip events",
+                 lambda r: r.counts["events"]["slip-to-stick"] + r.counts["events"]["stick-to-slip"]),
+            line("factorizations", lambda r: r.factorizations),
+            line("CPU s", lambda r: r.cpu)]
+    rows.insert(0, ["options", *(f"`{o.replace('-scheme article ', '')}`" if o else "" for o in kinds.values())])
+    return table(["", *kinds], rows)
+
+
+def rolling_terms():
+    runs = {"complete (default)": "", "none": " -terms none", "article": " -terms article"}
+    rows = []
+    for name, options in runs.items():
+        r = rolling(COARSE + options)
+        rows.append([name, r.steps, r.factorizations, *numbers(r), r.cpu])
+    return table(["geometric terms, implicit steps", "steps", "factorizations", *NUMBERS, "CPU s"], rows)
+
+
+def rolling_beside():
+    default, article, fine = rolling(), on_mesh(*MESHES[2]), on_mesh(*MESHES[5])
+    stress = 1e-8 * default.final["stress_eq_max"]
+    rows = [["largest accumulated plastic strain", "≤ 0.25", f"{default.ep:.3f} (P2), {article.ep:.3f} (P1 40/1200/80)"],
+            ["isolines of von Mises stress", "up to 3.5·10⁸ Pa, below the surface behind and under the contact",
+             f"the same places; largest value at a point {stress:.1f}·10⁸ Pa"],
+            ["agreement with ANSYS, quadratic triangles", "9–12 % in stress",
+             f"P1 (the article's mesh) against P2 here: {off(article.depth, default.depth)} in depth, "
+             f"{off(article.ep, default.ep)} in ep"],
+            ["criterion of convergence", "10 % on halving the mesh",
+             f"{off(default.depth, fine.depth)} in depth, {off(default.ep, fine.ep)} in ep (P2 10/150/20 to 20/300/40)"]]
+    return table(["", "article", "here"], rows)
+
+
+# --- planetary ----------------------------------------------------------------------------------------------------
+REGIONS = ["roller 1, rolled side", "roller 1, opposite side", "roller 2, rolled side", "roller 2, opposite side",
+           "thin end"]
+STRAINS = ["ep roller 1 rolled", "opposite", "ep roller 2 rolled", "opposite", "thin end"]
+
+
+def planetary(options=""):
+    r = run("planetary", options)
+    r.strains = [strain(r.result("ep, " + region)) for region in REGIONS]
+    return r
+
+
+def area(r, roller):
+    """mm² above the initial yield stress on both sides, as the run prints it behind the strains of the regions."""
+    lines = [line for line in r.log.splitlines() if line.strip().startswith(f"ep, roller {roller},")]
+    x = sum(float(re.search(r"above the initial yield stress on (\S+) mm", line)[1]) for line in lines)
+    return "0" if x == 0 else f"{x:.2f}" if x < 1 else f"{x:.1f}"
+
+
+def power(x):
+    digits = math.floor(math.log10(x))
+    return f"{x / 10**digits:g}·10{'⁰¹²³⁴⁵⁶⁷⁸⁹'[digits]}"
+
+
+def planetary_loads():
+    rows = []
+    for load in (2.36e3, 5e4, 8e4, 1e5, 1.2e5, 1.25e5, 1.3e5, 1.5e5):
+        r = planetary(LOADED if load == 1.2e5 else f"{LOADED} -F0 {load:g}")
+        rows.append([power(load) + (" (default)" if load == 1.2e5 else ""), *r.strains,
+                     f"{area(r, 1)} / {area(r, 2)}", f"{r.result('advance of roller 2'):.0f}",
+                     r.cpu, r.stopped()])
+    return table(["F₀ N/m", *STRAINS, "area at roller 1 / 2, mm²", "advance µm", "CPU s", ""], rows)
+
+
+LOADED = "-fine 160e-6"                                  # mesh of the table of loads
+COARSER = "-fine 300e-6 -coarse 1e-3 -inner 80"
+
+
+def equal(element, mm):
+    """Elements of one size on both arcs."""
+    return f"-element {element} -fine {mm:g}e-3 -coarse {mm:g}e-3 -inner {round(math.pi * 25 / mm)}"
+
+
+def planetary_mesh():
+    meshes = [("P1", f"{mm} mm", equal("P1", mm)) for mm in (1.2, 0.8, 0.7, 0.4, 0.2)]
+    meshes += [("P1", "80 µm (0.5 mm elsewhere)", "-element P1"), ("P2", "1.6 mm", equal("P2", 1.6)), ("P2", "0.8 mm", equal("P2", 0.8)),
+               ("P2", "300 µm (1 mm elsewhere, `-inner 80`)", COARSER), ("P2", "160 µm (0.5 mm elsewhere)", LOADED),
+               ("P2", "80 µm (0.5 mm elsewhere; default)", "")]
+    rows = []
+    for element, size, options in meshes:
+        r = planetary(options)
+        rows.append([element, size, r.nodes, *r.strains, r.cpu, r.stopped()])
+    return table(["element", "elements under the rollers", "nodes", *STRAINS, "CPU s", ""], rows)
+
+
+def planetary_others():
+    runs = [("160 µm", LOADED), ("half the steps: `-steps 200 -width 28`", LOADED + " -steps 200 -width 28"),
+            ("printed moment: `-M0 6.3`", LOADED + " -M0 6.3"),
+            ("300 µm", COARSER), ("event steps: `-scheme event`", COARSER + " -scheme event"),
+            ("`-F0 1.5e5`", COARSER + " -F0 1.5e5"), ("the same by event steps", COARSER + " -F0 1.5e5 -scheme event"),
+            ("thinner ring: `-Ri 26e-3`", COARSER + " -Ri 26e-3"), ("the same, `-F0 8e4`", COARSER + " -Ri 26e-3 -F0 8e4"),
+            ("P1, 2.4 mm", equal("P1", 2.4)), ("the same, `-mu 0.25`", equal("P1", 2.4) + " -mu 0.25")]
+    rows = []
+    for name, options in runs:
+        r = planetary(options)
+        rows.append([name, r.nodes, r.steps, *r.strains, f"{r.result('advance of roller 2'):.1f}", r.cpu, r.stopped()])
+    return table(["", "nodes", "steps", *STRAINS, "advance µm", "CPU s", ""], rows)
+
+
+TABLES = {"rolling": {"steps": rolling_steps, "integrator": rolling_integrator, "article": rolling_article,
+                      "terms": rolling_terms, "mesh": rolling_mesh, "beside": rolling_beside},
+          "planetary": {"mesh": planetary_mesh, "loads": planetary_loads, "others": planetary_others}}
+
+
+def write(case):
+    path = os.path.join("cases", case, "README.md")
+    for name, measure in TABLES[case].items():
+        text = measure()
+        with open(path, encoding="utf-8") as file:
+            before = file.read()
+        marked = re.compile(rf"(<!-- table {name} -->\n).*?(<!-- end -->)", re.S)
+        if not marked.search(before):
+            sys.exit(f"tables.py: {path} has no lines <!-- table {name} --> and <!-- end -->")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(marked.sub(lambda m: m[1] + text + "\n" + m[2], before))
+        print(f"{path}: table {name}", flush=True)
+
+
+def main(words):
+    global KEEP
+    KEEP = "--keep" in words
+    cases = [w for w in words if w != "--keep"] or list(TABLES)
+    for case in cases:
+        if case not in TABLES:
+            sys.exit(f"tables.py: no tables for \"{case}\", expected one of: {', '.join(TABLES)}, --keep")
+    os.chdir(TOP)
+    for case in cases:
+        write(case)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
