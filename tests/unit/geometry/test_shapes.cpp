@@ -36,8 +36,8 @@ TEST(Shapes, TheTableIsWhole) {
       EXPECT_GT(parameter.help.size(), 10u) << parameter.name;
       EXPECT_EQ(parameter.help.find('\n'), std::string::npos) << parameter.name;
       EXPECT_EQ(parameter.name.find('_'), std::string::npos) << "no name for a script";
-      const auto known = values.emplace(parameter.name, parameter.value);
-      EXPECT_EQ(known.first->second, parameter.value) << parameter.name << " is of two types";
+      const auto known = values.emplace(parameter.name, parameter.kind);
+      EXPECT_EQ(known.first->second, parameter.kind) << parameter.name << " is of two types";
       EXPECT_NE(shape_help().find(parameter.help), std::string::npos) << parameter.name;
     }
   }
