@@ -10,6 +10,7 @@
 //     rcProgram  set every coordinate for S.target     rcForces  M.update(u, S.piece, S.iteration), nodal forces into R
 //     rcTangent  C.factorize(M, u)    rcSolve  pure rates: condense, solve, expand    rcRecord  a step has been accepted
 //     rcFinished  rcStopped: S.reason tells why, S.atfloor whether no step is short enough
+//     S.scheme("event")  another scheme from the next step on
 //     S.refuse(text)  the task cannot be done: the step is tried shorter;   S.stop(text)  ends the run at the accepted state
 //     S.count("steps" | "rejected" | "pieces" | "pileups" | "atonce" | "blind"), S.excess (article: largest q/sigma_y - 1)
 //     S.crawls, S.lastrejection, S.rejecteddt: steps far below dtmax after a failure; why the last step was rejected
@@ -136,6 +137,16 @@ bool stop(const Method<H, StopTag>& m, string* const& reason) {
   return guarded([&] { return m->get().running("stepcontrol.stop").stop(*reason), true; });
 }
 
+struct SchemeTag {};
+bool set_scheme(const Method<H, SchemeTag>& m, string* const& name) {
+  return guarded([&] {
+    ControlObject& object = m->get();
+    object.options.scheme = scheme_of(*name);
+    if (object.stepper) object.stepper->set_scheme(object.options.scheme);
+    return true;
+  });
+}
+
 struct CountTag {};
 long count(const Method<H, CountTag>& m, string* const& name) {
   return guarded([&] {
@@ -242,6 +253,8 @@ void register_step_control() {
       "next", [] { return new OneOperator3s_<long, Method<H, NextTag>, KN_<double>, KN_<double>>(next); });
   add_method<H, RefuseTag>("refuse",
                            [] { return new OneOperator2_<bool, Method<H, RefuseTag>, string*>(refuse); });
+  add_method<H, SchemeTag>(
+      "scheme", [] { return new OneOperator2_<bool, Method<H, SchemeTag>, string*>(set_scheme); });
   add_method<H, StopTag>("stop", [] { return new OneOperator2_<bool, Method<H, StopTag>, string*>(stop); });
   add_method<H, CountTag>("count",
                           [] { return new OneOperator2_<long, Method<H, CountTag>, string*>(count); });

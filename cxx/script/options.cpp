@@ -46,7 +46,7 @@ const std::string* ScriptOptions::find(const std::string& name) const {
   const std::string* value = nullptr;
   for (std::size_t i = 0; i < m_words.size(); ++i) {
     if (m_words[i] != name) continue;
-    if (i + 1 == m_words.size()) fail("option " + name, "it has no value");
+    if (i + 1 == m_words.size()) throw std::invalid_argument("option " + name + " has no value");
     value = &m_words[i + 1];
   }
   return value;

@@ -55,6 +55,9 @@ public:
   /// Ends the run at the last accepted state: the next task is STOPPED. An accepted step is recorded before.
   void stop(const std::string& reason);
 
+  /// The way through the steps from the next one on.
+  void set_scheme(Scheme scheme) { m_options.scheme = scheme; }
+
   double target() const { return m_scheme->solve().from + m_scheme->solve().dt; } ///< PROGRAM
   double dt() const { return m_scheme->solve().dt; } ///< FORCES: length of the piece
   int iteration() const { return m_iteration; }      ///< FORCES: 0, 1, 2, ... in this equilibrium

@@ -25,9 +25,9 @@ rolling 20 'unknown option stray|expected one of' stray
 rolling 20 'option -mu has no value' -mu
 rolling 20 'option -mu has no value' -mu ''
 rolling 20 'option -element has no value' -element
-rolling 20 'option: -mu has the value "high"|expected a number' -mu high
-rolling 20 'option: -mu has the value "0.2x"|expected a number' -mu 0.2x
-rolling 20 'option: -mu has the value "-outer"|expected a number' -mu -outer 30
+rolling 20 'option -mu has the value "high"|expected a number' -mu high
+rolling 20 'option -mu has the value "0.2x"|expected a number' -mu 0.2x
+rolling 20 'option -mu has the value "-outer"|expected a number' -mu -outer 30
 rolling 20 'option -inner has the value "4.5"|expected a whole number' -inner 4.5
 rolling 20 'option -element is "P3"|expected P1 or P2' -element P3
 rolling 20 'option -scheme is "magic"|expected implicit, event or article' -scheme magic
@@ -45,7 +45,10 @@ rolling 20 'radius = -1|> 0' "${small[@]}" -R -1
 rolling 20 'the output folder "/dev/null/x" cannot be written|Not a directory' "${small[@]}" -out /dev/null/x
 touch "$SCRATCH/file"
 rolling 20 'the output folder "'"$SCRATCH"'/file" cannot be written|Not a directory' "${small[@]}" -out "$SCRATCH/file"
-refuse 134 'Error opening file|does-not-exist.edp' "$BURNISH" "$SCRATCH/does-not-exist.edp"
+refuse 20 'no script|does-not-exist.edp|that can be read' "$BURNISH" "$SCRATCH/does-not-exist.edp"
+refuse 20 'no script among the words "-mu 0.2"|usage: burnish SCRIPT.edp' "$BURNISH" -mu 0.2
+refuse 20 'usage: burnish SCRIPT.edp' "$BURNISH"
+"$BURNISH" -h | grep -q 'usage: burnish SCRIPT.edp' || { echo "FAILED: burnish -h has no usage"; failures=$((failures + 1)); }
 
 # what FreeFEM itself refuses, with its own exit codes, before anything reaches the plugin
 cat >"$SCRATCH/method.edp" <<'END'

@@ -13,7 +13,7 @@ import sys
 
 # options of a coarse run; its lengths, stresses and forces per thickness; whether the case itself is in m, N, Pa
 CASES = {
-    "crank-press": ("-n 8 -steps 20", "e l R W h", "G sigY H", "", True),
+    "crank-press": ("-n 8 -steps 20", "e l R W height", "G sigY H", "", True),
     "upsetting": ("-n 6 -steps 20", "a h0", "E sigY H", "", False),
     "upsetting axisymmetric": ("-n 6 -steps 20 -axisymmetric 1 -law sticking", "a h0", "E sigY H", "", False),
     "strip-rolling": ("-ny 2 -rolls 1 -travel 4", "R h0 dh length push travel", "E sigY H", "", False),
