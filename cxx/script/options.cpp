@@ -9,9 +9,10 @@ namespace burnish {
 namespace {
 
 // FreeFEM reads these anywhere on the command line; one with a value takes the next word.
-const std::vector<std::string> FREEFEM{"-f",  "-v",    "-nw",     "-ne",   "-ns",
-                                       "-cd", "-wait", "-nowait", "-glut", "-fglut"};
-const std::vector<std::string> FREEFEM_WITH_VALUE{"-f", "-v", "-glut", "-fglut"};
+const std::vector<std::string> FREEFEM{"-f",    "-v",     "-nw",  "-ng",           "-wg",  "-ne",   "-ns",
+                                       "-nc",   "-cd",    "-jc",  "-cdtmp",        "-log", "-wait", "-nowait",
+                                       "-glut", "-fglut", "-gff", "-check_plugin", "-?"};
+const std::vector<std::string> FREEFEM_WITH_VALUE{"-f", "-v", "-glut", "-fglut", "-gff", "-check_plugin"};
 
 bool among(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();

@@ -94,7 +94,7 @@ TEST(ScriptOptions, AValueMayLookLikeAnOption) {
 }
 
 TEST(ScriptOptions, FreeFemsOwnWordsAreLeftToIt) {
-  ScriptOptions options = given({"-nw", "-R", "4", "-v", "1", "-ne", "-n", "3", "-wait"});
+  ScriptOptions options = given({"-nw", "-R", "4", "-v", "1", "-wg", "-n", "3", "-gff", "viewer", "-wait"});
   EXPECT_EQ(options.real("-R", 2.5, "", ""), 4);
   EXPECT_EQ(options.integer("-n", 7, "", ""), 3);
   EXPECT_NO_THROW(options.refuse_unknown());
@@ -160,7 +160,8 @@ TEST(ScriptOptionsErrors, UnknownWords) {
 TEST(ScriptOptionsErrors, NamesThatAreTaken) {
   const std::string taken = ": the name is one of FreeFEM's own or asks for help; choose another, such as -";
   const auto ask = [](const std::string& name) { given({}).real(name, 1, "", ""); };
-  for (const char* name : {"-f", "-v", "-nw", "-ne", "-ns", "-cd", "-wait", "-nowait", "-glut", "-fglut"})
+  for (const char* name : {"-f", "-v", "-nw", "-ng", "-wg", "-ne", "-ns", "-nc", "-cd", "-cdtmp", "-jc",
+                           "-log", "-wait", "-nowait", "-glut", "-fglut", "-gff", "-check_plugin", "-?"})
     expect_invalid([&] { ask(name); }, std::string("option ") + name + taken);
   expect_invalid([&] { ask("-h"); }, "option -h" + taken + "hh");
   expect_invalid([&] { ask("--help"); }, "option --help" + taken + "pp");
