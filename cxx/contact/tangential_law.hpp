@@ -58,7 +58,7 @@ public:
   double sliding_residual(const SurfaceForce<Dim>& force, const Param<Dim>& m, double area) const;
   /// g(N) - |T|: what a sticking node has left before it slides; negative outside the cone [force].
   double reserve(const SurfaceForce<Dim>& force, double area) const;
-  /// Largest tangential force at N >= 0, zero for N < 0 [force].
+  /// Largest tangential force; for N < 0 that at N = 0 [force].
   double capacity(double N, double area) const;
   /// Direction of slip of a node that begins to slide under T: against it; zero without friction.
   Param<Dim> slip_against(const Param<Dim>& T) const;

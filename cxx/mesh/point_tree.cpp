@@ -32,21 +32,34 @@ template <int Dim> PointTree<Dim>& PointTree<Dim>::operator=(PointTree&&) noexce
 
 template <int Dim> bool PointTree<Dim>::empty() const { return m_impl->cloud.points.empty(); }
 
+namespace {
+
+// What nanoflann asks of a set of results: here the first of all that are equally near.
+template <class Nearest> struct FirstNearest {
+  int except;
+  Nearest best{-1, std::numeric_limits<double>::infinity()};
+
+  bool addPoint(double squared, std::uint32_t point) {
+    const int i = static_cast<int>(point);
+    const bool before = squared == best.squared_distance && i < best.index;
+    if (i != except && (squared < best.squared_distance || before)) best = {i, squared};
+    return true; // go on
+  }
+  // Points below it are offered: those as near as the best one too, in spite of rounding in the tree.
+  double worstDist() const {
+    constexpr double rounding = 1e-14;
+    return std::max((1 + rounding) * best.squared_distance, std::numeric_limits<double>::min());
+  }
+  bool full() const { return best.index >= 0; }
+};
+
+} // namespace
+
 template <int Dim>
 typename PointTree<Dim>::Nearest PointTree<Dim>::nearest(const Vector<Dim>& p, int except) const {
-  Nearest best{-1, std::numeric_limits<double>::infinity()};
-  if (empty()) return best;
-  constexpr std::size_t several = 5; // the excepted one, and equally near ones
-  std::uint32_t index[several];
-  double squared[several];
-  const std::size_t found = m_impl->tree.knnSearch(p.data(), several, index, squared);
-  for (std::size_t k = 0; k < found; ++k) {
-    const int i = static_cast<int>(index[k]);
-    if (i == except) continue;
-    if (squared[k] < best.squared_distance || (squared[k] == best.squared_distance && i < best.index))
-      best = {i, squared[k]};
-  }
-  return best;
+  FirstNearest<Nearest> result{except};
+  if (!empty()) m_impl->tree.findNeighbors(result, p.data(), {});
+  return result.best;
 }
 
 // The two ends are far from the middle: points by their distance from it, until no pair can be further apart.

@@ -9,9 +9,10 @@ namespace burnish {
 namespace {
 
 // FreeFEM reads these anywhere on the command line; one with a value takes the next word.
-const std::vector<std::string> FREEFEM{"-f",  "-v",    "-nw",     "-ne",   "-ns",
-                                       "-cd", "-wait", "-nowait", "-glut", "-fglut"};
-const std::vector<std::string> FREEFEM_WITH_VALUE{"-f", "-v", "-glut", "-fglut"};
+const std::vector<std::string> FREEFEM{"-f",    "-v",     "-nw",  "-ng",           "-wg",  "-ne",   "-ns",
+                                       "-nc",   "-cd",    "-jc",  "-cdtmp",        "-log", "-wait", "-nowait",
+                                       "-glut", "-fglut", "-gff", "-check_plugin", "-?"};
+const std::vector<std::string> FREEFEM_WITH_VALUE{"-f", "-v", "-glut", "-fglut", "-gff", "-check_plugin"};
 
 bool among(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
@@ -28,11 +29,20 @@ ScriptOptions::ScriptOptions(const std::vector<std::string>& words) {
   const auto script = std::find_if(words.begin(), words.end(), is_script);
   if (script == words.end()) return;
   m_script = *script;
+  std::vector<std::string> own;
   for (auto word = script + 1; word != words.end(); ++word) {
     if (*word == "-h" || *word == "--help")
       m_help = true;
     else if (!word->empty())
-      m_words.push_back(*word);
+      own.push_back(*word);
+  }
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (among(FREEFEM, own[i])) {
+      i += among(FREEFEM_WITH_VALUE, own[i]);
+      continue;
+    }
+    m_given.push_back({own[i], {}});
+    if (i + 1 < own.size()) m_given.back().value = own[++i];
   }
 }
 
@@ -44,10 +54,10 @@ std::string ScriptOptions::folder() const {
 // The last one counts.
 const std::string* ScriptOptions::find(const std::string& name) const {
   const std::string* value = nullptr;
-  for (std::size_t i = 0; i < m_words.size(); ++i) {
-    if (m_words[i] != name) continue;
-    if (i + 1 == m_words.size()) throw std::invalid_argument("option " + name + " has no value");
-    value = &m_words[i + 1];
+  for (const Given& given : m_given) {
+    if (given.name != name) continue;
+    if (!given.value) throw std::invalid_argument("option " + name + " has no value");
+    value = &*given.value;
   }
   return value;
 }
@@ -100,20 +110,14 @@ std::string ScriptOptions::text(const std::string& name, const std::string& othe
 }
 
 void ScriptOptions::refuse_unknown() const {
-  for (std::size_t i = 0; i < m_words.size(); ++i) {
-    const std::string& word = m_words[i];
-    if (among(FREEFEM, word)) {
-      i += among(FREEFEM_WITH_VALUE, word);
-      continue;
-    }
+  for (const Given& given : m_given) {
     std::string list;
     bool known = false;
     for (const Option& option : m_options) {
-      known = known || option.name == word;
+      known = known || option.name == given.name;
       list += " " + option.name;
     }
-    if (!known) throw std::invalid_argument("unknown option " + word + ", expected one of" + list);
-    ++i; // its value
+    if (!known) throw std::invalid_argument("unknown option " + given.name + ", expected one of" + list);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // Options of a script, -name value: read, checked, listed, refused if unknown.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ public:
   std::string json() const;
 
 private:
+  struct Given {
+    std::string name;
+    std::optional<std::string> value; // none after the last word
+  };
   struct Option {
     std::string name, value, json, unit, meaning;
   };
@@ -37,8 +42,8 @@ private:
             const std::string& unit, const std::string& meaning);
 
   std::string m_script;
-  std::vector<std::string> m_words; // of the script
-  std::vector<Option> m_options;    // asked for
+  std::vector<Given> m_given;    // words of the script in pairs, without FreeFEM's own
+  std::vector<Option> m_options; // asked for
   bool m_help = false;
 };
 

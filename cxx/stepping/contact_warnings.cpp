@@ -1,5 +1,6 @@
 #include "stepping/contact_warnings.hpp"
 #include "stepping/program_checks.hpp"
+#include <algorithm>
 #include <sstream>
 
 namespace burnish {
@@ -63,12 +64,14 @@ void ContactWarnings<Dim>::check_elements(const ContactSetup<Dim>& setup,
       if (tool < 0) continue;
       if (first < 0) first = tool;
       if (tool == first) continue;
+      // in the order of the tools, whichever the element names first
+      const std::string &low = setup.tools()[std::min(first, tool)]->name(),
+                        &high = setup.tools()[std::max(first, tool)]->name();
       std::ostringstream text;
-      text << "an element lies between tools \"" << setup.tools()[first]->name() << "\" and \""
-           << setup.tools()[tool]->name() << "\" (element " << e << " at "
-           << setup.body().position(u, node).transpose().format(PLACE_FORMAT) << ", t = " << t
+      text << "an element lies between tools \"" << low << "\" and \"" << high << "\" (element " << e
+           << " at " << setup.body().position(u, node).transpose().format(PLACE_FORMAT) << ", t = " << t
            << "): refine the workpiece there";
-      add("element " + setup.tools()[first]->name() + " " + setup.tools()[tool]->name(), text.str());
+      add("element " + low + " " + high, text.str());
     }
   }
 }

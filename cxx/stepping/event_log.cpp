@@ -9,15 +9,24 @@ EventKind kind_for(PointChange change) {
   return change == PointChange::YIELD ? EventKind::YIELD : EventKind::UNLOADING;
 }
 
+// The events from `first` on are new, in any order; those of the same step may be later than some of them.
+template <int Dim> void sort_in(std::vector<ContactEvent<Dim>>& events, std::ptrdiff_t first) {
+  const auto earlier = [](const auto& a, const auto& b) { return a.t < b.t; };
+  const auto added = events.begin() + first;
+  std::stable_sort(added, events.end(), earlier);
+  std::inplace_merge(events.begin(), added, events.end(), earlier);
+}
+
 } // namespace
 
 template <int Dim> void EventLog<Dim>::add(const std::vector<ContactEvent<Dim>>& more) {
+  const auto first = static_cast<std::ptrdiff_t>(events.size());
   events.insert(events.end(), more.begin(), more.end());
+  sort_in(events, first);
 }
 
 template <int Dim> void EventLog<Dim>::add(const std::vector<ElementEvent<Dim>>& more, double t, double dt) {
-  auto first = static_cast<std::ptrdiff_t>(events.size()); // of this step's element events
-  while (first > 0 && events[first - 1].candidate < 0 && events[first - 1].t >= t) --first;
+  const auto first = static_cast<std::ptrdiff_t>(events.size());
   for (const auto& found : more) {
     ContactEvent<Dim> event;
     event.t = t + found.fraction * dt;
@@ -28,8 +37,7 @@ template <int Dim> void EventLog<Dim>::add(const std::vector<ElementEvent<Dim>>&
     event.name = found.name;
     events.push_back(event);
   }
-  std::stable_sort(events.begin() + first, events.end(),
-                   [](const auto& a, const auto& b) { return a.t < b.t; });
+  sort_in(events, first);
 }
 
 template struct EventLog<2>;

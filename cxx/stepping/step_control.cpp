@@ -6,8 +6,13 @@
 namespace burnish {
 namespace {
 
-// Rounding of times, over the end of the program.
+// Rounding of times, over the largest at hand.
 constexpr double SAME_TIME = 1e-9, AT_END = 1e-12;
+
+// That scale: the end of a program, which may be zero or negative, the present time, or the step.
+double scale(const StepControlOptions& o, const StepControlState& s) {
+  return std::max({std::abs(o.t_end), std::abs(s.t), s.dt});
+}
 
 } // namespace
 
@@ -23,17 +28,21 @@ StepControl::StepControl(double t_start, StepControlOptions options) : m_options
 }
 
 double StepControl::next_stop() const {
+  const double same = SAME_TIME * scale(m_options, m_state);
   double stop = m_options.t_end;
   for (const double t : m_options.output_times)
-    if (t > m_state.t + SAME_TIME * m_options.t_end) stop = std::min(stop, t);
+    if (t > m_state.t + same) stop = std::min(stop, t);
   return stop;
 }
 
-bool StepControl::finished() const { return m_state.t >= m_options.t_end * (1 - AT_END); }
+bool StepControl::finished() const {
+  return m_state.t >= m_options.t_end - AT_END * scale(m_options, m_state);
+}
 
 bool StepControl::at_output() const {
+  const double same = SAME_TIME * scale(m_options, m_state);
   for (const double t : m_options.output_times)
-    if (std::abs(t - m_state.t) <= SAME_TIME * m_options.t_end) return true;
+    if (std::abs(t - m_state.t) <= same) return true;
   return finished();
 }
 
@@ -58,7 +67,7 @@ void StepControl::accepted() {
   auto& s = m_state;
   s.t += s.dt;
   const double stop = next_stop();
-  if (std::abs(s.t - stop) < AT_END * m_options.t_end) s.t = stop;
+  if (std::abs(s.t - stop) < AT_END * scale(m_options, s)) s.t = stop;
   s.last_dt = s.dt;
   s.first = false;
   s.cap *= m_options.relaxation;
