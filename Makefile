@@ -9,6 +9,7 @@ FREEFEM  ?= FreeFem++
 PYTHON   ?= /usr/bin/python3
 PACKAGES ?= .ci/packages
 OPTIMIZE ?= -O2
+TEST_OPTIMIZE ?= -O1
 JOBS     ?= $(shell nproc)
 OPTIONS  ?=
 CASE     ?= rolling
@@ -169,7 +170,7 @@ compile: $(CORE) $(WRAPPER) $(PLUGIN) $(GMSH)
 # $(call keep,TEXT): write TEXT to the target only if it changed, so that only real changes rebuild
 keep = @mkdir -p $(@D) && { [ -f $@ ] && printf '%s\n' "$(1)" | cmp -s - $@ || printf '%s\n' "$(1)" >$@; }
 $(BUILD)/flags: FORCE
-	$(call keep,$(CXX) $(FLAGS) $(PLUGIN_FLAGS) $(LIBRARIES))
+	$(call keep,$(CXX) $(FLAGS) $(TEST_OPTIMIZE) $(PLUGIN_FLAGS) $(LIBRARIES))
 $(BUILD)/sources: FORCE
 	$(call keep,$(ALL_SOURCES))
 $(WRAPPER): FORCE
@@ -177,11 +178,26 @@ $(WRAPPER): FORCE
 	@[ -x $@ ] || chmod +x $@
 
 $(BUILD)/obj/plugins/%: GROUP_FLAGS = $(PLUGIN_FLAGS)
-$(BUILD)/obj/tests/%:   GROUP_FLAGS = -Itests
+$(BUILD)/obj/tests/%:   GROUP_FLAGS = -Itests $(TEST_OPTIMIZE)
 $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	@echo "compile $<"
-	@$(CXX) $(FLAGS) $(GROUP_FLAGS) -MMD -MP -c $< -o $@
+	@$(CXX) $(FLAGS) $(GROUP_FLAGS) $(READ_BEFORE) -MMD -MP -c $< -o $@
+
+# Eigen and the standard library are read once for the core, and once with GoogleTest for the tests: a third of the time.
+$(BUILD)/obj/cxx/%:              READ_BEFORE = -include $(BUILD)/read/core.hpp
+$(BUILD)/obj/tests/unit/%:         READ_BEFORE = -include $(BUILD)/read/tests.hpp
+$(BUILD)/obj/tests/verification/%: READ_BEFORE = -include $(BUILD)/read/tests.hpp
+$(call objects,$(CXX_SOURCES)): $(BUILD)/read/core.hpp.gch
+$(call objects,$(SOURCES_unit) $(SOURCES_verification)): $(BUILD)/read/tests.hpp.gch
+$(BUILD)/read/core.hpp.gch:  cxx/base/precompiled.hpp
+$(BUILD)/read/tests.hpp.gch: tests/support/precompiled.hpp cxx/base/precompiled.hpp
+$(BUILD)/read/tests.hpp.gch: GROUP_FLAGS = -Itests $(TEST_OPTIMIZE)
+$(BUILD)/read/%.hpp.gch: $(BUILD)/flags
+	@mkdir -p $(@D)
+	@echo "read    $(firstword $(filter %/precompiled.hpp,$^))"
+	@cp $(firstword $(filter %/precompiled.hpp,$^)) $(BUILD)/read/$*.hpp
+	@$(CXX) $(FLAGS) $(GROUP_FLAGS) -x c++-header $(BUILD)/read/$*.hpp -o $@
 
 # Linked under another name and moved: a program that is running keeps the old file.
 $(CORE): $(call objects,$(CXX_SOURCES)) $(BUILD)/sources
