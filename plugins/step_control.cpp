@@ -253,8 +253,8 @@ void register_step_control() {
       "next", [] { return new OneOperator3s_<long, Method<H, NextTag>, KN_<double>, KN_<double>>(next); });
   add_method<H, RefuseTag>("refuse",
                            [] { return new OneOperator2_<bool, Method<H, RefuseTag>, string*>(refuse); });
-  add_method<H, SchemeTag>(
-      "scheme", [] { return new OneOperator2_<bool, Method<H, SchemeTag>, string*>(set_scheme); });
+  add_method<H, SchemeTag>("scheme",
+                           [] { return new OneOperator2_<bool, Method<H, SchemeTag>, string*>(set_scheme); });
   add_method<H, StopTag>("stop", [] { return new OneOperator2_<bool, Method<H, StopTag>, string*>(stop); });
   add_method<H, CountTag>("count",
                           [] { return new OneOperator2_<long, Method<H, CountTag>, string*>(count); });

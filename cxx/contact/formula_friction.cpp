@@ -1,6 +1,6 @@
 #include "contact/formula_friction.hpp"
-#include "contact/friction_kind.hpp"
 #include "base/error.hpp"
+#include "contact/friction_kind.hpp"
 #include <cmath>
 
 namespace burnish {

@@ -39,7 +39,8 @@ FrictionKind coulomb_kind() {
            {"shearlimit", ArgumentKind::NUMBER, "[stress] and no more than this shear strength"}},
           [](const Arguments& a, const Constants&) {
             const double mu = a.number("friction", 0);
-            return a.has("shearlimit") ? make_limited_coulomb(mu, a.number("shearlimit", 0)) : make_coulomb(mu);
+            return a.has("shearlimit") ? make_limited_coulomb(mu, a.number("shearlimit", 0))
+                                       : make_coulomb(mu);
           },
           "shearlimit= limits Coulomb friction: give friction= with it"};
 }

@@ -22,7 +22,8 @@ std::string examples() {
 } // namespace
 
 const std::vector<FrictionKind>& friction_kinds() {
-  static const std::vector<FrictionKind> kinds{coulomb_kind(), tresca_kind(), sticking_kind(), formula_kind()};
+  static const std::vector<FrictionKind> kinds{coulomb_kind(), tresca_kind(), sticking_kind(),
+                                               formula_kind()};
   return kinds;
 }
 

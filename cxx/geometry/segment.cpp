@@ -37,15 +37,15 @@ ClosestPoint<2> Segment::closest_point(const Vector<2>& x, const Param<2>&) cons
 }
 
 ShapeKind segment_shape() {
-  return {
-      "line=[x0,y0,x1,y1]",
-      {{"line", ArgumentKind::NUMBERS, "straight from the first end to the second, body on the left [length]"}},
-      [](const Arguments& given) {
-        const std::vector<double> p = given.list("line");
-        require(p.size() == 4, "line", "number of values in line", p.size(), "4: [x0,y0,x1,y1]");
-        return std::make_shared<Segment>(Vector<2>(p[0], p[1]), Vector<2>(p[2], p[3]));
-      },
-      "; swap the ends of a line to turn it"};
+  return {"line=[x0,y0,x1,y1]",
+          {{"line", ArgumentKind::NUMBERS,
+            "straight from the first end to the second, body on the left [length]"}},
+          [](const Arguments& given) {
+            const std::vector<double> p = given.list("line");
+            require(p.size() == 4, "line", "number of values in line", p.size(), "4: [x0,y0,x1,y1]");
+            return std::make_shared<Segment>(Vector<2>(p[0], p[1]), Vector<2>(p[2], p[3]));
+          },
+          "; swap the ends of a line to turn it"};
 }
 
 } // namespace burnish

@@ -9,7 +9,7 @@ namespace burnish {
 
 /// One kind of profile, for the table in shapes.cpp.
 struct ShapeKind {
-  std::string example;                    ///< "circle=R"
+  std::string example;               ///< "circle=R"
   std::vector<Parameter> parameters; ///< the first one chooses this kind
   /// @throws std::invalid_argument for values that make no such profile
   std::function<std::shared_ptr<const Profile<2>>(const Arguments&)> make;

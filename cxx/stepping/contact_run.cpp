@@ -234,7 +234,8 @@ void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
   m_accepted.contact = state;
   m_accepted.generalized_force = m_corrector.last_balance().generalized_force;
   m_accepted.corrector = m_corrector.memory();
-  m_accepted.corrector.tangent = nullptr; // state() shares it; kept here, the next factor could not take its place
+  m_accepted.corrector.tangent =
+      nullptr; // state() shares it; kept here, the next factor could not take its place
   m_accepted.prescribed = m_prescribed;
   m_accepted.left_out = left_out();
   m_corrector.accepted();

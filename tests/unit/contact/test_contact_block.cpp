@@ -83,8 +83,8 @@ struct Scene {
 template <class Solver> void compare_with(Scene& scene) {
   Condensation<2> condensation(scene.contact.model, scene.spring.body);
   const auto& system = condensation.condense(scene.spring.tangent(scene.u), scene.contact.state,
-                                             {&scene.contact.prescribed, &scene.contact.prescribed}, scene.u, scene.R,
-                                             GeometricTerms::COMPLETE, RightHandSide::TOTAL, false);
+                                             {&scene.contact.prescribed, &scene.contact.prescribed}, scene.u,
+                                             scene.R, GeometricTerms::COMPLETE, RightHandSide::TOTAL, false);
   Solver solver;
   ASSERT_EQ(solver.factorize(view(system)), FactorStatus::OK);
   const auto step = condensation.expand(solver.solve(system.rhs));
@@ -221,7 +221,8 @@ TEST(ContactBlock, AddedStiffnessLeavesNoTrace) {
     EXPECT_LT((with.dq - plain.dq).norm(), 1e-11 * plain.dq.norm());
     for (int a = 0, known = 0; a < 5; ++a) {
       if (a == 2) {
-        EXPECT_LT(with.F.segment<2>(4).norm(), 1e-11 * plain.F.norm()) << "no force on a node that is not in contact";
+        EXPECT_LT(with.F.segment<2>(4).norm(), 1e-11 * plain.F.norm())
+            << "no force on a node that is not in contact";
         continue;
       }
       EXPECT_LT((with.F.segment<2>(2 * a) - plain.F.segment<2>(2 * known)).norm(), 1e-10 * plain.F.norm());

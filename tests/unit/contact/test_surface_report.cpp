@@ -32,7 +32,8 @@ struct Sample {
     for (int e = 0; e < 3; ++e) edges.push_back({{e, e + 1}, {quadratic ? 4 + e : -1}, -1, 0});
     u = body.X;
     body.fixed.assign(2 * nodes, 0);
-    model.tools = {profile_tool("line", std::make_shared<Segment>(20 * along, -20 * along), std::make_shared<Cartesian>())};
+    model.tools = {profile_tool("line", std::make_shared<Segment>(20 * along, -20 * along),
+                                std::make_shared<Cartesian>())};
     model.laws.emplace_back(make_coulomb(0.3));
     model.first = {0, 3};
     state.q = Vector<3>::Zero();

@@ -43,7 +43,8 @@ std::vector<Sample> samples(double unit) {
         std::make_tuple("polar", polar(unit), Vector3d(length, 1, 1))}) {
     const std::string suffix = std::string(" ") + name;
     all.push_back({profile_tool("circle" + suffix, circle(unit), coordinates), length, 1, scales});
-    all.push_back({profile_tool("inside circle" + suffix, circle(unit, true), coordinates), length, 1, scales});
+    all.push_back(
+        {profile_tool("inside circle" + suffix, circle(unit, true), coordinates), length, 1, scales});
     all.push_back({profile_tool("segment" + suffix, segment(unit), coordinates), length, length, scales});
   }
   return all;
@@ -64,13 +65,14 @@ void check_along(const Sample& sample, const VectorXd& q, const SurfacePlace<2>&
   };
   const double L = sample.length, tolerance = 1e-9;
   expect_close(point.E, by_eta([](const SurfacePoint<2>& p) { return p.x; }), 1, tolerance, "E");
-  expect_close(point.E * point.B, by_eta([](const SurfacePoint<2>& p) { return p.n; }), 1 / L, tolerance, "B");
+  expect_close(point.E * point.B, by_eta([](const SurfacePoint<2>& p) { return p.n; }), 1 / L, tolerance,
+               "B");
   expect_close(-point.n * point.B, by_eta([](const SurfacePoint<2>& p) { return p.E; }), 1 / L, tolerance,
                "dE");
   // mixed derivative in the other order
   expect_close(point.E_q[0] * sample.coordinate_scales.asDiagonal(),
-               by_eta([](const SurfacePoint<2>& p) { return p.x_q; }) * sample.coordinate_scales.asDiagonal(), 1,
-               tolerance, "E_q");
+               by_eta([](const SurfacePoint<2>& p) { return p.x_q; }) * sample.coordinate_scales.asDiagonal(),
+               1, tolerance, "E_q");
 }
 
 void check_by_q(const Sample& sample, const VectorXd& q, const SurfacePlace<2>& place, int k) {
@@ -88,8 +90,8 @@ void check_by_q(const Sample& sample, const VectorXd& q, const SurfacePlace<2>& 
   expect_close(point.x_q.col(k), by_q([](const SurfacePoint<2>& p) { return p.x; }), L, tolerance, "x_q");
   expect_close(point.n_q.col(k), by_q([](const SurfacePoint<2>& p) { return p.n; }), 1 / scales(k), tolerance,
                "n_q");
-  expect_close(point.E_q[0].col(k), by_q([](const SurfacePoint<2>& p) { return p.E; }), 1 / scales(k), tolerance,
-               "E_q");
+  expect_close(point.E_q[0].col(k), by_q([](const SurfacePoint<2>& p) { return p.E; }), 1 / scales(k),
+               tolerance, "E_q");
   const auto x_qq = by_q([](const SurfacePoint<2>& p) { return p.x_q; });
   expect_close(point.x_qq[k] * scales.asDiagonal(), x_qq * scales.asDiagonal(), L, tolerance, "x_qq");
   for (int l = 0; l < 3; ++l)

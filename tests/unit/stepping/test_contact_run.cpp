@@ -67,7 +67,8 @@ TEST(ContactRun, ApproachOfAFlatPunchTouchesAllNodes) {
   scene.place({2, 3, 0});
   EXPECT_NEAR(scene.contact().approach(0, "y", scene.u), 1.5, 1e-9);
   int touching = 0;
-  for (const auto& node : scene.contact().accepted().contact.nodes) touching += node.state == NodeState::STICKING;
+  for (const auto& node : scene.contact().accepted().contact.nodes)
+    touching += node.state == NodeState::STICKING;
   EXPECT_EQ(touching, 25);
 }
 
@@ -151,7 +152,7 @@ TEST(ContactRun, CondensedSystemSolvesTheSameStep) {
     ASSERT_EQ(block.workpiece().update(block.u, 1, it).status, UpdateStatus::OK);
     block.workpiece().tangent(block.tangent, TangentKind::CONSISTENT);
     const auto& system = block.contact().condense(block.tangent, block.u, block.workpiece().internal_force(),
-                                                GeometricTerms::COMPLETE, RightHandSide::TOTAL, false);
+                                                  GeometricTerms::COMPLETE, RightHandSide::TOTAL, false);
     ASSERT_EQ(
         solver.factorize({system.n, system.row_start.data(), system.col.data(), system.value.data(), false}),
         FactorStatus::OK);

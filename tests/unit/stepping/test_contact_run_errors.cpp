@@ -37,15 +37,17 @@ TEST(ContactRunErrors, Construction) {
   const std::string none =
       "contact: number of candidate nodes = 0, expected at least one node on the labels that is not fixed";
   expect_invalid([&] { ContactSetup<2>(mesh.space, {}, mesh.fixed, PLANE); }, none);
-  expect_invalid([&] { ContactSetup<2>(mesh.space, mesh.surface, std::vector<char>(mesh.fixed.size(), 1), PLANE); },
-                 none);
+  expect_invalid(
+      [&] { ContactSetup<2>(mesh.space, mesh.surface, std::vector<char>(mesh.fixed.size(), 1), PLANE); },
+      none);
 }
 
 TEST(ContactRunErrors, Tools) {
   Block block;
   expect_invalid([&] { block.setup->add_tool(roller("tool"), make_coulomb(0)); },
                  "contact.add: tool \"tool\" is already there");
-  const auto bare = std::make_shared<DrivenTool<2>>("bare", std::make_shared<ProfileSurface>(std::make_shared<Circle>(3.)));
+  const auto bare =
+      std::make_shared<DrivenTool<2>>("bare", std::make_shared<ProfileSurface>(std::make_shared<Circle>(3.)));
   expect_invalid([&] { block.setup->add_tool(bare, make_coulomb(0)); }, "\"bare\" has no coordinates yet");
   block.begin();
   expect_invalid([&] { block.setup->add_tool(roller("late"), make_coulomb(0)); },
@@ -150,7 +152,8 @@ TEST(ContactRunErrors, CheckFactorizeCorrect) {
 TEST(ContactRunErrors, OrderOfCalls) {
   Block block;
   const auto condense = [&](const Eigen::VectorXd& R) {
-    block.contact().condense(block.tangent, block.u, R, GeometricTerms::COMPLETE, RightHandSide::TOTAL, false);
+    block.contact().condense(block.tangent, block.u, R, GeometricTerms::COMPLETE, RightHandSide::TOTAL,
+                             false);
   };
   expect_invalid([&] { condense(block.R); }, "contact.condense: no step is under way, call begin first");
   expect_invalid([&] { block.contact().expand(block.R, block.u); },

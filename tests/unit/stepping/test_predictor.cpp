@@ -107,8 +107,7 @@ TEST(Predictor, IncrementTurnsWithThePivot) {
   const auto mesh = ring_mesh(32, 4, 2, 25, 30, 0.8, 1);
   ContactModel<2> model;
   model.candidates = nodes_along(mesh.surface);
-  model.tools = {
-      profile_tool("roller", std::make_shared<Circle>(15.), std::make_shared<Polar>())};
+  model.tools = {profile_tool("roller", std::make_shared<Circle>(15.), std::make_shared<Polar>())};
   model.laws.emplace_back(make_coulomb(0.3));
   model.first = {0, 3};
   const BodyView<2> body{Eigen::Map<const Eigen::VectorXd>(mesh.space.X.data(), mesh.space.num_dofs()),
