@@ -1,5 +1,6 @@
 #include "matrix.hpp"
 #include "base/error.hpp"
+#include "solver/sparse_rows.hpp"
 
 namespace burnish {
 
@@ -11,14 +12,14 @@ TripletView view_of(Matrice_Creuse<double>* matrix, long n, const char* where) {
   return {A->n, A->nnz, A->i, A->j, A->aij, A->half != 0};
 }
 
-newpMatrice_Creuse<double> to_freefem(Stack stack, const CondensedSystem& system, const std::string& solver) {
-  const int nnz = static_cast<int>(system.col.size());
-  auto* A = new HashMatrix<int, double>(system.n, system.n, nnz, system.half ? 1 : 0);
-  for (int row = 0; row < system.n; ++row)
-    for (int k = system.row_start[row]; k < system.row_start[row + 1]; ++k) {
+static newpMatrice_Creuse<double> to_freefem(Stack stack, const SparseView& rows, const std::string& solver) {
+  const int nnz = rows.row_start[rows.n];
+  auto* A = new HashMatrix<int, double>(rows.n, rows.n, nnz, rows.symmetric ? 1 : 0);
+  for (int row = 0; row < rows.n; ++row)
+    for (int k = rows.row_start[row]; k < rows.row_start[row + 1]; ++k) {
       A->i[k] = row;
-      A->j[k] = system.col[k];
-      A->aij[k] = system.value[k];
+      A->j[k] = rows.col[k];
+      A->aij[k] = rows.value[k];
     }
   A->nnz = nnz;
   A->ReHash();
@@ -27,25 +28,19 @@ newpMatrice_Creuse<double> to_freefem(Stack stack, const CondensedSystem& system
   A->re_do_numerics = A->re_do_symbolic = 1;
   Data_Sparse_Solver options;
   options.solver = solver;
-  options.sym = system.half;
+  options.sym = rows.symmetric;
   SetSolver<double>(stack, false, *A, options);
   return newpMatrice_Creuse<double>(stack, A);
 }
 
+newpMatrice_Creuse<double> to_freefem(Stack stack, const CondensedSystem& system, const std::string& solver) {
+  return to_freefem(stack,
+                    {system.n, system.row_start.data(), system.col.data(), system.value.data(), system.half},
+                    solver);
+}
+
 newpMatrice_Creuse<double> to_freefem(Stack stack, const NodeBlockMatrix<2>& K) {
-  CondensedSystem lower;
-  lower.n = K.size();
-  lower.half = true;
-  lower.row_start.push_back(0);
-  for (int row = 0; row < K.size(); ++row) {
-    for (int k = K.row_start[row / 2]; k < K.row_start[row / 2 + 1]; ++k)
-      for (int c = 0; c < 2 && 2 * K.col[k] + c <= row; ++c) {
-        lower.col.push_back(2 * K.col[k] + c);
-        lower.value.push_back(K.block(k)[2 * (row % 2) + c]);
-      }
-    lower.row_start.push_back(static_cast<int>(lower.col.size()));
-  }
-  return to_freefem(stack, lower);
+  return to_freefem(stack, lower_triangle(K).view(), "BURNISH");
 }
 
 } // namespace burnish
