@@ -5,6 +5,7 @@ A test of a case is tests/regression/NAME.sh with this line and a file NAME.json
 NAME.json:
     {"about": "what is run, units of the numbers",
      "relative_tolerance": {"default": 0.01, "depth": 0.002, "angle": {"absolute": 1e-6}},
+     "why": {"default": "the reason of each tolerance", "depth": "...", "angle": "..."},
      "runs": {"p2": {"options": "-steps 20 -R 0.01", "values": {"depth": 9.5e-05, "Q_y": -4e5, "counts.steps": 40}},
               "p1": {"options": "-steps 20 -element P1", "pictures": ["stress"], "values": {...}}}}
 A name is looked for in the summary's "results", then in its "final"; "part.name" looks into that part. Every run must
@@ -97,6 +98,8 @@ def main(arguments):
         stored = json.load(file)
     tolerances = stored["relative_tolerance"]
     checks, compared = Checks(), 0
+    silent = [name for name in tolerances if not stored["why"].get(name)]
+    checks.that("a reason for each tolerance", not silent, ", ".join(silent) or f"{len(tolerances)} reasons")
     for label, entry in stored["runs"].items():
         summary = run(case, label, entry.get("options", ""), entry.get("pictures", []), checks)
         for name, expected in entry["values"].items() if summary else ():
