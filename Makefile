@@ -188,7 +188,7 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 $(BUILD)/obj/cxx/%:              READ_BEFORE = -include $(BUILD)/read/core.hpp
 $(BUILD)/obj/tests/unit/%:         READ_BEFORE = -include $(BUILD)/read/tests.hpp
 $(BUILD)/obj/tests/verification/%: READ_BEFORE = -include $(BUILD)/read/tests.hpp
-$(call objects,$(CXX_SOURCES)): $(BUILD)/read/core.hpp.gch
+$(call objects,$(CXX_SOURCES) $(GMSH_SOURCES)): $(BUILD)/read/core.hpp.gch
 $(call objects,$(SOURCES_unit) $(SOURCES_verification)): $(BUILD)/read/tests.hpp.gch
 $(BUILD)/read/core.hpp.gch:  cxx/base/precompiled.hpp
 $(BUILD)/read/tests.hpp.gch: tests/support/precompiled.hpp cxx/base/precompiled.hpp

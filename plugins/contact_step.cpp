@@ -6,7 +6,7 @@
 //   bool ok = C.factorize(M, u[]);       the material's own tangent; or C.factorize(K, u[]) with any symmetric matrix
 //   int st = C.correct(u[], R);          one iteration: moves u, slips, coordinates and contact states
 //   real f = C.events(u[], R);           earliest fraction of the step, 2 if it has no event; tolerance=1e-3, until=1
-//   int n = C.switchstates();            changes states at the accepted state without moving
+//   int n = C.acceptevents();            changes states at the accepted state without moving
 //   int n = C.logevents(M);              appends the element events that M.events found in this step
 //   C.accept(u[], R);  C.revert();       the only two ways between the states
 #include "base/error.hpp"
@@ -113,8 +113,8 @@ long log_events(const Method<ContactHandle, LogTag>& m, MaterialHandle* const& m
   });
 }
 
-struct SwitchTag {};
-long switch_states(const Method<ContactHandle, SwitchTag>& m) {
+struct AcceptEventsTag {};
+long accept_events(const Method<ContactHandle, AcceptEventsTag>& m) {
   return guarded([&] {
     ContactObject& contact = m->get();
     contact.run().accept_events(contact.pending);
@@ -171,8 +171,8 @@ void register_contact_step() {
       "events", [] { return new NamedOperator<Events, double, Method<H, EventsTag>, Array, Array>; });
   add_method<H, LogTag>(
       "logevents", [] { return new OneOperator2_<long, Method<H, LogTag>, MaterialHandle*>(log_events); });
-  add_method<H, SwitchTag>("switchstates",
-                           [] { return new OneOperator1_<long, Method<H, SwitchTag>>(switch_states); });
+  add_method<H, AcceptEventsTag>(
+      "acceptevents", [] { return new OneOperator1_<long, Method<H, AcceptEventsTag>>(accept_events); });
   add_method<H, AcceptTag>(
       "accept", [] { return new OneOperator3s_<bool, Method<H, AcceptTag>, Array, Array>(accept); });
   add_method<H, RevertTag>("revert", [] { return new OneOperator1_<bool, Method<H, RevertTag>>(revert); });

@@ -48,7 +48,7 @@ void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::V
   const auto poses = m_model.poses(state.q);
   m_nodes.clear();
   m_contact_of.assign(m_body.X.size() / Dim, -1);
-  m_shift = Eigen::VectorXd::Zero(m_body.X.size());
+  m_known_increment = Eigen::VectorXd::Zero(m_body.X.size());
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     if (!in_contact(state.nodes[i].state)) continue;
     const int node = m_model.candidates[i];
@@ -56,14 +56,14 @@ void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::V
     m_contact_of[node] = static_cast<int>(m_nodes.size());
     m_nodes.push_back(linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, Rn, terms));
     const auto& linear = m_nodes.back();
-    Vector<Dim> shift = Vector<Dim>::Zero();
+    Vector<Dim> known = Vector<Dim>::Zero();
     if (right == RightHandSide::TOTAL)
-      shift = offset_to(m_model, static_cast<int>(i), linear.point, m_body.position(u, node));
+      known = offset_to(m_model, static_cast<int>(i), linear.point, m_body.position(u, node));
     for (Eigen::Index k = 0; k < linear.x_q.cols(); ++k) {
       const int q = m_model.first[linear.tool] + static_cast<int>(k);
-      if (prescribed.is_motion[q]) shift += (prescribed.value[q] - state.q[q]) * linear.x_q.col(k);
+      if (prescribed.is_motion[q]) known += (prescribed.value[q] - state.q[q]) * linear.x_q.col(k);
     }
-    m_shift.template segment<Dim>(Dim * node) = shift;
+    m_known_increment.template segment<Dim>(Dim * node) = known;
   }
 }
 
@@ -137,7 +137,7 @@ void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const
                                             RightHandSide right) {
   const bool total = right == RightHandSide::TOTAL;
   const int ndof = K.size(), nq = m_model.num_coordinates();
-  Eigen::VectorXd force = -K.multiply(m_shift);
+  Eigen::VectorXd force = -K.multiply(m_known_increment);
   if (total) force -= R;
   for (std::size_t i = 0; i < state.nodes.size() && !total; ++i) { // remaining reactions of released nodes
     const NodeState s = state.nodes[i].state;
@@ -159,7 +159,7 @@ void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const
 }
 
 // The geometric terms in the columns of coordinates under motion are known: they go to the right-hand side.
-// The rest of those columns is there already (m_shift).
+// The rest of those columns is there already (m_known_increment).
 template <int Dim>
 void Condensation<Dim>::move_geometric_columns(const PrescribedValues& prescribed,
                                                const ContactState<Dim>& state) {
@@ -265,7 +265,7 @@ typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::Vec
                    z.tail(m_model.num_coordinates()), m_candidate_R};
   for (const auto& node : m_nodes) {
     const int dof = Dim * m_model.candidates[node.candidate];
-    Vector<Dim> du = m_shift.template segment<Dim>(dof);
+    Vector<Dim> du = m_known_increment.template segment<Dim>(dof);
     if (node.sliding) {
       result.slip.col(node.candidate) = z.template segment<Dim - 1>(dof);
       du += node.point.E * z.template segment<Dim - 1>(dof);

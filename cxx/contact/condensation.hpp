@@ -78,7 +78,7 @@ private:
   std::vector<int> m_contact_of; // per node: index into m_nodes or -1
   std::vector<NodeLinearization<Dim>> m_nodes;
   std::vector<char> m_given;            // per unknown
-  Eigen::VectorXd m_shift;              // displacement increment that is known: offsets and motions
+  Eigen::VectorXd m_known_increment;    // displacement increment that is known: offsets and motions
   std::vector<double> m_candidate_rows; // blocks of K in the rows of the candidates, one row after another
   Eigen::VectorXd m_candidate_R;        // Dim*candidates
 };

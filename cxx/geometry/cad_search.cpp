@@ -61,7 +61,7 @@ CadFoot foot_in(const CadCell& cell, const CadPiece& piece, const Vector<2>& x) 
   };
   const View first = end(0, cell.begin), last = end(1, cell.end);
   const double length = (cell.x[1] - cell.x[0]).norm();
-  const bool near = (std::min(first.distance, last.distance) + length) * cell.bend < 1;
+  const bool near = (std::min(first.distance, last.distance) + length) * cell.curvature_bound < 1;
   if (near || (cell.hollow[0].dot(cell.x[0] - x) > 0 && cell.hollow[1].dot(cell.x[1] - x) > 0))
     return foot_between(cell, piece, x, first, last);
   // on the hollow side, about as far as the center of curvature, there may be several
@@ -88,13 +88,13 @@ void bound(CadCell& cell, const std::array<CadValue, PARTS + 1>& samples) {
   double slowest = samples[0].first.squaredNorm();
   for (const CadValue& value : samples) {
     cell.sag = std::max(cell.sag, 1.3 * distance_to_chord(cell, value.x));
-    cell.bend = std::max(cell.bend, 1.3 * value.second.norm());
+    cell.curvature_bound = std::max(cell.curvature_bound, 1.3 * value.second.norm());
     slowest = std::min(slowest, value.first.squaredNorm());
     const double side = left_of(value.first).dot(value.second);
     left = left && side > 0;
     right = right && side < 0;
   }
-  cell.bend /= slowest;
+  cell.curvature_bound /= slowest;
   if (!left && !right) return;
   cell.hollow[0] = samples.front().second;
   cell.hollow[1] = samples.back().second;

@@ -14,8 +14,8 @@ struct CadCell {
   Vector<2> t[2];    ///< ... and x_s
   double turn;       ///< sum of the turns of its parts [rad]
   double sag = 0;    ///< the curve stays this close to the chord [length]
-  /// A bound of |x_ss|/|x_s|^2; nearer than 1/bend there is one foot point at most [1/length].
-  double bend = 0;
+  /// A bound of |x_ss|/|x_s|^2; nearer than 1/curvature_bound there is one foot point at most [1/length].
+  double curvature_bound = 0;
   Vector<2> hollow[2] = {{0, 0}, {0, 0}}; ///< x_ss at both ends if it bends to one side only, else zero
 };
 

@@ -19,7 +19,7 @@ constexpr double FROM_INSIDE = 0.5; // cosine between the tool's normal and the 
 
 struct SmallestGap {
   double gap = 0, slope = 0, lever = 0; // gap, its change with the coordinate, motion of the foot with it
-  double fastest = 0, bending = 0;      // largest |X_,k| and |X_,kk|/2 of all candidates' feet
+  double fastest = 0, second_order = 0; // largest |X_,k| and |X_,kk|/2 of all candidates' feet
   std::vector<std::size_t> nodes;       // candidates that have it
 };
 
@@ -38,7 +38,8 @@ SmallestGap smallest_gap(const ContactSetup<Dim>& setup, ContactState<Dim>& stat
         model.tools[tool]->foot(pose, setup.body().position(u, model.candidates[i]), node.place.hint);
     const auto p = model.tools[tool]->point(pose, foot.place);
     result.fastest = std::max(result.fastest, p.x_q.col(k).norm());
-    result.bending = std::max(result.bending, 0.5 * p.x_qq[static_cast<std::size_t>(k)].col(k).norm());
+    result.second_order =
+        std::max(result.second_order, 0.5 * p.x_qq[static_cast<std::size_t>(k)].col(k).norm());
     if (!result.nodes.empty() && foot.gap >= result.gap + same) continue;
     if (result.nodes.empty() || foot.gap < result.gap - same) result.nodes.clear();
     result.gap = result.nodes.empty() ? foot.gap : std::min(result.gap, foot.gap);
@@ -128,7 +129,7 @@ ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> s
     // or through the body ends at another touch than the first one
     const double way = std::max(GAP_SHARE * std::abs(least.gap), LEAST_WAY * spacing);
     const double most =
-        2 * way / (least.fastest + std::sqrt(least.fastest * least.fastest + 4 * least.bending * way));
+        2 * way / (least.fastest + std::sqrt(least.fastest * least.fastest + 4 * least.second_order * way));
     q -= std::clamp(least.gap / least.slope, -most, most);
   }
   fail_approach(setup, tool, k);

@@ -120,7 +120,7 @@ template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, dou
   else
     check_not_placed(*m_setup, m_accepted.contact);
   m_prescribed = prescribed_values(*m_setup);
-  m_left_out = hold_unresisted(*m_setup, m_accepted.contact, m_prescribed);
+  m_left_out = leave_out_unresisted(*m_setup, m_accepted.contact, m_prescribed);
   check_support(*m_setup, m_accepted.contact, m_prescribed);
   check_independent(*m_setup, m_accepted.contact, m_prescribed);
   if (first) {
@@ -245,7 +245,7 @@ void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
 }
 
 template <int Dim> void ContactRun<Dim>::accept_events(const std::vector<ContactEvent<Dim>>& events) {
-  require_begun("contact.switchstates");
+  require_begun("contact.acceptevents");
   take_events(events, m_u_start, m_accepted.contact);
   m_accepted.log.add(events);
   m_accepted.log.add(m_log.events);

@@ -31,7 +31,7 @@ std::vector<Vector<Dim>> reference_places(const ContactModel<Dim>& model, const 
 } // namespace
 
 // The carrier's motion in the present step, and its mean with the last one's, for each tool.
-template <int Dim> struct Predictor<Dim>::Shift {
+template <int Dim> struct Predictor<Dim>::CarrierMotion {
   RigidMotion<Dim> now, mean_inverse;
   Tensor<Dim> turn;
 };
@@ -42,41 +42,42 @@ Predictor<Dim>::Predictor(const Mesh<Dim>& mesh, const ContactModel<Dim>& model,
       m_candidates(reference_places(model, body)) {}
 
 template <int Dim>
-typename Predictor<Dim>::Shift Predictor<Dim>::shift_of(int tool, const Eigen::VectorXd& q_older,
-                                                        const Eigen::VectorXd& q_old,
-                                                        const Eigen::VectorXd& q_new) const {
+typename Predictor<Dim>::CarrierMotion
+Predictor<Dim>::carrier_motion(int tool, const Eigen::VectorXd& q_older, const Eigen::VectorXd& q_old,
+                               const Eigen::VectorXd& q_new) const {
   const auto& coordinates = m_model.tools[tool]->coordinates();
   const auto last = coordinates.carrier(m_model.tool_q(q_older, tool), m_model.tool_q(q_old, tool));
-  Shift shift;
-  shift.now = coordinates.carrier(m_model.tool_q(q_old, tool), m_model.tool_q(q_new, tool));
-  const RigidMotion<Dim> a = shift.now.inverse(), b = last.inverse();
-  shift.mean_inverse = {0.5 * (a.R + b.R), 0.5 * (a.d + b.d)};
-  shift.turn = 0.5 * (shift.now.R + last.R);
-  for (int c = 0; c < Dim; ++c) shift.turn.col(c).normalize();
-  return shift;
+  CarrierMotion motion;
+  motion.now = coordinates.carrier(m_model.tool_q(q_old, tool), m_model.tool_q(q_new, tool));
+  const RigidMotion<Dim> a = motion.now.inverse(), b = last.inverse();
+  motion.mean_inverse = {0.5 * (a.R + b.R), 0.5 * (a.d + b.d)};
+  motion.turn = 0.5 * (motion.now.R + last.R);
+  for (int c = 0; c < Dim; ++c) motion.turn.col(c).normalize();
+  return motion;
 }
 
 // u + ratio * turned last increment, taken from where the point was seen from the tool one step ago.
 template <int Dim>
 Eigen::VectorXd Predictor<Dim>::carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
                                                 const StepHistory<Dim>& history,
-                                                const std::vector<Shift>& shifts, double ratio) const {
+                                                const std::vector<CarrierMotion>& motions,
+                                                double ratio) const {
   Eigen::VectorXd result = u;
   const auto poses = m_model.poses(state.q);
   std::vector<double> N(static_cast<std::size_t>(m_mesh.nodes_per_element));
   for (int a = 0; a < m_mesh.num_nodes; ++a) {
     int tool = 0;
-    if (shifts.size() > 1)
+    if (motions.size() > 1)
       tool = nearest_tool(m_model, poses, m_body.position(u, a), ContactNode<Dim>{}, -1).tool;
-    const Shift& shift = shifts[tool];
-    const Vector<Dim> P = shift.mean_inverse(m_mesh.node(a));
+    const CarrierMotion& motion = motions[tool];
+    const Vector<Dim> P = motion.mean_inverse(m_mesh.node(a));
     const int element = m_locator.find(P, a);
     Vector<Dim> increment = Vector<Dim>::Zero();
     if (element >= 0) {
       m_locator.shape(element, P, N.data());
       for (int b = 0; b < m_mesh.nodes_per_element; ++b)
         increment += N[b] * history.du.template segment<Dim>(Dim * m_mesh.element(element)[b]);
-      increment = shift.turn * increment;
+      increment = motion.turn * increment;
     } else {
       increment = history.du.template segment<Dim>(Dim * a);
     }
@@ -107,14 +108,14 @@ std::vector<ContactNode<Dim>> Predictor<Dim>::entry_nodes(const ContactState<Dim
 
 // State of the candidate that stood where this one stands now, seen from the tool.
 template <int Dim>
-void Predictor<Dim>::carry_states(const ContactState<Dim>& old, const std::vector<Shift>& shifts,
+void Predictor<Dim>::carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions,
                                   ContactState<Dim>& state) const {
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
     make_free(node);
     const Vector<Dim> X = m_body.X.template segment<Dim>(Dim * m_model.candidates[i]);
-    for (int t = 0; t < static_cast<int>(shifts.size()); ++t) {
-      const auto stood = m_candidates.nearest(shifts[t].now.inverse()(X));
+    for (int t = 0; t < static_cast<int>(motions.size()); ++t) {
+      const auto stood = m_candidates.nearest(motions[t].now.inverse()(X));
       if (stood.index < 0 || !(stood.squared_distance < std::pow(CARRY * m_body.spacing, 2))) continue;
       const ContactNode<Dim>& from = old.nodes[stood.index];
       if (!in_contact(from.state) || from.tool != t) continue;
@@ -169,11 +170,11 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
   for (auto& node : result.state.nodes)
     if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
   if (known && carry) {
-    std::vector<Shift> shifts;
+    std::vector<CarrierMotion> motions;
     for (std::size_t t = 0; t < m_model.tools.size(); ++t)
-      shifts.push_back(shift_of(static_cast<int>(t), history.q_old, state.q, result.state.q));
-    result.u = carry_increment(state, u, history, shifts, ratio);
-    carry_states(state, shifts, result.state);
+      motions.push_back(carrier_motion(static_cast<int>(t), history.q_old, state.q, result.state.q));
+    result.u = carry_increment(state, u, history, motions, ratio);
+    carry_states(state, motions, result.state);
   } else if (known) {
     for (Eigen::Index d = 0; d < u.size(); ++d)
       if (!m_body.fixed[d]) result.u[d] += ratio * history.du[d];

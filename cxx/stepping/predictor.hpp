@@ -37,14 +37,14 @@ public:
   Prediction<Dim> rest(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
 
 private:
-  struct Shift;
-  Shift shift_of(int tool, const Eigen::VectorXd& q_older, const Eigen::VectorXd& q_old,
-                 const Eigen::VectorXd& q_new) const;
+  struct CarrierMotion;
+  CarrierMotion carrier_motion(int tool, const Eigen::VectorXd& q_older, const Eigen::VectorXd& q_old,
+                               const Eigen::VectorXd& q_new) const;
   Eigen::VectorXd carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                                  const StepHistory<Dim>& history, const std::vector<Shift>& shifts,
+                                  const StepHistory<Dim>& history, const std::vector<CarrierMotion>& motions,
                                   double ratio) const;
   std::vector<ContactNode<Dim>> entry_nodes(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
-  void carry_states(const ContactState<Dim>& old, const std::vector<Shift>& shifts,
+  void carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions,
                     ContactState<Dim>& state) const;
   void place_contact_nodes(bool may_stick, ContactState<Dim>& state, Eigen::VectorXd& u) const;
 

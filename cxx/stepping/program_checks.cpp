@@ -82,9 +82,9 @@ void check_not_inside(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& lo
 }
 
 template <int Dim>
-std::vector<std::string> hold_unresisted(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
-                                         PrescribedValues& prescribed) {
-  std::vector<std::string> held;
+std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                                              PrescribedValues& prescribed) {
+  std::vector<std::string> left_out;
   const auto& model = setup.model();
   const auto poses = model.poses(state.q);
   for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
@@ -106,10 +106,10 @@ std::vector<std::string> hold_unresisted(const ContactSetup<Dim>& setup, const C
                                   "resists it; give it a motion or friction");
       prescribed.is_motion[q] = 1;
       prescribed.value[q] = state.q[q];
-      held.push_back(coordinate(*setup.tools()[t], k));
+      left_out.push_back(coordinate(*setup.tools()[t], k));
     }
   }
-  return held;
+  return left_out;
 }
 
 template <int Dim>
@@ -162,8 +162,8 @@ void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& 
   template void check_not_placed<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&);                   \
   template void check_not_inside<Dim>(const ContactSetup<Dim>&, const MeshLocator<Dim>&,                     \
                                       const ContactState<Dim>&, const Eigen::VectorXd&);                     \
-  template std::vector<std::string> hold_unresisted<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&, \
-                                                         PrescribedValues&);                                 \
+  template std::vector<std::string> leave_out_unresisted<Dim>(const ContactSetup<Dim>&,                      \
+                                                              const ContactState<Dim>&, PrescribedValues&);  \
   template void check_support<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,                       \
                                    const PrescribedValues&);                                                 \
   template void check_independent<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,                   \

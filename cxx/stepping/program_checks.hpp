@@ -22,8 +22,8 @@ void check_not_inside(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& lo
 /// A coordinate under zero force that moves no contact point along the normal of a frictionless tool is fixed where it
 /// is. @returns their names, for reports. @throws std::invalid_argument for one under a force
 template <int Dim>
-std::vector<std::string> hold_unresisted(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
-                                         PrescribedValues& prescribed);
+std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                                              PrescribedValues& prescribed);
 
 /// @throws std::invalid_argument for a coordinate under force of a tool that touches nothing
 template <int Dim>

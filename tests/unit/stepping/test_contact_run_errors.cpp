@@ -1,4 +1,4 @@
-// Every error of a session and of its corrector: message, and what to do about it.
+// Every error of a run's verbs: message, and what to do about it.
 #include "support/run.hpp"
 #include "unit/finite_difference.hpp"
 
