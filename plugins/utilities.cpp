@@ -3,6 +3,7 @@
 //   rcCatchInterrupt(0): Ctrl-C only sets rcInterrupted(0), until rcReleaseInterrupt(0)
 //   rcWallTime(0), rcBlas(0), rcReferenceBlas(0), rcVersions(0)
 //   rcMakeFolder(path)    makes it and checks that it can be written;  rcTerminal(0) whether output goes to a terminal
+//   rcErasedLine(0)       what erases the line of a terminal
 //   rcLeave(status)       ends the script with this exit status and no more words
 //   rcOwe(status)         the exit status if the script ends by itself, 0 to take it back
 #include "base/error.hpp"
@@ -83,6 +84,8 @@ bool owe_status(const long& status) {
   owe(static_cast<int>(status));
   return true;
 }
+// FreeFEM's texts know no escape character.
+string* erased_line(Stack stack, const long&) { return new_string(stack, "\r\033[K"); }
 bool is_terminal(const long&) { return isatty(STDOUT_FILENO) != 0; }
 
 } // namespace
@@ -100,6 +103,7 @@ void register_tools_of_the_trade() {
   Global.Add("rcMakeFolder", "(", new OneOperator1_<bool, string*>(make_folder));
   Global.Add("rcLeave", "(", new OneOperator1_<bool, long>(leave_script));
   Global.Add("rcOwe", "(", new OneOperator1_<bool, long>(owe_status));
+  Global.Add("rcErasedLine", "(", new OneOperator1s_<string*, long>(erased_line));
   Global.Add("rcTerminal", "(", new OneOperator1_<bool, long>(is_terminal));
 }
 
