@@ -98,3 +98,9 @@ TYPED_TEST(EventLogs, ElementEventsAreSortedAmongThoseOfNodes) {
   this->log.add({this->element(0.25, 1), this->element(0.5, 2), this->element(0.75, 3)}, 0, 1);
   EXPECT_EQ(this->times(), (Times{0.25, 0.3, 0.5, 0.6, 0.75}));
 }
+
+// Mirrored nodes slip at one instant but for rounding.
+TYPED_TEST(EventLogs, RoundingDoesNotOrder) {
+  this->log.add({this->touch(0.5, 3), this->touch(0.5 * (1 - 1e-15), 4), this->touch(0.5 * (1 + 1e-15), 1)});
+  EXPECT_EQ(this->who(), (Nodes{30, 40, 10}));
+}
