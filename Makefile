@@ -128,7 +128,7 @@ sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3": ca
 	@CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' \
 	  BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
 
-test: packages format-check ## all quick tests: format, unit, plugin, verification, regression (under ten minutes)
+test: packages format-check ## all quick tests: format, unit, plugin, verification, regression (a quarter of an hour on two cores)
 	$(if $(stray),$(error in no suite: $(stray)))
 	$(COMPILE) compile $(call program,unit) $(call program,verification)
 	@$(TEST) $(call suite,regression verification plugin unit)
