@@ -99,9 +99,11 @@ template <int Dim> [[noreturn]] void fail_approach(const ContactSetup<Dim>& setu
   if (radius < h)
     small << " (its tightest radius, " << radius << ", is smaller than the distance of the contact nodes, "
           << h << ": it may pass between them)";
-  fail("contact.approach", setup.model().coordinate(setup.model().first[tool] + k) +
-                               " alone does not bring it to the body" + small.str() +
-                               "; place the tool opposite the contact surface first");
+  fail("contact.approach",
+       setup.model().coordinate(setup.model().first[tool] + k) + " alone does not bring it to the body" +
+           small.str() +
+           "; place the tool opposite the contact surface first (the body lies on the left of an "
+           "open profile: reverse one that faces away)");
 }
 
 } // namespace
