@@ -3,11 +3,17 @@
 //     named: terms="complete" | "article" | "none", rates=false, symmetric=false, solver="BURNISH"
 //   real[int] z = Kh^-1 * C.rhs;
 //   real largest = C.expand(z, u[]);
+//   C.again                      contact states have changed, nothing has moved: condense and solve anew with the same K, R
+//                                (or go on: C.check then asks for another iteration)
+//   C.condensed("size" | "nonzeros" | "asymmetry")   of the last one; asymmetry: largest |k_ij - k_ji| over the largest entry
+//   C.elasticblend, C.blendexhausted    part of elastic moduli that the next tangent should have in plastic points, after
+//                                       losses of definiteness and further factors of a step; no more of that helps
 // Pure rates, after C.begin(u[], t, dt, rates=true): condense with rates=true, expand, and
 //   C.cut(u[], f);            the step shortened to the fraction f (everything is linear in it)
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
+#include "solver/asymmetry.hpp"
 #include "types.hpp"
 
 namespace burnish {
@@ -34,6 +40,7 @@ struct Condense {
                                     to_dofs(R, n, "contact.condense", "R"),
                                     terms_of(a.text("terms", "complete")), right, symmetric);
     });
+    contact.condensed = &system;
     contact.rhs.assign(system.rhs.data(), system.rhs.data() + system.rhs.size());
     return to_freefem(a.stack(), system, solver);
   }
@@ -42,6 +49,30 @@ basicAC_F0::name_and_type Condense::names[] = {{"terms", &typeid(string*)},
                                                {"rates", &typeid(bool)},
                                                {"symmetric", &typeid(bool)},
                                                {"solver", &typeid(string*)}};
+
+struct MatrixTag {};
+double matrix_number(const Method<ContactHandle, MatrixTag>& m, string* const& name) {
+  return guarded([&]() -> double {
+    const CondensedSystem* system = m->get().condensed;
+    if (!system) fail("contact.condensed", "no matrix has been condensed yet");
+    const SparseView view{system->n, system->row_start.data(), system->col.data(), system->value.data(),
+                          system->half};
+    if (*name == "size") return system->n;
+    if (*name == "nonzeros") return system->row_start[system->n];
+    if (*name == "asymmetry") return largest_asymmetry(view);
+    fail("contact.condensed", "unknown name \"" + *name + "\", expected size, nonzeros or asymmetry");
+  });
+}
+
+double elastic_blend(ContactHandle* const& h) {
+  return guarded([&] { return h->get().run().corrector().elastic_blend(); });
+}
+bool again(ContactHandle* const& h) {
+  return guarded([&] { return h->get().run().corrector().again(); });
+}
+bool blend_exhausted(ContactHandle* const& h) {
+  return guarded([&] { return h->get().run().corrector().blend_exhausted(); });
+}
 
 KN_<double> right_hand_side(Stack stack, ContactHandle* const& h) {
   return guarded([&] { return new_array(stack, h->get().rhs); });
@@ -79,6 +110,11 @@ void register_contact_matrix() {
     return new NamedOperator<Condense, newpMatrice_Creuse<double>, Method<H, CondenseTag>,
                              Matrice_Creuse<double>*, Array, Array>;
   });
+  add_method<H, MatrixTag>(
+      "condensed", [] { return new OneOperator2_<double, Method<H, MatrixTag>, string*>(matrix_number); });
+  Add<H*>("again", ".", new OneOperator1_<bool, H*>(again));
+  Add<H*>("elasticblend", ".", new OneOperator1_<double, H*>(elastic_blend));
+  Add<H*>("blendexhausted", ".", new OneOperator1_<bool, H*>(blend_exhausted));
   Add<H*>("rhs", ".", new OneOperator1s_<Array, H*>(right_hand_side));
   add_method<H, CutTag>("cut",
                         [] { return new OneOperator3s_<bool, Method<H, CutTag>, Array, double>(cut); });

@@ -5,6 +5,8 @@
 //     update="substepped" | "single" | "euler", pathlimit=1.5
 //     axisymmetric=true   x >= 0 is the radius, y runs along the axis, [u, v] = [u_r, u_z], no torsion; forces are those
 //                         of the whole ring [force]. The script prescribes u_r = 0 on the axis: on(axis, u=0)
+//     law="user"          the script owns the law and gives stress and moduli: material_points.cpp; internal="damage,s":
+//                         its internal variables; with G, nu, sigY, H it has J2's yield surface for the events of elements
 //   int st = M.update(u[], dt, it);   stress at u from the accepted state; 0, or 1 for an inverted element
 //   M.force(R);  M.accept();  M.revert();
 //   matrix K = M.tangent();           kind="consistent" | "rate" | "elastic", blend=0..1 (part of elastic moduli)
@@ -17,6 +19,7 @@
 //   int n = M.acceptevents();         after accept or revert: their points yield or unload;  M.dropevents();
 #include "base/error.hpp"
 #include "material/make_law.hpp"
+#include "material/user_law.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
 #include "types.hpp"
@@ -36,10 +39,22 @@ struct Construct {
     std::vector<basicAC_F0::name_and_type> list;
     for (const LawParameter& parameter : law_parameters()) list.push_back({parameter.name, &typeid(double)});
     list.push_back({"hardening", &typeid(string*)});
+    list.push_back({"law", &typeid(string*)});
+    list.push_back({"internal", &typeid(string*)});
     list.push_back({"update", &typeid(string*)});
     list.push_back({"pathlimit", &typeid(double)});
     list.push_back({"axisymmetric", &typeid(bool)});
     return list;
+  }
+  static bool law_is_users(const Named& a) {
+    const std::string law = a.text("law", "J2");
+    if (law != "J2" && law != "user") fail("rcMaterial", "unknown law \"" + law + "\", expected J2 or user");
+    if (law == "J2" && a.has("internal"))
+      fail("rcMaterial", "internal= names the internal variables of law=\"user\", J2 has its own");
+    return law == "user";
+  }
+  static std::shared_ptr<const MaterialLaw<2>> user_law(const Named& a) {
+    return std::make_shared<UserLaw<2>>(internal_names(a.text("internal", "")));
   }
   static std::vector<basicAC_F0::name_and_type> list;
   static basicAC_F0::name_and_type* const names;
@@ -49,7 +64,9 @@ struct Construct {
     for (const LawParameter& parameter : law_parameters())
       if (a.has(parameter.name)) input.numbers[parameter.name] = a.real(parameter.name, 0);
     input.hardening = a.text("hardening", input.hardening);
-    auto law = make_law<2>(input, "rcMaterial");
+    const bool user = law_is_users(a);
+    // a user-defined law with elastic moduli and a yield stress has J2's yield surface for the events of elements
+    auto law = user && input.numbers.empty() ? user_law(a) : make_law<2>(input, "rcMaterial");
     UpdateOptions options;
     options.update = update_of(a.text("update", "substepped"));
     options.path_limit = a.real("pathlimit", options.path_limit);
@@ -58,6 +75,7 @@ struct Construct {
     auto workpiece = std::make_unique<Workpiece<2>>(
         called("material", [&] { return triangles(mesh_of(space, "material", axisymmetric)); }),
         std::move(law), options);
+    if (user) workpiece->set_user_defined(true);
     object->mesh = shared_mesh(space, "material");
     object->tangent = workpiece->pattern();
     object->body = std::make_unique<WorkpieceBody<2>>(std::move(workpiece));
@@ -78,6 +96,7 @@ long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>
             const long& it) {
   return guarded([&] {
     const CpuTimer timer(m->get().update_seconds);
+    m->get().moduli_blend = -1;
     const auto result = called("material.update", [&] {
       Workpiece<2>& body = m->get().workpiece();
       return body.update(to_dofs(u, body.discretization().num_dofs(), "material.update", "u"), dt,

@@ -50,6 +50,7 @@ static void init() {
   register_tool_shapes();
   register_material();
   register_material_data();
+  register_material_points();
   register_contact();
   register_contact_step();
   register_point_events();

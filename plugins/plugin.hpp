@@ -115,6 +115,7 @@ void register_tool();
 void register_tool_shapes();
 void register_material();
 void register_material_data();
+void register_material_points();
 void register_contact();
 void register_contact_step();
 void register_point_events();

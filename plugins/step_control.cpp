@@ -8,11 +8,13 @@
 //     contacts; maxpieces=100, maxretries=4: scheme "article", pieces of a step, changes of state at one instant
 //   A run:   S.start(C, M);   long task = S.next(u[], R);   what has to be done next:
 //     rcProgram  set every coordinate for S.target     rcForces  M.update(u, S.piece, S.iteration), nodal forces into R
-//     rcTangent  C.factorize(M, u)    rcSolve  pure rates: condense, solve, expand    rcRecord  a step has been accepted
+//     rcTangent  C.factorize(M, u)    rcSolve  condense, solve, expand    rcRecord  a step has been accepted
 //     rcFinished  rcStopped: S.reason tells why, S.atfloor whether no step is short enough
+//     S.condensed(true)  every iteration is an rcSolve: the condensed matrix for a solver of the script
 //     S.scheme("event")  another scheme from the next step on
 //     S.refuse(text)  the task cannot be done: the step is tried shorter;   S.stop(text)  ends the run at the accepted state
 //     S.count("steps" | "rejected" | "pieces" | "pileups" | "atonce" | "blind"), S.excess (article: largest q/sigma_y - 1)
+//     S.purerates: the present piece is one of scheme "article"
 //     S.crawls, S.lastrejection, S.rejecteddt: steps far below dtmax after a failure; why the last step was rejected
 //   A user-defined loop:   S.propose(width, speed), S.accepted(), S.rejected() (false: below the floor), S.cut(f)
 //   S.t, S.dt, S.tend, S.finished, S.atoutput
@@ -147,6 +149,16 @@ bool set_scheme(const Method<H, SchemeTag>& m, string* const& name) {
   });
 }
 
+struct CondensedTag {};
+bool set_condensed(const Method<H, CondensedTag>& m, const bool& condensed) {
+  return guarded([&] {
+    ControlObject& object = m->get();
+    object.options.condensed = condensed;
+    if (object.stepper) object.stepper->set_condensed(condensed);
+    return condensed;
+  });
+}
+
 struct CountTag {};
 long count(const Method<H, CountTag>& m, string* const& name) {
   return guarded([&] {
@@ -178,6 +190,9 @@ long iteration(H* const& h) {
 bool finished(H* const& h) { return h->get().now().finished(); }
 bool at_output(H* const& h) { return h->get().now().at_output(); }
 bool at_floor(H* const& h) { return h->get().stepper && h->get().stepper->at_floor(); }
+bool pure_rates(H* const& h) {
+  return guarded([&] { return h->get().running("stepcontrol.purerates").stepping() == Stepping::RATES; });
+}
 bool crawls(H* const& h) { return h->get().now().crawls(); }
 string* reason(Stack stack, H* const& h) {
   return new_string(stack, h->get().stepper ? h->get().stepper->reason() : "");
@@ -235,6 +250,7 @@ void register_values() {
   Add<H*>("finished", ".", new OneOperator1_<bool, H*>(finished));
   Add<H*>("atoutput", ".", new OneOperator1_<bool, H*>(at_output));
   Add<H*>("atfloor", ".", new OneOperator1_<bool, H*>(at_floor));
+  Add<H*>("purerates", ".", new OneOperator1_<bool, H*>(pure_rates));
   Add<H*>("crawls", ".", new OneOperator1_<bool, H*>(crawls));
   Add<H*>("reason", ".", new OneOperator1s_<string*, H*>(reason));
   Add<H*>("lastrejection", ".", new OneOperator1s_<string*, H*>(last_rejection));
@@ -255,6 +271,8 @@ void register_step_control() {
                            [] { return new OneOperator2_<bool, Method<H, RefuseTag>, string*>(refuse); });
   add_method<H, SchemeTag>("scheme",
                            [] { return new OneOperator2_<bool, Method<H, SchemeTag>, string*>(set_scheme); });
+  add_method<H, CondensedTag>(
+      "condensed", [] { return new OneOperator2_<bool, Method<H, CondensedTag>, bool>(set_condensed); });
   add_method<H, StopTag>("stop", [] { return new OneOperator2_<bool, Method<H, StopTag>, string*>(stop); });
   add_method<H, CountTag>("count",
                           [] { return new OneOperator2_<long, Method<H, CountTag>, string*>(count); });

@@ -22,7 +22,10 @@ struct MaterialObject {
   NodeBlockMatrix<2> tangent;
   std::map<std::string, double> parameters;        // numbers by name for formulas of user-defined events
   double update_seconds = 0, assembly_seconds = 0; // CPU
-  std::shared_ptr<const ::Mesh> mesh;              // FreeFEM's
+  std::vector<double> moduli;                      // the last that were read, while nothing has changed
+  double moduli_blend = -1;                        // -1: they are out of date
+  long moduli_acceptances = 0, moduli_reversions = 0;
+  std::shared_ptr<const ::Mesh> mesh; // FreeFEM's
   Workpiece<2>& workpiece() { return body->workpiece(); }
 };
 struct ContactObject {
@@ -33,6 +36,7 @@ struct ContactObject {
   TripletReader<2> reader;
   std::vector<ContactEvent<2>> pending;           // found by events(), applied by accept() or acceptevents()
   std::vector<double> rhs;                        // of the last condensed matrix
+  const CondensedSystem* condensed = nullptr;     // the last one, the run's
   double event_seconds = 0, condense_seconds = 0; // CPU
   /// The run, begun by the first call: the setup is closed then.
   ContactRun<2>& run();

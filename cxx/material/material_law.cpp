@@ -2,6 +2,16 @@
 
 namespace burnish {
 
+template <int Dim> StepIncrements<Dim> MaterialLaw<Dim>::increments(const PointStep<Dim>&) const {
+  StepIncrements<Dim> none;
+  none.y.setZero();
+  none.by_F.setZero();
+  return none;
+}
+template <int Dim> YieldStress MaterialLaw<Dim>::yield_stress(double) const {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {none, none};
+}
 template <int Dim> double MaterialLaw<Dim>::yield_distance(const Stress<Dim>&, const double*) const {
   return -1;
 }

@@ -1,11 +1,14 @@
 #pragma once
 // What a material is to the workpiece: a law with named internal variables that answers for one quadrature point at a
 // time. All answers are functions of the arguments alone. Knows no mesh.
+#include "material/hardening.hpp"
 #include "material/internal_variables.hpp"
 #include "material/piola.hpp"
+#include "material/step_kinematics.hpp"
 #include "material/update_options.hpp"
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace burnish {
 
@@ -69,6 +72,19 @@ struct PointLoading {
   double elastic_distance = -1; ///< yield_distance at the end of the step, had it been elastic
 };
 
+/// A step's increments y: strains in the order of Stress, then the rotation of the law's corotational rate, both in the
+/// law's frame (METHOD.md 1.6), and dy/dF, columns in the order of Gradient.
+template <int Dim> struct StepIncrements {
+  Eigen::Matrix<double, num_increments<Dim>, 1> y;
+  IncrementByF<Dim> by_F;
+};
+inline StepIncrements<2> increments_of(const StepKinematics<2>& kin) {
+  StepIncrements<2> increments;
+  increments.y << kin.strain, 2 * std::atan(0.5 * kin.spin);
+  increments.by_F = finite_increment_by_F(kin);
+  return increments;
+}
+
 template <int Dim> class MaterialLaw {
 public:
   virtual ~MaterialLaw() = default;
@@ -83,8 +99,19 @@ public:
   virtual PiolaTangent<Dim> tangent(TangentKind kind, const PointStep<Dim>& step, const PointTrial& trial,
                                     const PointState<Dim>& now) const = 0;
 
+  /// Increments of a step for a user-defined law that takes them; det F_mid > 0. Zero for a law in total strains.
+  virtual StepIncrements<Dim> increments(const PointStep<Dim>& step) const;
+
+  /// False: moduli and stress come from elsewhere (UserLaw), tangent() has none.
+  virtual bool has_moduli() const { return true; }
+
+  /// Its moduli by name, K and G of isotropic elasticity [stress]; none where it has others.
+  virtual std::map<std::string, double> moduli() const { return {}; }
+
   // A law without a yield surface leaves the rest as it is.
 
+  /// sigma_y and its slope at plastic_strain_eq; NaN.
+  virtual YieldStress yield_stress(double plastic_strain_eq) const;
   /// q/sigma_y - 1: negative inside, positive outside the yield surface [-].
   virtual double yield_distance(const Stress<Dim>& stress, const double* internal) const;
   /// Whether a strain rate d makes the point flow: on the surface (or put there, at.plastic), and s:d > 0.

@@ -26,6 +26,22 @@ std::vector<std::pair<int, int>> asymmetric_pairs(const SparsePattern& pattern, 
   return pairs;
 }
 
+double largest_asymmetry(const SparseView& view) {
+  if (view.symmetric) return 0;
+  const auto entry = [&](int row, int col) {
+    const int *begin = view.col + view.row_start[row], *end = view.col + view.row_start[row + 1];
+    const int* at = std::lower_bound(begin, end, col);
+    return at != end && *at == col ? view.value[at - view.col] : 0.;
+  };
+  double largest = 0, difference = 0;
+  for (int row = 0; row < view.n; ++row)
+    for (int k = view.row_start[row]; k < view.row_start[row + 1]; ++k) {
+      largest = std::max(largest, std::abs(view.value[k]));
+      difference = std::max(difference, std::abs(view.value[k] - entry(view.col[k], row)));
+    }
+  return largest > 0 ? difference / largest : 0;
+}
+
 std::vector<int> greedy_cover(int n, const std::vector<std::pair<int, int>>& pairs, int max_size) {
   std::vector<std::vector<int>> partners(n);
   for (auto [i, j] : pairs) {

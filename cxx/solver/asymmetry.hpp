@@ -12,6 +12,9 @@ namespace burnish {
 std::vector<std::pair<int, int>> asymmetric_pairs(const SparsePattern& pattern, const SparseView& view,
                                                   double tolerance);
 
+/// Largest |a_ij - a_ji| over the largest |a_ij|; 0 for a view with `symmetric` and for a matrix of zeros.
+double largest_asymmetry(const SparseView& view);
+
 /// Greedy vertex cover: takes the index that is in most of the pairs left (the smallest of equals) until none
 /// is left or more than max_size are taken.
 /// @return ascending; longer than max_size if no cover of that size was found

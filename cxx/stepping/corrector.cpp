@@ -47,6 +47,9 @@ void Corrector<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
   m_adapt = adapt;
   m_iteration = m_backtracks = m_step_factorizations = m_indefinite = 0;
   m_last_residual = -1;
+  m_condensed = m_again = false;
+  m_passes = 0;
+  m_refused.assign(m_state.nodes.size(), 0);
   m_mixer = AndersonMixer(m_options.anderson_memory);
   m_fresh.assign(m_state.nodes.size(), 0);
   m_reason.clear();
@@ -123,6 +126,7 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
   require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(),
           "number of dofs");
   if (!R.allFinite()) fail("contact.check", "the force array contains NaN or Inf");
+  if (m_again) return StepStatus::ITERATE; // states have changed, nothing has moved
   const double scale = balance_at(u, R);
   const double res = m_balance.residual;
   if (!std::isfinite(res)) return give_up("the residual is not finite");
@@ -135,6 +139,7 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
   const bool slow = m_last_residual >= 0 && res > m_options.slow * m_last_residual;
   if (slow && m_iteration >= 2 && m_backtracks < m_options.max_backtracks && m_u_before.size() == u.size())
     return backtrack(u);
+  if (slow && m_condensed) ++m_step_factorizations; // cycles of plastic points, as at further factorizations
   m_last_residual = res;
   const bool fresh = m_iteration == 0 && !m_keep_factor;
   const bool renew = !m_has_factor || fresh || (slow && res > allowed(scale)) || !window_covers(u);
@@ -255,36 +260,6 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
   m_state.q += step.tail(nq);
   project(u, m_mixer.mixed());
   return StepStatus::ITERATE;
-}
-
-template <int Dim> void Corrector<Dim>::prepare_condensed() {
-  if (m_adapt) stick_unsupported(m_model, m_prescribed, m_state);
-}
-
-template <int Dim>
-void Corrector<Dim>::advance(const typename Condensation<Dim>::Expansion& increment, Eigen::VectorXd& u) {
-  ++m_iteration;
-  ++m_counts.iterations;
-  m_u_before = u;
-  m_q_before = m_state.q;
-  u += increment.du;
-  move_by(m_model, increment, m_state);
-  m_fresh.assign(m_state.nodes.size(), 0);
-  if (m_adapt) {
-    const auto poses = m_model.poses(m_state.q);
-    const ActiveSetOptions options = active_set_options();
-    for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
-      const ContactNode<Dim> solved = m_state.nodes[i];
-      const int candidate = static_cast<int>(i);
-      const Vector<Dim> F = increment.F.template segment<Dim>(Dim * i);
-      const bool changed =
-          test_node(m_model, candidate, poses, solved, F, m_body.position(u, m_model.candidates[i]), m_entry,
-                    options, m_state.nodes[i]);
-      m_fresh[i] = in_contact(m_state.nodes[i].state) && !in_contact(solved.state);
-      if (changed && m_iteration > m_options.max_together) break; // the rest is tested in the next iteration
-    }
-  }
-  project(u, false);
 }
 
 // Puts the contact nodes onto their tools: sliding nodes at the projection, sticking ones at their place.

@@ -64,9 +64,11 @@ public:
 
   /// Before a condensed system is made: a tool that only friction supports gets a sticking node.
   void prepare_condensed();
-  /// One iteration by the solution of the condensed system instead of factorize and correct: moves u and state(); the
-  /// states of the candidates are tested with the forces that the solution predicts, unless they are fixed.
+  /// One iteration by the solution of the condensed system instead of factorize and correct. The states of the candidates
+  /// are tested with the forces that the solution predicts, unless they are fixed: where some change, nothing moves and
+  /// again() is true until the system has been condensed and solved anew, at the same u and R. Else u and state() move.
   void advance(const typename Condensation<Dim>::Expansion& increment, Eigen::VectorXd& u);
+  bool again() const { return m_again; }
 
   CorrectorMemory<Dim> memory() const;
   void restore(const CorrectorMemory<Dim>& memory);
@@ -112,6 +114,7 @@ private:
   std::shared_ptr<FactoredTangent<Dim>> m_tangent;
   ActiveCholesky m_flexibility; // of m_tangent, on the active nodes
   bool m_has_factor = false, m_keep_factor = false;
+  bool m_condensed = false, m_again = false; // iterations of this step come from the condensed system
   std::vector<int> m_window;
 
   AndersonMixer m_mixer;
@@ -122,6 +125,11 @@ private:
   int m_factor_age = 0, m_iteration = 0, m_backtracks = 0, m_step_factorizations = 0, m_indefinite = 0;
   Eigen::VectorXd m_u_before, m_q_before; // iterate before the last iteration, for backtracking
   std::vector<char> m_fresh;
+  // of the condensed iterations
+  bool change_states(const typename Condensation<Dim>::Expansion& increment, const Eigen::VectorXd& u);
+  int m_passes = 0;             // changes of states since u has moved
+  std::vector<char> m_refused;  // nodes that could not stick in this step
+  std::vector<ContactNode<Dim>> m_nodes_before;
 };
 
 } // namespace burnish

@@ -13,16 +13,19 @@ template <int Dim> void WorkpieceBody<Dim>::set_state(const BodyState<Dim>& stat
     throw;
   }
   m_pending.clear();
+  ++m_acceptances;
 }
 
 template <int Dim> void WorkpieceBody<Dim>::accept() {
   m_user.accept(*m_workpiece);
   m_workpiece->accept();
+  ++m_acceptances;
 }
 
 template <int Dim> void WorkpieceBody<Dim>::revert() {
   m_user.revert();
   m_workpiece->revert();
+  ++m_reversions;
 }
 
 template <int Dim> double WorkpieceBody<Dim>::find_earliest(double tolerance, double noise) {

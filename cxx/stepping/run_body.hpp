@@ -50,6 +50,10 @@ public:
   Workpiece<Dim>& workpiece() { return *m_workpiece; }
   const Workpiece<Dim>& workpiece() const { return *m_workpiece; }
   PointEvents<Dim>& user() { return m_user; }
+  /// How often the accepted state has changed, and how often it was gone back to: what a user-defined law with a state of
+  /// its own has to follow.
+  long acceptances() const { return m_acceptances; }
+  long reversions() const { return m_reversions; }
 
   BodyState<Dim> state() const override { return {m_workpiece->state_old(), m_user.state()}; }
   void set_state(const BodyState<Dim>& state) override;
@@ -69,6 +73,7 @@ private:
   std::unique_ptr<Workpiece<Dim>> m_workpiece;
   PointEvents<Dim> m_user;
   std::vector<ElementEvent<Dim>> m_pending;
+  long m_acceptances = 0, m_reversions = 0;
 };
 
 } // namespace burnish

@@ -83,11 +83,11 @@ template <int Dim> Task Stepper<Dim>::check(Eigen::VectorXd& u, Eigen::VectorXd&
   case StepStatus::BACKTRACKED:
     return ask(Task::FORCES, Phase::FORCES);
   case StepStatus::REFACTORIZE:
-    return ask(Task::TANGENT, Phase::TANGENT);
+    return m_options.condensed ? ask(Task::SOLVE, Phase::SOLVE) : ask(Task::TANGENT, Phase::TANGENT);
   case StepStatus::ITERATE:
     break;
   }
-  return correct(u, R);
+  return m_options.condensed ? ask(Task::SOLVE, Phase::SOLVE) : correct(u, R);
 }
 
 template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorXd& R) {

@@ -11,8 +11,8 @@ enum class Task {
   PROGRAM, ///< set motion or force of every coordinate for the instant target()
   FORCES, ///< update the stress at u for a step of length dt(), iteration(); its nodal forces, less external ones, into R;
           ///< refuse() if the material cannot follow
-  TANGENT,  ///< factorize a tangent at u (ContactRun::factorize); refuse() if there is none
-  SOLVE,    ///< pure rates: tangent, condense, solve, expand into u; refuse() if that fails
+  TANGENT, ///< factorize a tangent at u (ContactRun::factorize); refuse() if there is none
+  SOLVE, ///< tangent, condense, solve, expand into u (pure rates, or StepperOptions::condensed); refuse() if that fails
   RECORD,   ///< a step has been accepted: u, R and time() hold it
   FINISHED, ///< the end of the program has been reached
   STOPPED,  ///< the run has ended before: reason() tells why; u, R hold the last accepted state
@@ -26,6 +26,7 @@ struct StepperOptions {
   double nodes_per_step = 1; ///< a rolling step is at least this many node spacings long
   double width_steps =
       14; ///< as StepControlOptions::steps_per_width: the contact counts as that many spacings wide
+  bool condensed = false; ///< every iteration is a SOLVE: the caller's solver takes the condensed matrix
   int max_tries = 5; ///< an event step that failed so often is taken with the states inside the iteration
 };
 
@@ -58,8 +59,12 @@ public:
   /// The way through the steps from the next one on.
   void set_scheme(Scheme scheme) { m_options.scheme = scheme; }
 
+  /// Whose solver takes the iterations from the next one on, see StepperOptions::condensed.
+  void set_condensed(bool condensed) { m_options.condensed = condensed; }
+
   double target() const { return m_scheme->solve().from + m_scheme->solve().dt; } ///< PROGRAM
   double dt() const { return m_scheme->solve().dt; } ///< FORCES: length of the piece
+  Stepping stepping() const { return m_scheme->solve().stepping; }
   int iteration() const { return m_iteration; }      ///< FORCES: 0, 1, 2, ... in this equilibrium
   double time() const { return m_control.time(); }
   const StepControl& control() const { return m_control; }

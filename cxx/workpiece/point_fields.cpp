@@ -1,4 +1,6 @@
 #include "workpiece/point_fields.hpp"
+#include "base/error.hpp"
+#include <cmath>
 
 namespace burnish {
 namespace {
@@ -19,8 +21,27 @@ template <int Dim, class Value> std::vector<double> tensors(const Workpiece<Dim>
   return field;
 }
 
+template <int Dim>
+Eigen::VectorXd hardening_field(const Workpiece<Dim>& body, const Eigen::VectorXd& ep,
+                                double YieldStress::*member) {
+  const char* where = "material.yieldstress";
+  require(ep.size() == body.discretization().num_points(), where, "size of the plastic strains", ep.size(),
+          "number of points");
+  if (std::isnan(body.law().yield_stress(0).value))
+    fail(where, "law \"" + body.law().name() + "\" has no yield stress");
+  return scalars(body, [&](int p) { return body.law().yield_stress(ep[p]).*member; });
+}
+
 } // namespace
 
+template <int Dim>
+Eigen::VectorXd yield_stress_field(const Workpiece<Dim>& body, const Eigen::VectorXd& plastic_strain_eq) {
+  return hardening_field(body, plastic_strain_eq, &YieldStress::value);
+}
+template <int Dim>
+Eigen::VectorXd hardening_slope_field(const Workpiece<Dim>& body, const Eigen::VectorXd& plastic_strain_eq) {
+  return hardening_field(body, plastic_strain_eq, &YieldStress::slope);
+}
 template <int Dim> Eigen::VectorXd stress_eq_field(const Workpiece<Dim>& body) {
   return scalars(body, [&](int p) { return body.stress_eq(p); });
 }
@@ -30,17 +51,27 @@ template <int Dim> Eigen::VectorXd yield_distance_field(const Workpiece<Dim>& bo
 template <int Dim> std::vector<double> piola_field(const Workpiece<Dim>& body) {
   return tensors(body, [&](int p) { return body.point_piola(p); });
 }
-template <int Dim> std::vector<double> moduli_field(const Workpiece<Dim>& body, TangentKind kind) {
-  return tensors(body, [&](int p) { return body.point_moduli(p, kind); });
+template <int Dim>
+std::vector<double> moduli_field(const Workpiece<Dim>& body, TangentKind kind, double elastic_blend) {
+  return tensors(body, [&](int p) { return body.point_moduli(p, kind, elastic_blend); });
+}
+template <int Dim> std::vector<double> increments_field(const Workpiece<Dim>& body) {
+  return tensors(body, [&](int p) { return body.law().increments(body.point_step(p)).y; });
 }
 
 template Eigen::VectorXd stress_eq_field<2>(const Workpiece<2>&);
 template Eigen::VectorXd stress_eq_field<3>(const Workpiece<3>&);
 template Eigen::VectorXd yield_distance_field<2>(const Workpiece<2>&);
 template Eigen::VectorXd yield_distance_field<3>(const Workpiece<3>&);
+template Eigen::VectorXd yield_stress_field<2>(const Workpiece<2>&, const Eigen::VectorXd&);
+template Eigen::VectorXd hardening_slope_field<2>(const Workpiece<2>&, const Eigen::VectorXd&);
 template std::vector<double> piola_field<2>(const Workpiece<2>&);
+template Eigen::VectorXd yield_stress_field<3>(const Workpiece<3>&, const Eigen::VectorXd&);
+template Eigen::VectorXd hardening_slope_field<3>(const Workpiece<3>&, const Eigen::VectorXd&);
 template std::vector<double> piola_field<3>(const Workpiece<3>&);
-template std::vector<double> moduli_field<2>(const Workpiece<2>&, TangentKind);
-template std::vector<double> moduli_field<3>(const Workpiece<3>&, TangentKind);
+template std::vector<double> moduli_field<2>(const Workpiece<2>&, TangentKind, double);
+template std::vector<double> moduli_field<3>(const Workpiece<3>&, TangentKind, double);
+template std::vector<double> increments_field<2>(const Workpiece<2>&);
+template std::vector<double> increments_field<3>(const Workpiece<3>&);
 
 } // namespace burnish

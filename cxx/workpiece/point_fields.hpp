@@ -7,9 +7,19 @@ namespace burnish {
 /// Von Mises stress [stress]; q/sigma_y - 1 [-]; num_points.
 template <int Dim> Eigen::VectorXd stress_eq_field(const Workpiece<Dim>& body);
 template <int Dim> Eigen::VectorXd yield_distance_field(const Workpiece<Dim>& body);
+/// sigma_y and its slope [stress] of the law at the given plastic strains, one per point.
+/// @throws std::invalid_argument for a wrong size, or a law without a yield stress
+template <int Dim>
+Eigen::VectorXd yield_stress_field(const Workpiece<Dim>& body, const Eigen::VectorXd& plastic_strain_eq);
+template <int Dim>
+Eigen::VectorXd hardening_slope_field(const Workpiece<Dim>& body, const Eigen::VectorXd& plastic_strain_eq);
 /// First Piola stress, num_points x num_gradient, row-major [stress].
 template <int Dim> std::vector<double> piola_field(const Workpiece<Dim>& body);
 /// Its symmetrized tangent dP_i/dF_j, num_points x num_gradient x num_gradient, row-major [stress].
-template <int Dim> std::vector<double> moduli_field(const Workpiece<Dim>& body, TangentKind kind);
+template <int Dim>
+std::vector<double> moduli_field(const Workpiece<Dim>& body, TangentKind kind, double elastic_blend = 0);
+/// Increments of the step that the last update made (StepIncrements): strains, then rotations, num_points x num_increments,
+/// row-major [-]. Zero right after accept and revert.
+template <int Dim> std::vector<double> increments_field(const Workpiece<Dim>& body);
 
 } // namespace burnish

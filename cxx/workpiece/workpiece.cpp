@@ -79,6 +79,7 @@ Workpiece<Dim>::Workpiece(Discretization<Dim> discretization, std::shared_ptr<co
       m_axis(m_discretization), m_state_old(initial_state(m_discretization, m_law->internal_variables())),
       m_state(m_state_old), m_trial(m_discretization.num_points()) {
   burnish::require_valid(m_options, "Workpiece");
+  if (!m_law->has_moduli()) set_user_defined(true);
 }
 
 template <int Dim> double Workpiece<Dim>::step_ratio() const {
@@ -98,6 +99,7 @@ template <int Dim> PointStep<Dim> Workpiece<Dim>::point_step(int point) const {
 template <int Dim> PointResult Workpiece<Dim>::update_point(int point, const PointStep<Dim>& step) {
   PointResult result = determinant_result(determinant(step.F));
   if (result.status != UpdateStatus::OK) return result;
+  if (m_user) return move_point(point, step);
   const std::size_t p = point;
   PointUpdate<Dim> now;
   now.internal = m_state.internal.data() + p * m_num_internal;
@@ -123,6 +125,7 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
   m_state.displacement = displacement;
   m_state.dt = dt;
   m_updated = true;
+  if (m_user) m_user->expire();
   const double ratio = step_ratio();
   const int per_element = m_discretization.points_per_element;
   for (int e = 0; e < m_discretization.num_elements; ++e)
@@ -139,6 +142,7 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
 }
 
 template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal_force() const {
+  if (m_user && m_updated) m_user->require_stress("Workpiece::internal_force");
   Eigen::VectorXd force = Eigen::VectorXd::Zero(m_discretization.num_dofs());
   for (int p = 0; p < m_discretization.num_points(); ++p)
     add_force<Dim>(m_discretization, p, piola_of(m_state, p), force);
@@ -152,8 +156,9 @@ PiolaTangent<Dim> Workpiece<Dim>::moduli(int point, TangentKind kind, double ela
   const PointTrial& trial = m_trial[point];
   const auto elastic = [&] { return m_law->tangent(TangentKind::ELASTIC, step, trial, now); };
   if (kind == TangentKind::ELASTIC) return elastic();
-  PiolaTangent<Dim> A = m_law->tangent(m_updated ? kind : TangentKind::RATE, step, trial, now);
-  if (now.plastic && elastic_blend > 0) A += elastic_blend * (elastic() - A);
+  PiolaTangent<Dim> A =
+      m_user ? user_moduli(point) : m_law->tangent(m_updated ? kind : TangentKind::RATE, step, trial, now);
+  if (now.plastic && elastic_blend > 0 && m_law->has_moduli()) A += elastic_blend * (elastic() - A);
   return 0.5 * (A + A.transpose());
 }
 
@@ -163,6 +168,7 @@ void Workpiece<Dim>::tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, dou
   require_blend(where, elastic_blend);
   if (!m_assembly.fits(matrix))
     fail(where, "the matrix has another pattern than this discretization, expected one from pattern()");
+  if (m_user) m_user->require_moduli(where);
   std::fill(matrix.value.begin(), matrix.value.end(), 0.);
   for (int p = 0; p < m_discretization.num_points(); ++p)
     m_assembly.add(m_discretization, p, moduli(p, kind, elastic_blend), matrix);
@@ -177,6 +183,7 @@ template <int Dim>
 PiolaTangent<Dim> Workpiece<Dim>::point_moduli(int point, TangentKind kind, double elastic_blend) const {
   require_point("Workpiece::point_moduli", point);
   require_blend("Workpiece::point_moduli", elastic_blend);
+  if (m_user) m_user->require_moduli("Workpiece::point_moduli");
   return moduli(point, kind, elastic_blend);
 }
 
@@ -206,8 +213,8 @@ template <int Dim> void Workpiece<Dim>::set_state(const WorkpieceState<Dim>& sta
   m_updated = false;
 }
 
-template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal(const std::string& name, int component) const {
-  const char* where = "Workpiece::internal";
+template <int Dim>
+int Workpiece<Dim>::offset_of(const std::string& name, int component, const char* where) const {
   const InternalVariables<Dim>& variables = m_law->internal_variables();
   const int k = variables.find(name);
   if (k < 0)
@@ -216,9 +223,23 @@ template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal(const std::string& n
   const int n = num_components<Dim>(variables.list()[k].kind);
   require(component >= 0 && component < n, where, "component", component,
           ("0.." + std::to_string(n - 1)).c_str());
-  const double* first = m_state.internal.data() + variables.offset(k) + component;
+  return variables.offset(k) + component;
+}
+
+template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal(const std::string& name, int component) const {
+  const double* first = m_state.internal.data() + offset_of(name, component, "Workpiece::internal");
   return Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<>>(first, m_discretization.num_points(),
                                                                     Eigen::InnerStride<>(m_num_internal));
+}
+
+template <int Dim> double Workpiece<Dim>::modulus(const std::string& name) const {
+  const auto known = m_law->moduli();
+  std::string list;
+  for (const auto& [one, value] : known) list += (list.empty() ? "" : ", ") + one;
+  if (known.count(name) == 0)
+    fail("Workpiece::modulus", "law \"" + m_law->name() + "\" has no modulus \"" + name +
+                                   "\", expected one of " + (list.empty() ? "none" : list));
+  return known.at(name);
 }
 
 template <int Dim> double Workpiece<Dim>::stress_eq(int point) const {

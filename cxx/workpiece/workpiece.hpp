@@ -4,8 +4,10 @@
 // `revert` are the only ways between the states.
 #include "workpiece/assembly.hpp"
 #include "workpiece/axis.hpp"
+#include "workpiece/user_points.hpp"
 #include "workpiece/workpiece_state.hpp"
 #include <memory>
+#include <optional>
 
 namespace burnish {
 
@@ -56,6 +58,21 @@ public:
   PiolaTangent<Dim> point_moduli(int point, TangentKind kind, double elastic_blend = 0) const;
   Gradient<Dim> point_piola(int point) const;
 
+  /// From now on (true) the stress of each update and the moduli of each tangent are given from outside, by a user-defined
+  /// law; update then moves the points only. Always so with a law without moduli.
+  /// @throws std::invalid_argument for false with such a law
+  void set_user_defined(bool user_defined);
+  bool user_defined() const { return m_user.has_value(); }
+  /// What it gives for state(), see UserPoints; `internal` by the name of the variable. plastic_strain_eq that has grown
+  /// in the step makes a point a plastic one.
+  /// @throws std::invalid_argument "where: ..." also where the law is not user-defined, or no update came before
+  using PointValues = typename UserPoints<Dim>::Values;
+  void give_stress(int component, const PointValues& values, const char* where);
+  void give_piola(int component, const PointValues& values, const char* where);
+  void give_moduli(int row, int column, const PointValues& values, const char* where);
+  void give_jacobian(int row, int column, const PointValues& values, const char* where);
+  void give_internal(const std::string& name, int component, const PointValues& values, const char* where);
+
   void accept(); ///< state_old = state
   void revert(); ///< state = state_old
   /// Whether a point starts the next step on the yield surface, in both states: what an element event decides, see
@@ -70,6 +87,8 @@ public:
   /// @param component of a symmetric tensor, in the order of Stress
   /// @throws std::invalid_argument if the law has no such variable (lists those it has), or no such component
   Eigen::VectorXd internal(const std::string& name, int component = 0) const;
+  /// A modulus of the law, see MaterialLaw::moduli. @throws std::invalid_argument for an unknown name (lists those it has)
+  double modulus(const std::string& name) const;
   /// Von Mises stress of the Kirchhoff stress at a point of state() [stress].
   /// @throws std::invalid_argument if point is out of range
   double stress_eq(int point) const;
@@ -86,6 +105,10 @@ private:
   double step_ratio() const;
   PointResult update_point(int point, const PointStep<Dim>& step);
   PiolaTangent<Dim> moduli(int point, TangentKind kind, double elastic_blend) const;
+  PointResult move_point(int point, const PointStep<Dim>& step);
+  PiolaTangent<Dim> user_moduli(int point) const;
+  UserPoints<Dim>& given(const char* where);
+  int offset_of(const std::string& name, int component, const char* where) const;
   void require_point(const char* where, int point) const;
 
   Discretization<Dim> m_discretization;
@@ -96,7 +119,8 @@ private:
   AxisNodes<Dim> m_axis;
   WorkpieceState<Dim> m_state_old, m_state;
   std::vector<PointTrial> m_trial; // per point, this step
-  bool m_updated = false;          // state() comes from update, not from accept, revert, set_state
+  std::optional<UserPoints<Dim>> m_user;
+  bool m_updated = false; // state() comes from update, not from accept, revert, set_state
 };
 
 } // namespace burnish

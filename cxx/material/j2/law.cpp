@@ -66,6 +66,10 @@ PiolaTangent<Dim> J2Law<Dim>::tangent(TangentKind kind, const PointStep<Dim>& st
                                  kin, now.F, now.stress);
 }
 
+template <int Dim> StepIncrements<Dim> J2Law<Dim>::increments(const PointStep<Dim>& step) const {
+  return increments_of(step_kinematics(step.old.F, step.F, step.options.strain_frame));
+}
+
 template <int Dim>
 double J2Law<Dim>::yield_distance(const Stress<Dim>& stress, const double* internal) const {
   return equivalent<Dim>(deviator<Dim>(stress)) / m_material.yield_stress(internal[EP]).value - 1;

@@ -16,6 +16,13 @@ public:
   PointResult update(const PointStep<Dim>& step, PointTrial& trial, PointUpdate<Dim>& now) const override;
   PiolaTangent<Dim> tangent(TangentKind kind, const PointStep<Dim>& step, const PointTrial& trial,
                             const PointState<Dim>& now) const override;
+  StepIncrements<Dim> increments(const PointStep<Dim>& step) const override;
+  std::map<std::string, double> moduli() const override {
+    return {{"G", m_material.elastic.G}, {"K", m_material.elastic.K}};
+  }
+  YieldStress yield_stress(double plastic_strain_eq) const override {
+    return m_material.yield_stress(plastic_strain_eq);
+  }
   double yield_distance(const Stress<Dim>& stress, const double* internal) const override;
   bool loads(const PointState<Dim>& at, const Stress<Dim>& strain_rate) const override;
   double yield_fraction(const PointStep<Dim>& step, double last, double noise) const override;

@@ -1,0 +1,224 @@
+// Tensors at the quadrature points (order and place of the points: material_data.cpp), read and, where the script owns
+// the law, given. A user-defined law is asked for after each M.update, which moves the points only:
+//   M.userdefined(true)        the script owns the law from now on (always with rcMaterial(Vh, law="user"))
+//   read                       give
+//   M.stress(i)                M.stress(i, a)         Kirchhoff stress xx, yy, zz, xy, i = 0..3 [stress]
+//   M.piola(i)                 M.piola(i, a)          or first Piola stress xx, xy, yx, yy, zz [stress]
+//   M.moduli(i, j, b)          M.moduli(i, j, a)      dP_i/dF_j, symmetrized when read; b: part of elastic moduli in plastic
+//                                                     points, 0 when left out; given (i, j) stands for (j, i), too
+//                              M.jacobian(i, j, a)    or d tau_i/d y_j, y = M.strain(0..3), M.rotation
+//   M.internal("name", i)      M.internal("name", i, a)   internal variable, i left out: 0
+//   M.F(i)                     deformation gradient xx, xy, yx, yy, zz [-]
+//   M.strain(i), M.rotation    increments of the step: strain xx, yy, zz, xy and rotation [-, rad]
+//   M.acceptances, M.reversions    how often the accepted state changed, and how often it was gone back to
+//   M.modulus("K"), ("G")      of the material's elasticity [stress];  M.yieldstress(ep), M.hardeningslope(ep)  of its hardening
+//   M.vertexvalues(a)          the linear function of every element with the values a at its points, by its values at the
+//                              vertices: a field of P1dc (P1: of P0)
+// Arrays hold one number per point; numbers that are not finite are refused with the point.
+#include "base/error.hpp"
+#include "types.hpp"
+#include "workpiece/nodal_average.hpp"
+#include "workpiece/point_fields.hpp"
+
+namespace burnish {
+namespace {
+
+using H = MaterialHandle;
+using Array = KN_<double>;
+constexpr int GRADIENT = num_gradient<2>, STRESS = num_stress<2>, INCREMENTS = num_increments<2>;
+
+struct StressTag {};
+struct GradientTag {};
+struct PiolaTag {};
+struct ModuliTag {};
+struct JacobianTag {};
+struct InternalTag {};
+struct StrainTag {};
+struct UserTag {};
+struct ModulusTag {};
+struct YieldTag {};
+struct SlopeTag {};
+struct VertexTag {};
+
+// Component i of a point-major array with n components.
+Array component(Stack stack, const std::vector<double>& all, long i, long n, const char* where) {
+  require(i >= 0 && i < n, where, "component", i, ("0.." + std::to_string(n - 1)).c_str());
+  const long points = static_cast<long>(all.size()) / n;
+  auto* r = Add2StackOfPtr2FreeRC(stack, new KN<double>(points));
+  for (long p = 0; p < points; ++p) (*r)[p] = all[p * n + i];
+  return *r;
+}
+// The values as they are: the core looks for those that are not finite and names the point.
+Eigen::VectorXd values_of(const Array& a) {
+  Eigen::VectorXd v(a.N());
+  for (long i = 0; i < a.N(); ++i) v[i] = a[i];
+  return v;
+}
+template <class Give> bool give(H* handle, const Give& f) {
+  return guarded([&] {
+    const CpuTimer timer(handle->get().update_seconds);
+    handle->get().moduli_blend = -1;
+    f(handle->get().workpiece());
+    return true;
+  });
+}
+
+Array stress(Stack stack, const Method<H, StressTag>& m, const long& i) {
+  return guarded(
+      [&] { return component(stack, m->get().workpiece().state().stress, i, STRESS, "material.stress"); });
+}
+bool give_stress(const Method<H, StressTag>& m, const long& i, const Array& a) {
+  return give(m.object,
+              [&](auto& body) { body.give_stress(static_cast<int>(i), values_of(a), "material.stress"); });
+}
+Array gradient(Stack stack, const Method<H, GradientTag>& m, const long& i) {
+  return guarded([&] { return component(stack, m->get().workpiece().state().F, i, GRADIENT, "material.F"); });
+}
+Array piola(Stack stack, const Method<H, PiolaTag>& m, const long& i) {
+  return guarded(
+      [&] { return component(stack, piola_field(m->get().workpiece()), i, GRADIENT, "material.piola"); });
+}
+bool give_piola(const Method<H, PiolaTag>& m, const long& i, const Array& a) {
+  return give(m.object,
+              [&](auto& body) { body.give_piola(static_cast<int>(i), values_of(a), "material.piola"); });
+}
+// All moduli are made at once: a script reads one component after the other.
+const std::vector<double>& all_moduli(MaterialObject& object, double blend) {
+  const long acceptances = object.body->acceptances(), reversions = object.body->reversions();
+  if (object.moduli_blend == blend && object.moduli_acceptances == acceptances &&
+      object.moduli_reversions == reversions)
+    return object.moduli;
+  object.moduli = moduli_field(object.workpiece(), TangentKind::CONSISTENT, blend);
+  object.moduli_blend = blend;
+  object.moduli_acceptances = acceptances;
+  object.moduli_reversions = reversions;
+  return object.moduli;
+}
+Array blended_moduli(Stack stack, const Method<H, ModuliTag>& m, const long& i, const long& j,
+                     const double& blend) {
+  return guarded([&] {
+    constexpr int n = GRADIENT;
+    require(i >= 0 && i < n && j >= 0 && j < n, "material.moduli", "index", i >= 0 && i < n ? j : i, "0..4");
+    return component(stack, all_moduli(m->get(), blend), n * i + j, n * n, "material.moduli");
+  });
+}
+Array moduli(Stack stack, const Method<H, ModuliTag>& m, const long& i, const long& j) {
+  return blended_moduli(stack, m, i, j, 0);
+}
+bool give_moduli(Stack, const Method<H, ModuliTag>& m, const long& i, const long& j, const Array& a) {
+  return give(m.object, [&](auto& body) {
+    body.give_moduli(static_cast<int>(i), static_cast<int>(j), values_of(a), "material.moduli");
+  });
+}
+bool give_jacobian(Stack, const Method<H, JacobianTag>& m, const long& i, const long& j, const Array& a) {
+  return give(m.object, [&](auto& body) {
+    body.give_jacobian(static_cast<int>(i), static_cast<int>(j), values_of(a), "material.jacobian");
+  });
+}
+Array internal_component(Stack stack, const Method<H, InternalTag>& m, string* const& name, const long& i) {
+  return guarded([&] { return new_array(stack, m->get().workpiece().internal(*name, static_cast<int>(i))); });
+}
+Array internal(Stack stack, const Method<H, InternalTag>& m, string* const& name) {
+  return internal_component(stack, m, name, 0);
+}
+bool give_internal_component(Stack, const Method<H, InternalTag>& m, string* const& name, const long& i,
+                             const Array& a) {
+  return give(m.object, [&](auto& body) {
+    body.give_internal(*name, static_cast<int>(i), values_of(a), "material.internal");
+  });
+}
+bool give_internal(const Method<H, InternalTag>& m, string* const& name, const Array& a) {
+  return give(m.object, [&](auto& body) { body.give_internal(*name, 0, values_of(a), "material.internal"); });
+}
+Array strain(Stack stack, const Method<H, StrainTag>& m, const long& i) {
+  return guarded([&] {
+    return component(stack, m->get().workpiece().state().strain_increment, i, STRESS, "material.strain");
+  });
+}
+Array rotation(Stack stack, H* const& h) {
+  return guarded([&] {
+    return component(stack, increments_field(h->get().workpiece()), INCREMENTS - 1, INCREMENTS,
+                     "material.rotation");
+  });
+}
+bool user_defined(const Method<H, UserTag>& m, const bool& on) {
+  return guarded([&] { return m->get().workpiece().set_user_defined(on), on; });
+}
+bool is_user_defined(const Method<H, UserTag>& m) {
+  return guarded([&] { return m->get().workpiece().user_defined(); });
+}
+double modulus(const Method<H, ModulusTag>& m, string* const& name) {
+  return guarded([&] { return m->get().workpiece().modulus(*name); });
+}
+Array yield_stress(Stack stack, const Method<H, YieldTag>& m, const Array& ep) {
+  return guarded([&] {
+    return new_array(stack, yield_stress_field(m->get().workpiece(),
+                                               to_vector(ep, "material.yieldstress", "plastic strain")));
+  });
+}
+Array hardening_slope(Stack stack, const Method<H, SlopeTag>& m, const Array& ep) {
+  return guarded([&] {
+    return new_array(stack,
+                     hardening_slope_field(m->get().workpiece(),
+                                           to_vector(ep, "material.hardeningslope", "plastic strain")));
+  });
+}
+Array at_vertices(Stack stack, const Method<H, VertexTag>& m, const Array& a) {
+  return guarded([&] {
+    return new_array(stack, vertex_values(m->get().workpiece().discretization(),
+                                          to_vector(a, "material.vertexvalues", "values")));
+  });
+}
+long acceptances(H* const& h) {
+  return guarded([&] { return h->get().body->acceptances(); });
+}
+long reversions(H* const& h) {
+  return guarded([&] { return h->get().body->reversions(); });
+}
+
+} // namespace
+
+void register_material_points() {
+  add_method<H, StressTag>(
+      "stress", [] { return new OneOperator2s_<Array, Method<H, StressTag>, long>(stress); },
+      [] { return new OneOperator3_<bool, Method<H, StressTag>, long, Array>(give_stress); });
+  add_method<H, GradientTag>(
+      "F", [] { return new OneOperator2s_<Array, Method<H, GradientTag>, long>(gradient); });
+  add_method<H, PiolaTag>(
+      "piola", [] { return new OneOperator2s_<Array, Method<H, PiolaTag>, long>(piola); },
+      [] { return new OneOperator3_<bool, Method<H, PiolaTag>, long, Array>(give_piola); });
+  add_method<H, ModuliTag>(
+      "moduli", [] { return new OneOperator3s_<Array, Method<H, ModuliTag>, long, long>(moduli); },
+      [] { return new OneOperator4s_<Array, Method<H, ModuliTag>, long, long, double>(blended_moduli); },
+      [] { return new OneOperator4s_<bool, Method<H, ModuliTag>, long, long, Array>(give_moduli); });
+  add_method<H, JacobianTag>("jacobian", [] {
+    return new OneOperator4s_<bool, Method<H, JacobianTag>, long, long, Array>(give_jacobian);
+  });
+  add_method<H, InternalTag>(
+      "internal", [] { return new OneOperator2s_<Array, Method<H, InternalTag>, string*>(internal); },
+      [] { return new OneOperator3s_<Array, Method<H, InternalTag>, string*, long>(internal_component); },
+      [] { return new OneOperator3_<bool, Method<H, InternalTag>, string*, Array>(give_internal); },
+      [] {
+        return new OneOperator4s_<bool, Method<H, InternalTag>, string*, long, Array>(
+            give_internal_component);
+      });
+  add_method<H, StrainTag>("strain",
+                           [] { return new OneOperator2s_<Array, Method<H, StrainTag>, long>(strain); });
+  add_method<H, UserTag>(
+      "userdefined", [] { return new OneOperator2_<bool, Method<H, UserTag>, bool>(user_defined); },
+      [] { return new OneOperator1_<bool, Method<H, UserTag>>(is_user_defined); });
+  add_method<H, ModulusTag>(
+      "modulus", [] { return new OneOperator2_<double, Method<H, ModulusTag>, string*>(modulus); });
+  add_method<H, YieldTag>("yieldstress",
+                          [] { return new OneOperator2s_<Array, Method<H, YieldTag>, Array>(yield_stress); });
+  add_method<H, SlopeTag>("hardeningslope", [] {
+    return new OneOperator2s_<Array, Method<H, SlopeTag>, Array>(hardening_slope);
+  });
+  add_method<H, VertexTag>(
+      "vertexvalues", [] { return new OneOperator2s_<Array, Method<H, VertexTag>, Array>(at_vertices); });
+  Add<H*>("rotation", ".", new OneOperator1s_<Array, H*>(rotation));
+  Add<H*>("acceptances", ".", new OneOperator1_<long, H*>(acceptances));
+  Add<H*>("reversions", ".", new OneOperator1_<long, H*>(reversions));
+}
+
+} // namespace burnish
