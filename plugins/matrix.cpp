@@ -12,18 +12,22 @@ TripletView view_of(Matrice_Creuse<double>* matrix, long n, const char* where) {
   return {A->n, A->nnz, A->i, A->j, A->aij, A->half != 0};
 }
 
+// Entries in the order that the solver reads: UMFPACK by columns, the others by rows; FreeFEM sorts slowly.
 static newpMatrice_Creuse<double> to_freefem(Stack stack, const SparseView& rows, const std::string& solver) {
   const int nnz = rows.row_start[rows.n];
   auto* A = new HashMatrix<int, double>(rows.n, rows.n, nnz, rows.symmetric ? 1 : 0);
+  const bool by_columns = solver == "UMFPACK";
+  const std::vector<int> place = by_columns ? places_by_columns(rows) : std::vector<int>();
   for (int row = 0; row < rows.n; ++row)
     for (int k = rows.row_start[row]; k < rows.row_start[row + 1]; ++k) {
-      A->i[k] = row;
-      A->j[k] = rows.col[k];
-      A->aij[k] = rows.value[k];
+      const int at = by_columns ? place[k] : k;
+      A->i[at] = row;
+      A->j[at] = rows.col[k];
+      A->aij[at] = rows.value[k];
     }
   A->nnz = nnz;
   A->ReHash();
-  A->state = HashMatrix<int, double>::sorted_ij;
+  A->state = by_columns ? HashMatrix<int, double>::sorted_ji : HashMatrix<int, double>::sorted_ij;
   A->type_state = HashMatrix<int, double>::type_COO;
   A->re_do_numerics = A->re_do_symbolic = 1;
   Data_Sparse_Solver options;

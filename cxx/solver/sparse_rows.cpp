@@ -36,4 +36,13 @@ template <int Dim> SparseRows lower_triangle(const NodeBlockMatrix<Dim>& K) {
 template SparseRows lower_triangle<2>(const NodeBlockMatrix<2>&);
 template SparseRows lower_triangle<3>(const NodeBlockMatrix<3>&);
 
+std::vector<int> places_by_columns(const SparseView& rows) {
+  const int nnz = rows.row_start[rows.n];
+  std::vector<int> next(static_cast<std::size_t>(rows.n) + 1, 0), place(nnz);
+  for (int k = 0; k < nnz; ++k) ++next[rows.col[k] + 1];
+  for (int c = 0; c < rows.n; ++c) next[c + 1] += next[c];
+  for (int k = 0; k < nnz; ++k) place[k] = next[rows.col[k]]++; // rows ascend
+  return place;
+}
+
 } // namespace burnish
