@@ -5,6 +5,7 @@
 //   M.F(i), M.piola(i)  deformation gradient [-] and first Piola stress [stress]: xx, xy, yx, yy, zz
 //   M.moduli(i, j)      their symmetrized tangent dP_i/dF_j [stress]
 //   M.plasticstraineq, M.stresseq, M.yielddistance (q/sigma_y - 1: positive outside the yield surface)
+//   M.backstress(i)     back stress xx, yy, zz, xy of a law with kinematic hardening [stress]
 //   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
 //   M.displacement(i)   x, y over the nodes [length];  M.degree 1 or 2 of the elements;  M.Th their mesh
 //   M.axisymmetric      1 or 0
@@ -22,6 +23,7 @@ struct NodalTag {};
 struct StressTag {};
 struct GradientTag {};
 struct PiolaTag {};
+struct BackstressTag {};
 struct ModuliTag {};
 
 KN_<double> nodal(Stack stack, const Method<MaterialHandle, NodalTag>& m, const KN_<double>& values) {
@@ -49,6 +51,10 @@ KN_<double> gradient(Stack stack, const Method<MaterialHandle, GradientTag>& m, 
 KN_<double> piola(Stack stack, const Method<MaterialHandle, PiolaTag>& m, const long& i) {
   return guarded(
       [&] { return component(stack, piola_field(m->get().workpiece()), i, GRADIENT, "material.piola"); });
+}
+KN_<double> backstress(Stack stack, const Method<MaterialHandle, BackstressTag>& m, const long& i) {
+  return guarded(
+      [&] { return new_array(stack, m->get().workpiece().internal("backstress", static_cast<int>(i))); });
 }
 KN_<double> moduli(Stack stack, const Method<MaterialHandle, ModuliTag>& m, const long& i, const long& j) {
   return guarded([&] {
@@ -98,6 +104,9 @@ void register_material_data() {
       "F", [] { return new OneOperator2s_<KN_<double>, Method<H, GradientTag>, long>(gradient); });
   add_method<H, PiolaTag>("piola",
                           [] { return new OneOperator2s_<KN_<double>, Method<H, PiolaTag>, long>(piola); });
+  add_method<H, BackstressTag>("backstress", [] {
+    return new OneOperator2s_<KN_<double>, Method<H, BackstressTag>, long>(backstress);
+  });
   add_method<H, ModuliTag>(
       "moduli", [] { return new OneOperator3s_<KN_<double>, Method<H, ModuliTag>, long, long>(moduli); });
   Add<H*>("plasticstraineq", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain_eq));
