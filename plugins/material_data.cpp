@@ -6,6 +6,7 @@
 //   M.moduli(i, j)      their symmetrized tangent dP_i/dF_j [stress]
 //   M.plasticstraineq, M.stresseq, M.yielddistance (q/sigma_y - 1: positive outside the yield surface)
 //   M.backstress(i)     back stress xx, yy, zz, xy of a law with kinematic hardening [stress]
+//   M.internalvariables names of what the law keeps at a point: plastic_strain_eq, backstress
 //   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
 //   M.displacement(i)   x, y over the nodes [length];  M.degree 1 or 2 of the elements;  M.Th their mesh
 //   M.axisymmetric      1 or 0
@@ -73,6 +74,9 @@ KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
 KN_<double> yield_distance(Stack stack, MaterialHandle* const& h) {
   return guarded([&] { return new_array(stack, yield_distance_field(h->get().workpiece())); });
 }
+string* internal_variables(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] { return new_string(stack, h->get().workpiece().law().internal_variables().names()); });
+}
 struct DisplacementTag {};
 KN_<double> displacement(Stack stack, const Method<MaterialHandle, DisplacementTag>& m, const long& i) {
   return guarded([&] {
@@ -111,6 +115,7 @@ void register_material_data() {
       "moduli", [] { return new OneOperator3s_<KN_<double>, Method<H, ModuliTag>, long, long>(moduli); });
   Add<H*>("plasticstraineq", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain_eq));
   Add<H*>("stresseq", ".", new OneOperator1s_<KN_<double>, H*>(stress_eq));
+  Add<H*>("internalvariables", ".", new OneOperator1s_<string*, H*>(internal_variables));
   Add<H*>("yielddistance", ".", new OneOperator1s_<KN_<double>, H*>(yield_distance));
   add_method<H, DisplacementTag>("displacement", [] {
     return new OneOperator2s_<KN_<double>, Method<H, DisplacementTag>, long>(displacement);

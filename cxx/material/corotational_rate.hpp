@@ -1,6 +1,6 @@
 #pragma once
 // The corotational rate in which a law is written: by which angle stress and internal tensors turn in a step (METHOD.md
-// 1.4, 1.6). In the plane every corotational rate is a rotation by one angle.
+// 1.10). In the plane every corotational rate is a rotation by one angle.
 #include "material/gradient.hpp"
 #include "material/stress_algebra.hpp"
 #include <string>

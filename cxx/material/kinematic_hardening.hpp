@@ -1,5 +1,5 @@
 #pragma once
-// Kinematic hardening: the yield surface moves by a back stress X, METHOD.md (1.21).
+// Kinematic hardening: the yield surface moves by a back stress X, METHOD.md (1.24).
 #include "material/law_parameter.hpp"
 
 namespace burnish {

@@ -1,5 +1,5 @@
 #pragma once
-// Return to the yield surface q(s - X) = sigma_y(ep) around a back stress X, and its derivative (METHOD.md 1.7).
+// Return to the yield surface q(s - X) = sigma_y(ep) around a back stress X, and its derivative (METHOD.md 1.11).
 #include "material/j2/substepped_return.hpp"
 
 namespace burnish {
@@ -9,7 +9,7 @@ template <int Dim> struct BackstressDerivative : ReturnDerivative<Dim> {
   StressByIncrement<Dim> backstress = StressByIncrement<Dim>::Zero();
 };
 
-/// Modulus that the back stress adds to H' as the surface moves, C - gamma (3/2) xi:X/q(xi), METHOD.md (1.22) [stress].
+/// Modulus that the back stress adds to H' as the surface moves, C - gamma (3/2) xi:X/q(xi), METHOD.md (1.25) [stress].
 /// @param xi s - X, not zero [stress]; @param backstress X [stress]
 template <int Dim>
 double kinematic_modulus(const KinematicHardening& law, const Stress<Dim>& xi,
@@ -18,7 +18,7 @@ double kinematic_modulus(const KinematicHardening& law, const Stress<Dim>& xi,
   return law.modulus - 1.5 * law.recovery * contract<Dim>(xi, backstress) / equivalent<Dim>(xi);
 }
 
-/// Plastic increment x >= 0 of METHOD.md (1.23): q(s - theta X) - (3G + theta C) x = sigma_y(ep + x) with
+/// Plastic increment x >= 0 of METHOD.md (1.26): q(s - theta X) - (3G + theta C) x = sigma_y(ep + x) with
 /// theta = 1/(1 + gamma x), to rounding; 0 if q(s - X) <= sigma_y(ep). Not finite where there is none: see local_solve.
 /// @param s trial deviator [stress]
 template <int Dim>

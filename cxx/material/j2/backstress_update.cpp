@@ -23,7 +23,7 @@ double forward_euler(const J2Parameters& material, const StepKinematics<Dim>& ki
   const double moving = kinematic_modulus<Dim>(material.kinematic, xi, X), q = equivalent<Dim>(xi);
   const double power = contract<Dim>(xi, kin.strain), G3 = 3 * material.elastic.G;
   const double c = plastic_factor<Dim>(material, xi, plastic_strain_eq, moving);
-  const double x = c * q * power / G3; // (1.7), H + the back stress's modulus for H
+  const double x = c * q * power / G3; // METHOD.md (1.7), (1.25)
   s -= c * power * xi;
   X += x * (material.kinematic.modulus / q * xi - material.kinematic.recovery * X);
   plastic_strain_eq += x;

@@ -1,5 +1,5 @@
 #pragma once
-// Parameters of J2 plasticity with isotropic and kinematic hardening (METHOD.md 1.4, 1.7).
+// Parameters of J2 plasticity with isotropic and kinematic hardening (METHOD.md 1.4, 1.7, 1.11).
 #include "material/elastic.hpp"
 #include "material/hardening.hpp"
 #include "material/kinematic_hardening.hpp"
