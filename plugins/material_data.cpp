@@ -3,6 +3,7 @@
 // with barycentric coordinate 2/3 there and 1/6 at the others. zz is the hoop direction when axisymmetric.
 //   M.stress(i), M.F(i), M.piola(i), ...  tensors: material_points.cpp
 //   M.plasticstraineq, M.stresseq, M.yielddistance (q/sigma_y - 1: positive outside the yield surface)
+//   M.internalvariables names of what the law keeps at a point: plastic_strain_eq, backstress
 //   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
 //   M.displacement(i)   x, y over the nodes [length];  M.degree 1 or 2 of the elements;  M.Th their mesh
 //   M.axisymmetric      1 or 0
@@ -32,6 +33,9 @@ KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
 KN_<double> yield_distance(Stack stack, MaterialHandle* const& h) {
   return guarded([&] { return new_array(stack, yield_distance_field(h->get().workpiece())); });
 }
+string* internal_variables(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] { return new_string(stack, h->get().workpiece().law().internal_variables().names()); });
+}
 struct DisplacementTag {};
 KN_<double> displacement(Stack stack, const Method<MaterialHandle, DisplacementTag>& m, const long& i) {
   return guarded([&] {
@@ -60,6 +64,7 @@ void register_material_data() {
       "nodal", [] { return new OneOperator2s_<KN_<double>, Method<H, NodalTag>, KN_<double>>(nodal); });
   Add<H*>("plasticstraineq", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain_eq));
   Add<H*>("stresseq", ".", new OneOperator1s_<KN_<double>, H*>(stress_eq));
+  Add<H*>("internalvariables", ".", new OneOperator1s_<string*, H*>(internal_variables));
   Add<H*>("yielddistance", ".", new OneOperator1s_<KN_<double>, H*>(yield_distance));
   add_method<H, DisplacementTag>("displacement", [] {
     return new OneOperator2s_<KN_<double>, Method<H, DisplacementTag>, long>(displacement);

@@ -8,6 +8,7 @@
 //                                                     points, 0 when left out; given (i, j) stands for (j, i), too
 //                              M.jacobian(i, j, a)    or d tau_i/d y_j, y = M.strain(0..3), M.rotation
 //   M.internal("name", i)      M.internal("name", i, a)   internal variable, i left out: 0
+//   M.backstress(i)            back stress xx, yy, zz, xy of a law with kinematic hardening [stress]
 //   M.F(i)                     deformation gradient xx, xy, yx, yy, zz [-]
 //   M.strain(i), M.rotation    increments of the step: strain xx, yy, zz, xy and rotation [-, rad]
 //   M.acceptances, M.reversions    how often the accepted state changed, and how often it was gone back to
@@ -35,6 +36,7 @@ struct JacobianTag {};
 struct InternalTag {};
 struct StrainTag {};
 struct UserTag {};
+struct BackstressTag {};
 struct ModulusTag {};
 struct YieldTag {};
 struct SlopeTag {};
@@ -130,6 +132,10 @@ bool give_internal_component(Stack, const Method<H, InternalTag>& m, string* con
 bool give_internal(const Method<H, InternalTag>& m, string* const& name, const Array& a) {
   return give(m.object, [&](auto& body) { body.give_internal(*name, 0, values_of(a), "material.internal"); });
 }
+Array backstress(Stack stack, const Method<H, BackstressTag>& m, const long& i) {
+  return guarded(
+      [&] { return new_array(stack, m->get().workpiece().internal("backstress", static_cast<int>(i))); });
+}
 Array strain(Stack stack, const Method<H, StrainTag>& m, const long& i) {
   return guarded([&] {
     return component(stack, m->get().workpiece().state().strain_increment, i, STRESS, "material.strain");
@@ -202,6 +208,8 @@ void register_material_points() {
         return new OneOperator4s_<bool, Method<H, InternalTag>, string*, long, Array>(
             give_internal_component);
       });
+  add_method<H, BackstressTag>(
+      "backstress", [] { return new OneOperator2s_<Array, Method<H, BackstressTag>, long>(backstress); });
   add_method<H, StrainTag>("strain",
                            [] { return new OneOperator2s_<Array, Method<H, StrainTag>, long>(strain); });
   add_method<H, UserTag>(

@@ -1,13 +1,19 @@
-// Script type `material`: plasticity with isotropic hardening, plane strain or axisymmetric, on a [P1,P1] or [P2,P2]
-// space.
+// Script type `material`: plasticity with isotropic and kinematic hardening, plane strain or axisymmetric, on a [P1,P1] or
+// [P2,P2] space.
 //   material M = rcMaterial(Vh, G=..., nu=..., sigY=..., H=...);    or E=...;
-//     hardening="linear" (default): sigY + H*ep; the laws and their parameters are listed in cxx/material/hardening.cpp
+//     hardening="linear" (default): sigY + H*ep; "perfect": sigY; the laws and their parameters are listed in
+//       cxx/material/hardening.cpp; any other text is a formula in ep: hardening="193e6*(1 + ep/0.002)^0.2"
+//     plasticstrain=[0, 0.05, 0.2], yieldstress=[193e6, 240e6, 300e6]   or a table: straight between, constant behind
+//     softening=true      the yield stress may fall: the result then depends on the mesh
+//     backstress="prager", C=..  |  "armstrongfrederick", C=.., gamma=..   kinematic hardening, with any of the above
+//     rate="jaumann" (default) | "greennaghdi" | "logarithmic"              corotational rate of the stress
 //     update="substepped" | "single" | "euler", pathlimit=1.5
 //     axisymmetric=true   x >= 0 is the radius, y runs along the axis, [u, v] = [u_r, u_z], no torsion; forces are those
 //                         of the whole ring [force]. The script prescribes u_r = 0 on the axis: on(axis, u=0)
 //     law="user"          the script owns the law and gives stress and moduli: material_points.cpp; internal="damage,s":
 //                         its internal variables; with G, nu, sigY, H it has J2's yield surface for the events of elements
-//   int st = M.update(u[], dt, it);   stress at u from the accepted state; 0, or 1 for an inverted element
+//   int st = M.update(u[], dt, it);   stress at u from the accepted state; 0, or 1 for an inverted element, or if there is
+//                                     no return to the yield surface: rcLastError says which
 //   M.force(R);  M.accept();  M.revert();
 //   matrix K = M.tangent();           kind="consistent" | "rate" | "elastic", blend=0..1 (part of elastic moduli)
 //   M.stress(0), M.plasticstraineq ...  fields at the points: material_data.cpp
@@ -38,9 +44,10 @@ struct Construct {
   static std::vector<basicAC_F0::name_and_type> all_names() {
     std::vector<basicAC_F0::name_and_type> list;
     for (const LawParameter& parameter : law_parameters()) list.push_back({parameter.name, &typeid(double)});
-    list.push_back({"hardening", &typeid(string*)});
-    list.push_back({"law", &typeid(string*)});
-    list.push_back({"internal", &typeid(string*)});
+    for (const char* name : {"law", "internal", "hardening", "backstress", "rate"})
+      list.push_back({name, &typeid(string*)});
+    for (const char* name : {"plasticstrain", "yieldstress"}) list.push_back({name, &typeid(NumberList*)});
+    list.push_back({"softening", &typeid(bool)});
     list.push_back({"update", &typeid(string*)});
     list.push_back({"pathlimit", &typeid(double)});
     list.push_back({"axisymmetric", &typeid(bool)});
@@ -64,6 +71,11 @@ struct Construct {
     for (const LawParameter& parameter : law_parameters())
       if (a.has(parameter.name)) input.numbers[parameter.name] = a.real(parameter.name, 0);
     input.hardening = a.text("hardening", input.hardening);
+    input.backstress = a.text("backstress", input.backstress);
+    input.rate = a.text("rate", input.rate);
+    input.softening = a.boolean("softening", input.softening);
+    if (a.has("plasticstrain")) input.plastic_strain = a.numbers("plasticstrain");
+    if (a.has("yieldstress")) input.yield_stress = a.numbers("yieldstress");
     const bool user = law_is_users(a);
     // a user-defined law with elastic moduli and a yield stress has J2's yield surface for the events of elements
     auto law = user && input.numbers.empty() ? user_law(a) : make_law<2>(input, "rcMaterial");
@@ -104,7 +116,12 @@ long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>
     });
     if (result.status == UpdateStatus::OK) return 0L;
     std::ostringstream text;
-    text << "inverted element: det F = " << result.value << " at quadrature point " << result.point;
+    if (result.status == UpdateStatus::NO_RETURN)
+      text << "no return to the yield surface from ep = " << result.value
+           << ": the yield stress is not > 0 there or falls faster than -3G";
+    else
+      text << "inverted element: det F = " << result.value;
+    text << " at quadrature point " << result.point;
     last_error() = text.str();
     return 1L;
   });

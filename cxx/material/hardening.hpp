@@ -1,6 +1,7 @@
 #pragma once
-// Isotropic hardening: the yield stress as a function of the accumulated plastic strain. The laws themselves
-// and their table are in hardening.cpp; a new one touches that file only.
+// Isotropic hardening: the yield stress as a function of the accumulated plastic strain. The named laws and
+// their table are in hardening.cpp; a new one touches that file only. By formula: formula_hardening.hpp, by
+// numbers: tabulated_hardening.hpp.
 #include "material/law_parameter.hpp"
 #include <memory>
 
@@ -8,7 +9,7 @@ namespace burnish {
 
 /// sigma_y(ep) and its derivative.
 struct YieldStress {
-  double value = 0; ///< > 0 [stress]
+  double value = 0; ///< > 0; not finite where the law has no value > 0 [stress]
   double slope = 0; ///< H' = d sigma_y/d ep [stress]
 };
 
@@ -38,7 +39,8 @@ private:
 };
 
 /// Plastic increment x >= 0 of a return along a direction: q - stiffness x = sigma_y(ep + x) [-]: Newton's
-/// method within a bracket, to rounding. @param start where it begins; the others as plastic_increment
+/// method within a bracket, to rounding. Not finite where there is no return: the law has no value > 0, or
+/// stiffness + H' is not > 0 on the way. @param start where it begins; the others as plastic_increment
 double local_solve(const HardeningLaw& hardening, double plastic_strain_eq, double q, double stiffness,
                    double start);
 
@@ -64,15 +66,26 @@ const std::vector<HardeningEntry>& hardening_laws();
 
 /// The law of that name.
 /// @param numbers all of its parameters; others may be there
+/// @param softening whether the yield stress may fall
 /// @throws std::invalid_argument "where: ..." if the name is unknown (lists the table), a parameter is
-/// missing or out of
-///         its range
+/// missing or out of its range, or see require_admissible
 std::shared_ptr<const HardeningLaw> make_hardening(const std::string& name, const LawNumbers& numbers,
-                                                   const char* where);
+                                                   const char* where, bool softening = false);
+/// Names of the table for messages: linear, perfect.
+std::string hardening_names();
+
+/// Samples a law on 0 <= ep <= SAMPLED_STRAIN.
+/// @param softening true: the yield stress may fall, METHOD.md 1.7
+/// @throws std::invalid_argument "where: ..." with ep and value where the slope is not finite, or is < 0 without
+///         softening, and, but for a law that falls, where the yield stress is not finite and > 0
+void require_admissible(const HardeningLaw& law, bool softening, const char* where);
+inline constexpr double SAMPLED_STRAIN = 1;
 
 /// sigma_y = yield_stress + hardening_modulus ep.
-/// @throws std::invalid_argument "where: ..." unless yield_stress > 0, hardening_modulus >= 0, both finite
+/// @throws std::invalid_argument "where: ..." unless yield_stress > 0, hardening_modulus >= 0 (any with softening),
+///         both finite
 std::shared_ptr<const HardeningLaw> linear_hardening(double yield_stress, double hardening_modulus,
-                                                     const char* where = "linear_hardening");
+                                                     const char* where = "linear_hardening",
+                                                     bool softening = false);
 
 } // namespace burnish

@@ -47,10 +47,16 @@ struct PointTrial {
   int used = 0;     ///< by the last update, 0: elastic
 };
 
-enum class UpdateStatus { OK, INVERTED_ELEMENT, NOT_FINITE };
+enum class UpdateStatus {
+  OK,
+  INVERTED_ELEMENT,
+  NOT_FINITE,
+  NO_RETURN, ///< the yield stress has no value > 0 there, or falls faster than the elastic stress, METHOD.md 1.7
+};
 struct PointResult {
   UpdateStatus status = UpdateStatus::OK;
-  double value = 0; ///< the determinant that is not > 0, or the number that is not finite
+  double value =
+      0; ///< the determinant that is not > 0, or not finite; NO_RETURN: ep at the start of the step
 };
 /// OK if det is finite and > 0.
 inline PointResult determinant_result(double det) {
@@ -80,7 +86,7 @@ template <int Dim> struct StepIncrements {
 };
 inline StepIncrements<2> increments_of(const StepKinematics<2>& kin) {
   StepIncrements<2> increments;
-  increments.y << kin.strain, 2 * std::atan(0.5 * kin.spin);
+  increments.y << kin.strain, std::atan2(kin.sin_alpha, kin.cos_alpha);
   increments.by_F = finite_increment_by_F(kin);
   return increments;
 }

@@ -13,8 +13,10 @@ namespace burnish {
 
 struct UpdateResult {
   UpdateStatus status = UpdateStatus::OK;
-  int point = -1;   ///< first point concerned
-  double value = 0; ///< determinant(F) (or of F_mid = (F_old + F)/2) that is not > 0, or not finite, there
+  int point = -1; ///< first point concerned
+  double value =
+      0; ///< determinant(F) (or of F_mid = (F_old + F)/2) that is not > 0, or not finite, there; see
+         ///< PointResult
 };
 
 template <int Dim> class Workpiece {

@@ -1,4 +1,5 @@
 #include "material/j2/elastic_path.hpp"
+#include "material/j2/internal.hpp"
 #include "material/j2/rate_law.hpp"
 #include <algorithm>
 
@@ -13,19 +14,22 @@ constexpr double STRAIGHT_ERROR = 0.01;
 constexpr int MAX_SECANTS = 20;
 constexpr double ON_SURFACE = 1e-15, LEAST_SLOPE = 0.1;
 
-/// One point's elastic path through the step: the step of the fraction f of the displacement.
+/// One point's elastic path through the step: the step of the fraction f of the displacement. The stress of its trials is
+/// relative to the back stress.
 template <int Dim> class ElasticPath {
 public:
-  ElasticPath(const J2Parameters& material, const PointStep<Dim>& step, double plastic_strain_eq)
-      : m_elastic(material.elastic), m_step(step), m_dF(step.F - step.old.F),
-        m_yield(material.yield_stress(plastic_strain_eq).value) {}
+  ElasticPath(const J2Parameters& material, const PointStep<Dim>& step)
+      : m_material(material), m_step(step), m_dF(step.F - step.old.F),
+        m_yield(material.yield_stress(step.old.internal[EP]).value),
+        m_relative(relative_stress<Dim>(material, step.old.stress, step.old.internal)) {}
 
   double yield() const { return m_yield; } ///< sigma_y(ep) at the start
   StepKinematics<Dim> kinematics(double f) const {
-    return step_kinematics(m_step.old.F, m_step.old.F + f * m_dF, m_step.options.strain_frame);
+    return step_kinematics(m_step.old.F, m_step.old.F + f * m_dF, m_step.options.strain_frame,
+                           m_material.rate);
   }
   ElasticTrial<Dim> trial(const StepKinematics<Dim>& kin) const {
-    return elastic_trial<Dim>(m_elastic, kin, m_step.old.stress);
+    return elastic_trial<Dim>(m_material.elastic, kin, m_relative);
   }
   double excess(const ElasticTrial<Dim>& trial) const { // q/sigma_y - 1
     return equivalent<Dim>(trial.s_old + trial.elastic_increment) / m_yield - 1;
@@ -33,10 +37,11 @@ public:
   double excess(double f) const { return excess(trial(kinematics(f))); }
 
 private:
-  const ElasticModuli& m_elastic;
+  const J2Parameters& m_material;
   const PointStep<Dim>& m_step;
   Gradient<Dim> m_dF;
   double m_yield;
+  Stress<Dim> m_relative; // stress less X at the start
 };
 
 /// Root of excess(f) near f, with the slope that the straight path has there; secants after the first step.
@@ -57,9 +62,9 @@ template <int Dim> double refined(const ElasticPath<Dim>& path, double f, double
 
 // Straight path first: q^2(f) - sigma_y^2 = a f^2 + 2 b f + c.
 template <int Dim>
-double elastic_yield_fraction(const J2Parameters& material, const PointStep<Dim>& step,
-                              double plastic_strain_eq, double last, double noise) {
-  const ElasticPath<Dim> path(material, step, plastic_strain_eq);
+double elastic_yield_fraction(const J2Parameters& material, const PointStep<Dim>& step, double last,
+                              double noise) {
+  const ElasticPath<Dim> path(material, step);
   const StepKinematics<Dim> kin = path.kinematics(1);
   if (!(kin.det_mid > 0)) return NEVER;
   const ElasticTrial<Dim> trial = path.trial(kin);
@@ -80,23 +85,23 @@ double elastic_yield_fraction(const J2Parameters& material, const PointStep<Dim>
   return found <= last ? found : NEVER;
 }
 
-template <int Dim>
-PointLoading elastic_loading(const J2Parameters& material, const PointStep<Dim>& step,
-                             double plastic_strain_eq) {
-  const ElasticPath<Dim> path(material, step, plastic_strain_eq);
+template <int Dim> PointLoading elastic_loading(const J2Parameters& material, const PointStep<Dim>& step) {
+  const ElasticPath<Dim> path(material, step);
   const StepKinematics<Dim> kin = path.kinematics(1);
   PointLoading loading;
   if (!(kin.det_mid > 0)) return loading;
   const ElasticTrial<Dim> trial = path.trial(kin);
   const double now = contract<Dim>(trial.s_old, kin.strain);
   const bool neutral = std::abs(now) <= NEUTRAL * trial.s_old.norm() * kin.strain.norm();
-  loading.old = contract<Dim>(deviator<Dim>(step.old.stress), step.old.strain_increment);
+  const Stress<Dim> xi_old =
+      relative_stress<Dim>(material, deviator<Dim>(step.old.stress), step.old.internal);
+  loading.old = contract<Dim>(xi_old, step.old.strain_increment);
   loading.now = neutral ? 0 : now;
   loading.elastic_distance = path.excess(trial);
   return loading;
 }
 
-template double elastic_yield_fraction<2>(const J2Parameters&, const PointStep<2>&, double, double, double);
-template PointLoading elastic_loading<2>(const J2Parameters&, const PointStep<2>&, double);
+template double elastic_yield_fraction<2>(const J2Parameters&, const PointStep<2>&, double, double);
+template PointLoading elastic_loading<2>(const J2Parameters&, const PointStep<2>&);
 
 } // namespace burnish

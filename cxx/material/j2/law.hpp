@@ -1,12 +1,13 @@
 #pragma once
-// J2 plasticity with isotropic hardening and the Jaumann rate of the Kirchhoff stress, as a law of the workpiece
-// (METHOD.md 1.4 to 1.7, ALGORITHMS.md 2).
+// J2 plasticity with isotropic and kinematic hardening and a corotational rate of the Kirchhoff stress, as a law of the
+// workpiece (METHOD.md 1.4 to 1.7, ALGORITHMS.md 2).
 #include "material/j2/point_update.hpp"
 #include "material/material_law.hpp"
 
 namespace burnish {
 
-/// Internal variable: plastic_strain_eq, the accumulated plastic strain ep [-].
+/// Internal variables: plastic_strain_eq, the accumulated plastic strain ep [-], and with kinematic hardening the back
+/// stress backstress, deviatoric [stress].
 template <int Dim> class J2Law final : public MaterialLaw<Dim> {
 public:
   /// @throws std::invalid_argument "J2Law: ..." see require_valid(J2Parameters)
@@ -23,6 +24,7 @@ public:
   YieldStress yield_stress(double plastic_strain_eq) const override {
     return m_material.yield_stress(plastic_strain_eq);
   }
+  /// Distances and powers are those of the stress less the back stress.
   double yield_distance(const Stress<Dim>& stress, const double* internal) const override;
   bool loads(const PointState<Dim>& at, const Stress<Dim>& strain_rate) const override;
   double yield_fraction(const PointStep<Dim>& step, double last, double noise) const override;

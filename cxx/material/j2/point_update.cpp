@@ -1,23 +1,12 @@
 #include "material/j2/point_update.hpp"
+#include "material/j2/backstress_update.hpp"
 #include "material/j2/rate_law.hpp"
 
 namespace burnish {
-namespace {
-
-template <int Dim> PathHistory<Dim> history_of(const PointScheme& scheme, const J2Start<Dim>& old) {
-  return {old.strain_increment, scheme.ratio, scheme.path_limit};
-}
-
-// SINGLE is one substep, in which the curvature of the path has no share.
-int substeps_of(const PointScheme& scheme) {
-  return scheme.update == StressUpdate::SINGLE ? 1 : scheme.substeps;
-}
-
-} // namespace
-
 template <int Dim>
 J2End<Dim> updated_point(const J2Parameters& material, const PointScheme& scheme, const J2Start<Dim>& old,
                          const StepKinematics<Dim>& kin, const ElasticTrial<Dim>& trial) {
+  if (material.kinematic.exists()) return updated_with_backstress<Dim>(material, scheme, old, kin, trial);
   J2End<Dim> result{trial.s_old, old.plastic_strain_eq, false};
   Stress<Dim>& s = result.stress;
   double& plastic_strain_eq = result.plastic_strain_eq;
@@ -40,6 +29,7 @@ template <int Dim>
 StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const PointScheme& scheme,
                                          const J2Start<Dim>& old, const StepKinematics<Dim>& kin,
                                          const ElasticTrial<Dim>& trial) {
+  if (material.kinematic.exists()) return moduli_with_backstress<Dim>(material, scheme, old, kin, trial);
   ReturnDerivative<Dim> derivative;
   derivative.s.template rightCols<1>() = spin_rate(trial.s_old);
   Stress<Dim> s = trial.s_old;
@@ -72,11 +62,12 @@ PiolaTangent<Dim> consistent_tangent(const J2Parameters& material, const PointSc
 
 template <int Dim>
 PiolaTangent<Dim> rate_tangent(const J2Parameters& material, const Stress<Dim>& stress,
-                               double plastic_strain_eq, const Gradient<Dim>& F, bool plastic) {
+                               double plastic_strain_eq, const Gradient<Dim>& F, bool plastic,
+                               const double* backstress) {
   const Gradient<Dim> F_inverse = inverse(F);
-  return piola_tangent<Dim>(rate_moduli<Dim>(material, stress, plastic_strain_eq, plastic) *
-                                rate_by_F(F_inverse),
-                            stress, F_inverse);
+  const StressByIncrement<Dim> moduli =
+      rate_moduli<Dim>(material, stress, plastic_strain_eq, plastic, backstress);
+  return piola_tangent<Dim>(moduli * rate_by_F(F, F_inverse, material.rate), stress, F_inverse);
 }
 
 template J2End<2> updated_point<2>(const J2Parameters&, const PointScheme&, const J2Start<2>&,
@@ -87,6 +78,6 @@ template PiolaTangent<2> consistent_tangent<2>(const J2Parameters&, const PointS
                                                const Stress<2>&, const StepKinematics<2>&, const Gradient<2>&,
                                                const Stress<2>&);
 template PiolaTangent<2> rate_tangent<2>(const J2Parameters&, const Stress<2>&, double, const Gradient<2>&,
-                                         bool);
+                                         bool, const double*);
 
 } // namespace burnish

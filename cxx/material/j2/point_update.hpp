@@ -11,6 +11,8 @@ template <int Dim> struct J2Start {
   double plastic_strain_eq = 0;                   ///< ep [-]
   Eigen::Map<const Stress<Dim>> strain_increment; ///< dd_p of the step that ended here [-]
   bool plastic = false; ///< on the surface: plastic flow happened in that step, or by an event
+  const double* backstress =
+      nullptr; ///< X in the order of Stress<Dim>; read where material.kinematic exists() [stress]
 };
 
 /// What it gives.
@@ -18,6 +20,7 @@ template <int Dim> struct J2End {
   Stress<Dim> stress;           ///< Kirchhoff stress [stress]
   double plastic_strain_eq = 0; ///< ep [-]
   bool plastic = false;         ///< plastic flow happened in this step
+  Stress<Dim> backstress = {};  ///< X; set where material.kinematic exists() [stress]
 };
 
 /// How the step is made at this point.
@@ -27,6 +30,13 @@ struct PointScheme {
   double ratio = 0;        ///< ra = dt/dt_old, 0: no last step
   int substeps = 0;        ///< SUBSTEPPED only: number of substeps, 0: elastic step
 };
+/// Substeps of its return: SINGLE is one, in which the curvature of the path has no share.
+inline int substeps_of(const PointScheme& scheme) {
+  return scheme.update == StressUpdate::SINGLE ? 1 : scheme.substeps;
+}
+template <int Dim> PathHistory<Dim> history_of(const PointScheme& scheme, const J2Start<Dim>& old) {
+  return {old.strain_increment, scheme.ratio, scheme.path_limit};
+}
 
 /// tau = R tau_old R' + E:dd returned to the yield surface, or forward Euler of METHOD.md (1.6) which does not return.
 /// @param kin of the step, det_mid > 0; @param trial elastic_trial(material.elastic, kin, old stress)
@@ -49,12 +59,15 @@ PiolaTangent<Dim> consistent_tangent(const J2Parameters& material, const PointSc
                                      const StepKinematics<Dim>& kin, const Gradient<Dim>& F,
                                      const Stress<Dim>& stress);
 
-/// Tangent of the rates, METHOD.md (1.8), on the reference mesh, symmetric [stress]:
+/// Tangent of the rates, METHOD.md (1.8), on the reference mesh, with the spin of material.rate; symmetric for JAUMANN
+/// [stress]:
 /// with dF = L F, dF:dP = dL_ij (D:d + w tau - tau d)_ij.
 /// (The article writes D:d - d.tau - tau.w: its double dot pairs dL_ij with the transpose.)
 /// @param plastic true: D of METHOD.md (1.6) loading; false: elastic moduli, same geometric terms
+/// @param backstress X where material.kinematic exists() [stress]
 template <int Dim>
 PiolaTangent<Dim> rate_tangent(const J2Parameters& material, const Stress<Dim>& stress,
-                               double plastic_strain_eq, const Gradient<Dim>& F, bool plastic);
+                               double plastic_strain_eq, const Gradient<Dim>& F, bool plastic,
+                               const double* backstress = nullptr);
 
 } // namespace burnish

@@ -1,15 +1,21 @@
 #include "material/j2/rate_law.hpp"
+#include "material/j2/backstress_return.hpp"
 
 namespace burnish {
 
 template <int Dim>
 StressByIncrement<Dim> rate_moduli(const J2Parameters& material, const Stress<Dim>& stress,
-                                   double plastic_strain_eq, bool plastic) {
+                                   double plastic_strain_eq, bool plastic, const double* backstress) {
   StressByIncrement<Dim> moduli = deviatoric_moduli<Dim>(material.elastic);
-  const Stress<Dim> s = deviator<Dim>(stress);
+  Stress<Dim> s = deviator<Dim>(stress);
+  const bool kinematic = material.kinematic.exists();
+  if (kinematic) s -= Eigen::Map<const Stress<Dim>>(backstress);
   if (plastic && squared_equivalent<Dim>(s) > 0) {
+    const double moving =
+        kinematic ? kinematic_modulus<Dim>(material.kinematic, s, Eigen::Map<const Stress<Dim>>(backstress))
+                  : 0;
     const ScalarByIncrement<Dim> power = contraction_row<Dim>(s) * strain_by_increment<Dim>(); // s:d
-    moduli.noalias() -= plastic_factor<Dim>(material, s, plastic_strain_eq) * s * power;
+    moduli.noalias() -= plastic_factor<Dim>(material, s, plastic_strain_eq, moving) * s * power;
   }
   moduli.template topLeftCorner<3, 3>().array() += material.elastic.K;
   moduli.template rightCols<1>() += spin_rate(stress);
@@ -49,7 +55,8 @@ StressByIncrement<Dim> forward_euler_by_increment(const J2Parameters& material,
   return by;
 }
 
-template StressByIncrement<2> rate_moduli<2>(const J2Parameters&, const Stress<2>&, double, bool);
+template StressByIncrement<2> rate_moduli<2>(const J2Parameters&, const Stress<2>&, double, bool,
+                                             const double*);
 template double forward_euler<2>(const J2Parameters&, const StepKinematics<2>&, const Stress<2>&, Stress<2>&,
                                  double&, bool);
 template StressByIncrement<2> forward_euler_by_increment<2>(const J2Parameters&, const StepKinematics<2>&,

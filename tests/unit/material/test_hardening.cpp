@@ -97,7 +97,8 @@ TEST(Hardening, Errors) {
   const auto make = [](const std::string& name, const LawNumbers& numbers) {
     make_hardening(name, numbers, "here");
   };
-  expect_invalid([&] { make("none", {}); }, "here: unknown hardening \"none\", expected one of linear");
+  expect_invalid([&] { make("none", {}); },
+                 "here: unknown hardening \"none\", expected one of linear, perfect");
   expect_invalid(
       [&] {
         make("linear", {{"H", 1}});
@@ -105,8 +106,12 @@ TEST(Hardening, Errors) {
       "here: parameter sigY is missing (initial yield stress, finite > 0)");
   expect_invalid([&] { make("linear", {{"sigY", 1}}); }, "here: parameter H is missing");
   expect_invalid([&] { make("linear", {{"sigY", 0}, {"H", 1}}); }, "here: sigY = 0, expected finite > 0");
-  expect_invalid([&] { make("linear", {{"sigY", 1}, {"H", -3}}); }, "here: H = -3, expected finite >= 0");
+  expect_invalid(
+      [&] {
+        make("linear", {{"sigY", 1}, {"H", -3}});
+      },
+      "here: slope of the yield stress = -3 at ep = 0, expected >= 0: with softening");
   expect_invalid([] { linear_hardening(1, std::numeric_limits<double>::infinity()); },
-                 "linear_hardening: H = inf, expected finite >= 0");
+                 "linear_hardening: H = inf, expected finite");
   expect_invalid([] { linear_hardening(std::nan(""), 0); }, "linear_hardening: sigY = nan");
 }

@@ -33,7 +33,8 @@ TEST(MakeLaw, J2FromNumbers) {
 TEST(MakeLaw, ParametersOfAllLaws) {
   std::set<std::string> names;
   for (const LawParameter& parameter : law_parameters()) EXPECT_TRUE(names.insert(parameter.name).second);
-  for (const char* name : {"G", "E", "nu", "sigY", "H"}) EXPECT_EQ(names.count(name), 1u) << name;
+  for (const char* name : {"G", "E", "nu", "sigY", "H", "C", "gamma"})
+    EXPECT_EQ(names.count(name), 1u) << name;
   for (const HardeningEntry& entry : hardening_laws())
     for (const LawParameter& parameter : entry.parameters) EXPECT_EQ(names.count(parameter.name), 1u);
 }
@@ -46,7 +47,8 @@ TEST(MakeLaw, Errors) {
   expect_invalid([&] { make(without(STEEL, "E")); }, "here: give exactly one of G");
   expect_invalid([&] { make(with(STEEL, "G", 1)); }, "here: give exactly one of G");
   expect_invalid([&] { make(with(STEEL, "nu", 0.5)); }, "here: nu = 0.5, expected -1 < nu < 0.5");
-  expect_invalid([&] { make(with(STEEL, "H", -1)); }, "here: H = -1, expected finite >= 0");
+  expect_invalid([&] { make(with(STEEL, "H", -1)); },
+                 "here: slope of the yield stress = -1 at ep = 0, expected >= 0");
   expect_invalid([&] { make(with(STEEL, "Q", 1)); },
                  "here: parameter Q is none of hardening \"linear\", sigY + H*ep");
   expect_invalid(
