@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Example 1 coarse with one return per step: law of the core, of the script assembled by the core, and forms of the script
+# give the same events and the same numbers; condensed matrices solved by FreeFEM's solvers reach the same equilibria.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+run() { name=$1; shift; "$BURNISH" cases/rolling/rolling.edp -pictures 0 -series 1 -out "$SCRATCH/$name" "$@" >"$SCRATCH/$name.log" || { tail -20 "$SCRATCH/$name.log"; exit 1; }; }
+coarse="-inner 4 -outer 40 -sides 8 -update single"
+for scheme in implicit event; do
+  run "$scheme" $coarse -scheme "$scheme"
+  run "$scheme-law" $coarse -scheme "$scheme" -forms 1 -assembly core
+  run "$scheme-forms" $coarse -scheme "$scheme" -forms 1
+done
+small="-inner 3 -outer 24 -sides 5 -update single -steps 60 -turn 3"
+run tight $small -tolerance 1e-9
+run tight-umfpack $small -tolerance 1e-9 -solver UMFPACK
+run tight-forms-umfpack $small -tolerance 1e-9 -forms 1 -solver UMFPACK
+run tight-forms-burnish $small -tolerance 1e-9 -forms 1 -solver BURNISH
+"$PYTHON" "$here/rolling_forms.py" "$SCRATCH"

@@ -1,0 +1,34 @@
+"""Compares the ways of a run: python3 rolling_forms.py FOLDER"""
+import json
+import sys
+from run import Checks
+
+folder = sys.argv[1]
+checks = Checks()
+
+
+def summary(name):
+    with open(f"{folder}/{name}/summary.json") as f:
+        return json.load(f)
+
+
+def compare(name, other, tolerance, events):
+    a, b = summary(name), summary(other)
+    if events:
+        checks.that(f"{other} events", a["counts"]["events"] == b["counts"]["events"], b["counts"]["events"])
+    for key, value in a["final"].items():
+        scale = max(abs(value), 1e-3 if key.startswith("Q_") else 1e-12)
+        difference = abs(b["final"][key] - value) / scale
+        checks.that(f"{other} {key}", difference <= tolerance, f"{difference:.1e}, allowed {tolerance:.0e}")
+    return b
+
+
+for scheme in ("implicit", "event"):
+    law = compare(scheme, scheme + "-law", 1e-9, True)
+    forms = compare(scheme, scheme + "-forms", 1e-9, True)
+    checks.that(scheme + " says whose law", forms["way"]["law and assembly"] == "law and forms of the script", forms["way"])
+    checks.that(scheme + " tangent checked", 0 < forms["way"]["tangent_check"] < 1e-5, forms["way"]["tangent_check"])
+for other in ("tight-umfpack", "tight-forms-umfpack", "tight-forms-burnish"):
+    run = compare("tight", other, 1e-6, False)
+    checks.that(other + " matrix", run["way"]["matrix_size"] > 400 and run["way"]["matrix_asymmetry"] > 0, run["way"])
+checks.done()
