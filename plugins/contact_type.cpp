@@ -133,6 +133,14 @@ string* warnings(Stack stack, ContactHandle* const& h) {
   });
 }
 
+struct CoupleTag {};
+bool couple(const Method<ContactHandle, CoupleTag>& m, string* const& dependent, string* const& text) {
+  return guarded([&] {
+    called("contact.couple", [&] { m->get().setup->couple(*dependent, *text); });
+    return true;
+  });
+}
+
 struct ApproachTag {};
 double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& tool,
                 string* const& coordinate, const KN_<double>& u) {
@@ -179,6 +187,8 @@ void register_contact() {
   add_method<H, ParameterTag>("parameter", [] {
     return new OneOperator3_<double, Method<H, ParameterTag>, string*, double>(parameter);
   });
+  add_method<H, CoupleTag>(
+      "couple", [] { return new OneOperator3_<bool, Method<H, CoupleTag>, string*, string*>(couple); });
   add_method<H, ApproachTag>("approach", [] {
     return new OneOperator4_<double, Method<H, ApproachTag>, ToolHandle*, string*, KN_<double>>(approach);
   });
