@@ -53,9 +53,6 @@ void ContactSetup<Dim>::add_tool(std::shared_ptr<DrivenTool<Dim>> tool,
 
 template <int Dim> void ContactSetup<Dim>::couple(const std::string& dependent, const std::string& text) {
   if (m_closed) fail("contact.couple", "relations must be given before the first step and approach");
-  for (const Coupling& other : m_model.couplings)
-    if (dotted_names(m_model)[static_cast<std::size_t>(other.dependent)] == dependent)
-      fail("contact.couple", "\"" + dependent + "\" follows " + quoted(other.formula->text()) + " already");
   Coupling coupling = make_coupling(m_model, dependent, text);
   const int tool = m_model.tool_of(coupling.dependent), k = coupling.dependent - m_model.first[tool];
   Prescription& prescription = m_tools[static_cast<std::size_t>(tool)]->prescription();
