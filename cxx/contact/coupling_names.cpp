@@ -16,7 +16,7 @@ std::vector<std::string> identifiers(const std::vector<std::string>& dotted) {
   for (std::string name : dotted) {
     for (char& c : name)
       if (!of_name(c)) c = '_';
-    if (std::isdigit(static_cast<unsigned char>(name[0]))) name.insert(0, "_");
+    if (!std::isalpha(static_cast<unsigned char>(name[0]))) name.insert(0, "t");
     while (std::find(result.begin(), result.end(), name) != result.end()) name += "_";
     result.push_back(name);
   }
