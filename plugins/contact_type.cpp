@@ -12,6 +12,7 @@
 //     another law than the contact's; all: the core's contact/friction_laws.hpp
 //   C.parameter("k", 1e8);                         a number by name for the formulas of later calls of add
 //   C.warnings                                     text, one line each: tools that reach for one node, ...
+//   C.couple("lower.y", "-upper.y");               a coordinate follows others by a formula of "tool.coordinate"
 //   real q = C.approach(roller, "r", u[]);         moves one coordinate until the tool just touches
 #include "arguments.hpp"
 #include "base/error.hpp"
