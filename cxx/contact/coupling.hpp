@@ -32,8 +32,8 @@ void follow_increment(const ContactModel<Dim>& model, const Eigen::VectorXd& q, 
 template <int Dim>
 void pass_on_forces(const ContactModel<Dim>& model, const Eigen::VectorXd& q, Eigen::VectorXd& force);
 
-/// Takes the coordinates that follow out of the linearization of a node: `at`, x_q and the geometric terms are those of
-/// independent coordinates then, with the second derivatives of the relations if the terms are COMPLETE (3.15).
+/// Takes the coordinates that follow out of the linearization of a node, METHOD.md (3.15): `at`, x_q and the geometric
+/// terms are those of independent coordinates then, with second derivatives of the relations if the terms are COMPLETE.
 template <int Dim>
 void eliminate_followers(const ContactModel<Dim>& model, const Eigen::VectorXd& q, GeometricTerms terms,
                          NodeLinearization<Dim>& node);

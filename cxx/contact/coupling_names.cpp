@@ -62,6 +62,28 @@ std::string translated(const std::string& text, const std::vector<std::string>& 
   return result;
 }
 
+// What is followed must be independent, and what follows must be followed by nothing.
+template <int Dim>
+void check_independent(const ContactModel<Dim>& model, const Coupling& made,
+                       const std::vector<std::string>& dotted, const std::string& text) {
+  const char* where = "contact.couple";
+  const std::string& dependent = dotted[static_cast<std::size_t>(made.dependent)];
+  for (const int k : made.formula->arguments()) {
+    const std::string& argument = dotted[static_cast<std::size_t>(k)];
+    if (k == made.dependent) fail(where, "\"" + dependent + "\" = \"" + text + "\" follows itself");
+    if (model.coupling_of(k))
+      fail(where, "\"" + dependent + "\" = \"" + text + "\" follows \"" + argument +
+                      "\", which follows others itself; relations must name independent coordinates");
+  }
+  for (const Coupling& other : model.couplings) {
+    const std::vector<int>& arguments = other.formula->arguments();
+    if (std::find(arguments.begin(), arguments.end(), made.dependent) != arguments.end())
+      fail(where, "\"" + dotted[static_cast<std::size_t>(other.dependent)] + "\" follows \"" + dependent +
+                      "\", which cannot follow \"" + text +
+                      "\" then; relations must name independent coordinates");
+  }
+}
+
 } // namespace
 
 template <int Dim> std::vector<std::string> dotted_names(const ContactModel<Dim>& model) {
@@ -91,20 +113,7 @@ Coupling make_coupling(const ContactModel<Dim>& model, const std::string& depend
   if (made.formula->arguments().empty())
     fail(where,
          "\"" + dependent + "\" = \"" + text + "\" depends on no coordinate; prescribe its motion instead");
-  for (const int k : made.formula->arguments()) {
-    const std::string& argument = dotted[static_cast<std::size_t>(k)];
-    if (k == made.dependent) fail(where, "\"" + dependent + "\" = \"" + text + "\" follows itself");
-    if (model.coupling_of(k))
-      fail(where, "\"" + dependent + "\" = \"" + text + "\" follows \"" + argument +
-                      "\", which follows others itself; relations must name independent coordinates");
-  }
-  for (const Coupling& other : model.couplings) {
-    const std::vector<int>& arguments = other.formula->arguments();
-    if (std::find(arguments.begin(), arguments.end(), made.dependent) != arguments.end())
-      fail(where, "\"" + dotted[static_cast<std::size_t>(other.dependent)] + "\" follows \"" + dependent +
-                      "\", which cannot follow \"" + text +
-                      "\" then; relations must name independent coordinates");
-  }
+  check_independent(model, made, dotted, text);
   return made;
 }
 
