@@ -12,6 +12,7 @@
 //     another law than the contact's; all: the core's contact/friction_laws.hpp
 //   C.parameter("k", 1e8);                         a number by name for the formulas of later calls of add
 //   C.warnings                                     text, one line each: tools that reach for one node, ...
+//   C.couple("lower.y", "-upper.y");               a coordinate follows others by a formula of "tool.coordinate"
 //   real q = C.approach(roller, "r", u[]);         moves one coordinate until the tool just touches
 #include "arguments.hpp"
 #include "base/error.hpp"
@@ -133,6 +134,14 @@ string* warnings(Stack stack, ContactHandle* const& h) {
   });
 }
 
+struct CoupleTag {};
+bool couple(const Method<ContactHandle, CoupleTag>& m, string* const& dependent, string* const& text) {
+  return guarded([&] {
+    called("contact.couple", [&] { m->get().setup->couple(*dependent, *text); });
+    return true;
+  });
+}
+
 struct ApproachTag {};
 double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& tool,
                 string* const& coordinate, const KN_<double>& u) {
@@ -179,6 +188,8 @@ void register_contact() {
   add_method<H, ParameterTag>("parameter", [] {
     return new OneOperator3_<double, Method<H, ParameterTag>, string*, double>(parameter);
   });
+  add_method<H, CoupleTag>(
+      "couple", [] { return new OneOperator3_<bool, Method<H, CoupleTag>, string*, string*>(couple); });
   add_method<H, ApproachTag>("approach", [] {
     return new OneOperator4_<double, Method<H, ApproachTag>, ToolHandle*, string*, KN_<double>>(approach);
   });

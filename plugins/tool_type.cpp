@@ -4,6 +4,7 @@
 //   roller.coordinates("polar", pivot=[x0,y0]);       or "cartesian"
 //   crank.parameter("e", 1e-2);                       a number that formulas call by name
 //   crank.coordinates("beta", x="e*cos(beta)", y="e*sin(beta)", angle="0");   names, separated by commas
+//   roller.force("y", "-k*(y - y0)");                 force by formula of the tool's coordinates, parameters and t
 //   roller.place("r", r0);  roller.move("phi", v);  roller.force("r", Q);      place; prescribe motion or force
 //   roller.value("r") present coordinate, roller.force("r") generalized force on it,
 //   roller.q and roller.Q all of them as arrays, roller.name
@@ -95,7 +96,7 @@ private:
                                      "\" lack the formula " + formula + "=");
     const PlaneFormulas formulas{named.text("x", ""), named.text("y", ""), named.text("angle", "0")};
     return std::make_shared<FormulaCoordinates>(object.tool->name(), coordinate_names(list), formulas,
-                                                object.parameters);
+                                                object.tool->parameters());
   }
 };
 basicAC_F0::name_and_type ChooseCoordinates::names[] = {{"pivot", &typeid(E_Array)},
@@ -106,12 +107,8 @@ basicAC_F0::name_and_type ChooseCoordinates::names[] = {{"pivot", &typeid(E_Arra
 struct ParameterTag {};
 double parameter(const Method<ToolHandle, ParameterTag>& m, string* const& name, const double& value) {
   return guarded([&] {
-    ToolObject& object = m->get();
-    const std::string where = "tool.parameter of \"" + object.tool->name() + "\"";
-    check_formula_names(where, {{}, {{*name, value}}});
-    if (object.tool->shared_tool())
-      fail(where, "\"" + *name + "\" comes too late: set parameters before coordinates(...)");
-    return object.parameters[*name] = value;
+    m->get().tool->set_parameter(*name, value);
+    return value;
   });
 }
 
@@ -134,6 +131,17 @@ double prescribe_force(const Method<ToolHandle, ForceTag>& m, string* const& nam
   return guarded([&] {
     called("tool.force", [&] { m->get().tool->prescription().force(*name, value); });
     return value;
+  });
+}
+
+// A whole number could become a text as well as a real number.
+double prescribe_whole_force(const Method<ToolHandle, ForceTag>& m, string* const& name, const long& value) {
+  return prescribe_force(m, name, static_cast<double>(value));
+}
+double prescribe_formula(const Method<ToolHandle, ForceTag>& m, string* const& name, string* const& text) {
+  return guarded([&] {
+    called("tool.force", [&] { m->get().tool->force(*name, *text); });
+    return 0.;
   });
 }
 
@@ -172,6 +180,12 @@ void register_tool() {
       "force",
       [] {
         return new OneOperator3_<double, Method<ToolHandle, ForceTag>, string*, double>(prescribe_force);
+      },
+      [] {
+        return new OneOperator3_<double, Method<ToolHandle, ForceTag>, string*, long>(prescribe_whole_force);
+      },
+      [] {
+        return new OneOperator3_<double, Method<ToolHandle, ForceTag>, string*, string*>(prescribe_formula);
       },
       [] { return new OneOperator2_<double, Method<ToolHandle, ForceTag>, string*>(force_of); });
   add_method<ToolHandle, ValueTag>(

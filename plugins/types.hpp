@@ -12,8 +12,7 @@ namespace burnish {
 
 struct ToolObject {
   static constexpr const char* TYPE = "tool";
-  bool added = false;                       // to a contact: the coordinates stay
-  std::map<std::string, double> parameters; // of the formulas
+  bool added = false; // to a contact: the coordinates stay
   std::shared_ptr<DrivenTool<2>> tool;
 };
 struct MaterialObject {

@@ -1,4 +1,5 @@
 #include "contact/active_set.hpp"
+#include "contact/coupling.hpp"
 #include "contact/tool_support.hpp"
 #include <cmath>
 
@@ -59,6 +60,7 @@ std::vector<NodeLinearization<Dim>> linearize(const ContactModel<Dim>& model, co
     Vector<Dim> R = Vector<Dim>::Zero(); // a node that touches now carried no force yet
     if (in_contact(start.nodes[candidate].state)) R = problem.R->template segment<Dim>(Dim * mesh_node);
     nodes.back() = linearize_node(model, trial.nodes[candidate], candidate, poses, R, problem.terms);
+    if (!model.couplings.empty()) eliminate_followers(model, start.q, problem.terms, nodes.back());
     offset.template segment<Dim>(Dim * a) =
         offset_to(model, candidate, nodes.back().point, body.position(*problem.u, mesh_node));
   }
@@ -91,6 +93,7 @@ bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body,
   if (block.singular) return false;
   out.state = trial;
   out.state.q = start.q + block.dq;
+  follow(model, out.state.q);
   out.F = out.load = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(window.size()));
   for (std::size_t a = 0; a < active.size(); ++a) {
     ContactNode<Dim>& node = out.state.nodes[window[active[a]]];

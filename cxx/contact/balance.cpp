@@ -1,4 +1,6 @@
 #include "contact/balance.hpp"
+#include "contact/coupling.hpp"
+#include "contact/driving_force.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -45,13 +47,40 @@ void contact_node(const ContactModel<Dim>& model, int candidate, const ContactNo
                                                 node.tributary_area, {tolerance.force, tolerance.gap});
 }
 
+// Motion of a tool's points with its coordinate k, for one that its drive holds without contact.
+template <int Dim>
+double lever_of_tool(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses, int k) {
+  const auto tool = static_cast<std::size_t>(model.tool_of(k)),
+             own = static_cast<std::size_t>(k - model.first[tool]);
+  return poses[tool].origin_q[own].norm() +
+         poses[tool].R_q[own].norm() * model.tools[tool]->surface().length_scale();
+}
+
+// Levers of coordinates that others follow, and of those that only their drive holds.
+template <int Dim>
+void complete_levers(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                     const std::vector<Pose<Dim>>& poses, const Eigen::VectorXd& q, Eigen::VectorXd& lever) {
+  for (const Coupling& coupling : model.couplings) {
+    const Eigen::VectorXd slopes = slopes_of(coupling, q);
+    for (std::size_t i = 0; i < coupling.formula->arguments().size(); ++i) {
+      double& own = lever[coupling.formula->arguments()[i]];
+      own = std::max(own, std::abs(slopes[static_cast<Eigen::Index>(i)]) * lever[coupling.dependent]);
+    }
+  }
+  for (Eigen::Index k = 0; k < lever.size(); ++k)
+    if (lever[k] == 0 && prescribed.is_held(k)) lever[k] = lever_of_tool(model, poses, static_cast<int>(k));
+}
+
 // Tool rows over their lever arms.
-void tool_residual(const PrescribedValues& prescribed, const Eigen::VectorXd& lever, Balance& result) {
+template <int Dim>
+void tool_residual(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                   const DrivingForce& drive, const Eigen::VectorXd& lever, Balance& result) {
   const Eigen::Index nq = result.generalized_force.size();
   result.tool_residual = Eigen::VectorXd::Zero(nq);
   for (Eigen::Index k = 0; k < nq; ++k) {
-    if (prescribed.is_motion[k]) continue;
-    const double r = result.generalized_force[k] - prescribed.value[k];
+    if (prescribed.is_motion[k] || model.coupling_of(static_cast<int>(k))) continue;
+    double r = result.generalized_force[k] - drive.value[k];
+    if (drive.rounding.size() > 0 && std::abs(r) <= drive.rounding[k]) r = 0;
     result.tool_residual[k] = lever[k] > 0 ? r / lever[k] : (r == 0 ? 0 : result.load + std::abs(r));
     if (worse(std::abs(result.tool_residual[k]), result)) {
       result.residual = std::abs(result.tool_residual[k]);
@@ -94,8 +123,10 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
     }
     contact_node(model, candidate, node, at, force.part, x, tolerance, result);
   }
+  pass_on_forces(model, state.q, result.generalized_force);
+  complete_levers(model, prescribed, poses, state.q, lever);
   free_residual(model, body, state, R, result);
-  tool_residual(prescribed, lever, result);
+  tool_residual(model, prescribed, driving_force(model, prescribed, state.q), lever, result);
   return result;
 }
 

@@ -11,7 +11,8 @@ struct Balance {
   double load = 0;     ///< size of the load: sum of contact force norms [force]
   int worst_dof = -1;  ///< dof or -1 if the worst row is not a free node
   int worst_coordinate = -1; ///< coordinate or -1
-  /// sum X_k . F_n per coordinate: the generalized forces on the tools, METHOD.md (2.8)
+  /// sum X_k . F_n per coordinate: the generalized forces on the tools, METHOD.md (2.8); of a coordinate that others
+  /// follow with what they hand on, METHOD.md (2.10)
   Eigen::VectorXd generalized_force;
   Eigen::VectorXd tool_residual; ///< generalized_force - Q_k over the lever, zero under motion [force]
   int inconsistent = 0;          ///< nodes whose state contradicts force, slip or gap

@@ -1,5 +1,6 @@
 #include "contact/condensation.hpp"
 #include "base/error.hpp"
+#include "contact/coupling.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -55,12 +56,13 @@ void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::V
     const Vector<Dim> Rn = R.template segment<Dim>(Dim * node);
     m_contact_of[node] = static_cast<int>(m_nodes.size());
     m_nodes.push_back(linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, Rn, terms));
+    if (!m_model.couplings.empty()) eliminate_followers(m_model, state.q, terms, m_nodes.back());
     const auto& linear = m_nodes.back();
     Vector<Dim> known = Vector<Dim>::Zero();
     if (right == RightHandSide::TOTAL)
       known = offset_to(m_model, static_cast<int>(i), linear.point, m_body.position(u, node));
     for (Eigen::Index k = 0; k < linear.x_q.cols(); ++k) {
-      const int q = m_model.first[linear.tool] + static_cast<int>(k);
+      const int q = linear.at[static_cast<std::size_t>(k)];
       if (prescribed.is_motion[q]) known += (prescribed.value[q] - state.q[q]) * linear.x_q.col(k);
     }
     m_known_increment.template segment<Dim>(Dim * node) = known;
@@ -96,19 +98,18 @@ template <int Dim> void Condensation<Dim>::add_blocks(const NodeBlockMatrix<Dim>
         const PerCoordinate<Dim> q = WK * column.node->x_q;
         for (int a = 0; a < Dim; ++a)
           for (Eigen::Index l = 0; l < q.cols(); ++l)
-            at(Dim * m + a, ndof + m_model.first[column.node->tool] + static_cast<int>(l)) += q(a, l);
+            at(Dim * m + a, ndof + column.node->at[static_cast<std::size_t>(l)]) += q(a, l);
       }
       if (!row.node) continue;
       const Eigen::MatrixXd qK = row.node->x_q.transpose() * block;
-      const int first = ndof + m_model.first[row.node->tool];
       for (Eigen::Index l = 0; l < qK.rows(); ++l) {
-        const int r = first + static_cast<int>(l);
+        const int r = ndof + row.node->at[static_cast<std::size_t>(l)];
         const Eigen::RowVectorXd values = qK.row(l) * column.A;
         for (int b = 0; b < Dim; ++b) at(r, Dim * K.col[k] + b) += values[b];
         if (!column.node) continue;
         const Eigen::RowVectorXd qq = qK.row(l) * column.node->x_q;
         for (Eigen::Index j = 0; j < qq.size(); ++j)
-          at(r, ndof + m_model.first[column.node->tool] + static_cast<int>(j)) += qq[j];
+          at(r, ndof + column.node->at[static_cast<std::size_t>(j)]) += qq[j];
       }
     }
   }
@@ -117,18 +118,26 @@ template <int Dim> void Condensation<Dim>::add_blocks(const NodeBlockMatrix<Dim>
 template <int Dim> void Condensation<Dim>::add_geometric_terms() {
   const int ndof = static_cast<int>(m_body.X.size());
   for (const auto& node : m_nodes) {
-    const int row = Dim * m_model.candidates[node.candidate], first = ndof + m_model.first[node.tool];
+    const int row = Dim * m_model.candidates[node.candidate];
+    const auto q = [&](Eigen::Index k) { return ndof + node.at[static_cast<std::size_t>(k)]; };
     for (Eigen::Index k = 0; k < node.geo_qq.rows(); ++k)
-      for (Eigen::Index l = 0; l < node.geo_qq.cols(); ++l)
-        at(first + static_cast<int>(k), first + static_cast<int>(l)) += node.geo_qq(k, l);
+      for (Eigen::Index l = 0; l < node.geo_qq.cols(); ++l) at(q(k), q(l)) += node.geo_qq(k, l);
     for (int a = 0; node.sliding && a < Dim - 1; ++a) {
       for (int b = 0; b < Dim - 1; ++b) at(row + a, row + b) += node.geo_ss(a, b);
       for (Eigen::Index k = 0; k < node.geo_sq.cols(); ++k) {
-        at(row + a, first + static_cast<int>(k)) += node.geo_sq(a, k);
-        at(first + static_cast<int>(k), row + a) += node.geo_qs(a, k);
+        at(row + a, q(k)) += node.geo_sq(a, k);
+        at(q(k), row + a) += node.geo_qs(a, k);
       }
     }
   }
+}
+
+// Forces by formula: the stiffness of the drives.
+template <int Dim> void Condensation<Dim>::add_drive() {
+  const int ndof = static_cast<int>(m_body.X.size()), nq = static_cast<int>(m_drive.slope.rows());
+  for (int k = 0; k < nq; ++k)
+    for (int l = 0; l < nq; ++l)
+      if (m_drive.slope(k, l) != 0) at(ndof + k, ndof + l) -= m_drive.slope(k, l);
 }
 
 template <int Dim>
@@ -146,19 +155,20 @@ void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const
       force.template segment<Dim>(dof) -= R.template segment<Dim>(dof);
   }
   m_full.rhs = Eigen::VectorXd::Zero(m_full.n);
-  for (int k = 0; k < nq; ++k) m_full.rhs[ndof + k] = step.end->value[k] - (total ? 0 : step.start->value[k]);
+  for (int k = 0; k < nq; ++k) m_full.rhs[ndof + k] = m_drive.value[k] - (total ? 0 : step.start->value[k]);
   for (int m = 0; m < K.num_nodes; ++m) {
     const Map row = map_of(m);
     const Vector<Dim> f = force.template segment<Dim>(Dim * m);
     m_full.rhs.template segment<Dim>(Dim * m) = row.W.transpose() * f;
     if (!row.node) continue;
     if (row.node->sliding && total) m_full.rhs.template segment<Dim - 1>(Dim * m) -= row.node->constant;
-    m_full.rhs.segment(ndof + m_model.first[row.node->tool], row.node->x_q.cols()) +=
-        row.node->x_q.transpose() * f;
+    const Eigen::VectorXd generalized = row.node->x_q.transpose() * f;
+    for (std::size_t k = 0; k < row.node->at.size(); ++k)
+      m_full.rhs[ndof + row.node->at[k]] += generalized[static_cast<Eigen::Index>(k)];
   }
 }
 
-// The geometric terms in the columns of coordinates under motion are known: they go to the right-hand side.
+// The geometric terms and drives in the columns of coordinates under motion are known: they go to the right-hand side.
 // The rest of those columns is there already (m_known_increment).
 template <int Dim>
 void Condensation<Dim>::move_geometric_columns(const PrescribedValues& prescribed,
@@ -166,14 +176,19 @@ void Condensation<Dim>::move_geometric_columns(const PrescribedValues& prescribe
   const int ndof = static_cast<int>(m_body.X.size());
   for (const auto& node : m_nodes)
     for (Eigen::Index k = 0; k < node.geo_sq.cols(); ++k) {
-      const int q = m_model.first[node.tool] + static_cast<int>(k);
+      const int q = node.at[static_cast<std::size_t>(k)];
       if (!prescribed.is_motion[q]) continue;
       const double dq = prescribed.value[q] - state.q[q];
-      m_full.rhs.segment(ndof + m_model.first[node.tool], node.geo_qq.rows()) -= dq * node.geo_qq.col(k);
+      for (Eigen::Index l = 0; l < node.geo_qq.rows(); ++l)
+        m_full.rhs[ndof + node.at[static_cast<std::size_t>(l)]] -= dq * node.geo_qq(l, k);
       if (node.sliding)
         m_full.rhs.template segment<Dim - 1>(Dim * m_model.candidates[node.candidate]) -=
             dq * node.geo_sq.col(k);
     }
+  for (Eigen::Index k = 0; k < m_drive.slope.cols(); ++k)
+    if (prescribed.is_motion[k])
+      m_full.rhs.segment(ndof, m_drive.slope.rows()) +=
+          (prescribed.value[k] - state.q[k]) * m_drive.slope.col(k);
 }
 
 // Given unknowns: zero row and column, `scale` on the diagonal.
@@ -188,7 +203,9 @@ void Condensation<Dim>::set_given(const PrescribedValues& prescribed, const Cont
     for (int c = node.sliding ? Dim - 1 : 0; c < Dim; ++c)
       m_given[Dim * m_model.candidates[node.candidate] + c] = 1;
   for (int k = 0; k < m_model.num_coordinates(); ++k)
-    if (prescribed.is_motion[k]) {
+    if (m_model.coupling_of(k))
+      m_given[ndof + k] = 1;
+    else if (prescribed.is_motion[k]) {
       m_given[ndof + k] = 1;
       given[ndof + k] = prescribed.value[k] - state.q[k];
     }
@@ -239,11 +256,15 @@ const CondensedSystem& Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K
           "number of dofs of the contact's space");
   if (half && !m_model.symmetric()) fail("condense", "symmetric storage needs a contact without friction");
   if (half && terms == GeometricTerms::ARTICLE) fail("condense", "the article's terms are not symmetric");
+  m_q = state.q;
+  m_drive = driving_force(m_model, *step.end, m_q);
+  if (half) require_symmetric_drive(m_model, *step.end, m_drive);
   build_pattern(K);
   linearize(state, u, R, *step.end, terms, right);
   m_full.value.assign(m_full.col.size(), 0.0);
   add_blocks(K);
   add_geometric_terms();
+  add_drive();
   set_right_hand_side(K, step, state, R, right);
   move_geometric_columns(*step.end, state);
   double scale = 0;
@@ -263,6 +284,7 @@ typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::Vec
   const Eigen::Index ndof = m_body.X.size();
   Expansion result{z.head(ndof), Eigen::MatrixXd::Zero(Dim - 1, m_model.candidates.size()),
                    z.tail(m_model.num_coordinates()), m_candidate_R};
+  follow_increment(m_model, m_q, result.dq);
   for (const auto& node : m_nodes) {
     const int dof = Dim * m_model.candidates[node.candidate];
     Vector<Dim> du = m_known_increment.template segment<Dim>(dof);
@@ -271,7 +293,7 @@ typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::Vec
       du += node.point.E * z.template segment<Dim - 1>(dof);
     }
     for (Eigen::Index k = 0; k < node.x_q.cols(); ++k) {
-      const int q = m_model.first[node.tool] + static_cast<int>(k);
+      const int q = node.at[static_cast<std::size_t>(k)];
       if (!m_given[ndof + q]) du += node.x_q.col(k) * z[ndof + q];
     }
     result.du.template segment<Dim>(dof) = du;

@@ -2,6 +2,7 @@
 // The condensed sparse system K^ z = r^ in nodes, slips and tool coordinates: K^ = W' K A + Geo
 // (METHOD.md 3.3). One matrix for any sparse solver; the pattern is fixed for the run.
 #include "contact/body_view.hpp"
+#include "contact/driving_force.hpp"
 #include "contact/linearization.hpp"
 #include "solver/node_block_matrix.hpp"
 
@@ -26,7 +27,7 @@ enum class RightHandSide {
 
 /// Unknowns: dof d of a free node at position d; a sliding node has its Dim-1 slips at its first dofs and zero at
 /// the others; a sticking node zeros; coordinates follow after all dofs. Unknowns that are given (fixed dofs,
-/// zeros, coordinates under motion) keep a diagonal entry and their value on the right-hand side.
+/// zeros, coordinates under motion, coordinates that follow others) keep a diagonal entry and their value on the right-hand side.
 template <int Dim> class Condensation {
 public:
   /// What a step gives: prescribed values at its end and at its start (the latter used by RATES).
@@ -63,6 +64,7 @@ private:
                  const PrescribedValues& prescribed, GeometricTerms terms, RightHandSide right);
   void add_blocks(const NodeBlockMatrix<Dim>& K);
   void add_geometric_terms();
+  void add_drive();
   void keep_candidate_rows(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& R);
   void set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Step& step, const ContactState<Dim>& state,
                            const Eigen::VectorXd& R, RightHandSide right);
@@ -81,6 +83,8 @@ private:
   Eigen::VectorXd m_known_increment;    // displacement increment that is known: offsets and motions
   std::vector<double> m_candidate_rows; // blocks of K in the rows of the candidates, one row after another
   Eigen::VectorXd m_candidate_R;        // Dim*candidates
+  Eigen::VectorXd m_q;                  // coordinates at the linearization point
+  DrivingForce m_drive;                 // there
 };
 
 } // namespace burnish

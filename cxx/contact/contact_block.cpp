@@ -1,4 +1,6 @@
 #include "contact/contact_block.hpp"
+#include "contact/coupling.hpp"
+#include "contact/driving_force.hpp"
 #include <cmath>
 
 namespace burnish {
@@ -47,26 +49,28 @@ Columns<Dim> assemble_columns(const ContactModel<Dim>& model,
       c.A.template block<1, Dim - 1>(r, c.first[a]) = node.point.E.row(component);
       c.W.template block<1, Dim - 1>(r, c.first[a]) = node.W.row(component);
     }
-    const Eigen::Index first = c.num_nodal + model.first[node.tool];
-    c.A.row(r).segment(first, node.x_q.cols()) = node.x_q.row(component);
-    c.W.row(r).segment(first, node.x_q.cols()) = node.x_q.row(component);
+    for (std::size_t k = 0; k < node.at.size(); ++k)
+      c.A(r, c.num_nodal + node.at[k]) = c.W(r, c.num_nodal + node.at[k]) =
+          node.x_q(component, static_cast<Eigen::Index>(k));
   }
   return c;
 }
 
 template <int Dim>
-void add_geometric_terms(const ContactModel<Dim>& model, const std::vector<NodeLinearization<Dim>>& nodes,
-                         const Columns<Dim>& c, Eigen::MatrixXd& matrix) {
+void add_geometric_terms(const std::vector<NodeLinearization<Dim>>& nodes, const Columns<Dim>& c,
+                         Eigen::MatrixXd& matrix) {
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const auto& node = nodes[a];
     if (!node.in_contact) continue;
-    const Eigen::Index nq = node.x_q.cols(), first = c.num_nodal + model.first[node.tool];
-    matrix.block(first, first, nq, nq) += node.geo_qq;
-    if (!node.sliding) continue;
-    const Eigen::Index s = c.first[a];
-    matrix.template block<Dim - 1, Dim - 1>(s, s) += node.geo_ss;
-    matrix.block(s, first, Dim - 1, nq) += node.geo_sq;
-    matrix.block(first, s, nq, Dim - 1) += node.geo_qs.transpose();
+    const Eigen::Index nq = node.x_q.cols(), s = c.first[a];
+    const auto at = [&](Eigen::Index k) { return c.num_nodal + node.at[static_cast<std::size_t>(k)]; };
+    if (node.sliding) matrix.template block<Dim - 1, Dim - 1>(s, s) += node.geo_ss;
+    for (Eigen::Index k = 0; k < nq; ++k) {
+      for (Eigen::Index l = 0; l < nq; ++l) matrix(at(k), at(l)) += node.geo_qq(k, l);
+      if (!node.sliding) continue;
+      matrix.template block<Dim - 1, 1>(s, at(k)) += node.geo_sq.col(k);
+      matrix.template block<1, Dim - 1>(at(k), s) += node.geo_qs.col(k).transpose();
+    }
   }
 }
 
@@ -79,6 +83,16 @@ void prescribe_motion(const PrescribedValues& prescribed, const Eigen::VectorXd&
     matrix.row(first + k).setZero();
     matrix(first + k, first + k) = pivot;
     rhs[first + k] = pivot * (prescribed.value[k] - q[k]);
+  }
+}
+
+// Coordinates that follow others are no unknowns: their rows and columns are empty.
+template <int Dim>
+void leave_out_followers(const ContactModel<Dim>& model, Eigen::Index first, Eigen::MatrixXd& matrix,
+                         Eigen::VectorXd& rhs) {
+  for (const Coupling& coupling : model.couplings) {
+    matrix(first + coupling.dependent, first + coupling.dependent) = 1;
+    rhs[first + coupling.dependent] = 0;
   }
 }
 
@@ -129,13 +143,17 @@ void assemble_block(const ContactModel<Dim>& model, const PrescribedValues& pres
                     Eigen::MatrixXd& matrix, Eigen::VectorXd& rhs) {
   matrix = c.W.transpose() * SA;
   rhs = -c.W.transpose() * F0;
-  add_geometric_terms(model, nodes, c, matrix);
+  add_geometric_terms(nodes, c, matrix);
   for (std::size_t a = 0; a < nodes.size(); ++a)
     if (nodes[a].in_contact && nodes[a].sliding)
       rhs.template segment<Dim - 1>(c.first[a]) -= nodes[a].constant;
-  for (int k = 0; k < model.num_coordinates(); ++k)
-    if (!prescribed.is_motion[k]) rhs[c.num_nodal + k] += prescribed.value[k];
+  const DrivingForce drive = driving_force(model, prescribed, q);
+  const int nq = model.num_coordinates();
+  if (drive.slope.size() > 0) matrix.block(c.num_nodal, c.num_nodal, nq, nq) -= drive.slope;
+  for (int k = 0; k < nq; ++k)
+    if (!prescribed.is_motion[k]) rhs[c.num_nodal + k] += drive.value[k];
   prescribe_motion(prescribed, q, c.num_nodal, matrix, rhs);
+  leave_out_followers(model, c.num_nodal, matrix, rhs);
 }
 
 } // namespace
@@ -168,6 +186,7 @@ ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model,
     if (nodes[a].in_contact && nodes[a].sliding)
       solution.slip.col(static_cast<Eigen::Index>(a)) = z.template segment<Dim - 1>(c.first[a]);
   solution.dq = z.tail(model.num_coordinates());
+  follow_increment(model, q, solution.dq);
   const Eigen::VectorXd F = F0 + SA * z;
   solution.F = solution.load = scattered(F, free, input.offset.size());
   if (added.size() > 0)

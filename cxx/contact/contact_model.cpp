@@ -1,4 +1,5 @@
 #include "contact/contact_model.hpp"
+#include <algorithm>
 #include <limits>
 
 namespace burnish {
@@ -21,9 +22,30 @@ const char* name_of(NodeState state) {
   return "?";
 }
 
+template <int Dim> const Coupling* ContactModel<Dim>::coupling_of(int k) const {
+  for (const Coupling& coupling : couplings)
+    if (coupling.dependent == k) return &coupling;
+  return nullptr;
+}
+
+template <int Dim> std::vector<int> ContactModel<Dim>::followers(int k) const {
+  std::vector<int> result;
+  for (const Coupling& coupling : couplings) {
+    const std::vector<int>& arguments = coupling.formula->arguments();
+    if (std::find(arguments.begin(), arguments.end(), k) != arguments.end())
+      result.push_back(coupling.dependent);
+  }
+  return result;
+}
+
+template <int Dim> int ContactModel<Dim>::tool_of(int k) const {
+  int tool = 0;
+  while (tool + 1 < static_cast<int>(tools.size()) && k >= first[tool + 1]) ++tool;
+  return tool;
+}
+
 template <int Dim> std::string ContactModel<Dim>::coordinate(int k) const {
-  std::size_t tool = 0;
-  while (tool + 1 < tools.size() && k >= first[tool + 1]) ++tool;
+  const auto tool = static_cast<std::size_t>(tool_of(k));
   const std::string& name = tools[tool]->coordinates().names()[static_cast<std::size_t>(k - first[tool])];
   return "coordinate \"" + name + "\" of tool \"" + tools[tool]->name() + "\"";
 }

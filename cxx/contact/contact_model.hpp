@@ -8,6 +8,12 @@ namespace burnish {
 /// free ones only, without friction (the support takes what is across it), and the node slides as it must.
 template <int Dim> using ConstrainedComponents = std::array<bool, Dim>;
 
+/// A coordinate that follows others: q_dependent = formula(q), METHOD.md 2.6.
+struct Coupling {
+  int dependent = -1;                               ///< its place in q
+  std::shared_ptr<const CoordinateFormula> formula; ///< values: q, all coordinates of the contact
+};
+
 template <int Dim> struct ContactModel {
   std::vector<int> candidates; ///< mesh nodes that may touch a tool
   std::vector<std::shared_ptr<const Tool<Dim>>> tools;
@@ -16,6 +22,13 @@ template <int Dim> struct ContactModel {
   std::vector<ConstrainedComponents<Dim>> constrained; ///< per candidate; empty: none is
   std::vector<std::vector<char>> reach; ///< per tool and candidate: may touch; empty: every candidate
 
+  std::vector<Coupling> couplings; ///< relations between coordinates; what follows is followed by nothing
+
+  /// The relation that coordinate k follows, null if it is independent.
+  const Coupling* coupling_of(int k) const;
+  /// Coordinates that follow k.
+  std::vector<int> followers(int k) const;
+  int tool_of(int k) const; ///< tool that entry k of q belongs to
   bool is_constrained(int candidate) const;
   bool may_touch(int candidate, int tool) const;
   /// Law between a candidate and a tool: without friction where the candidate is constrained.

@@ -1,6 +1,7 @@
 #pragma once
 // The state of a contact as plain data: what every candidate does, and where the tools are.
 #include "geometry/surface.hpp"
+#include "kinematics/coordinate_formula.hpp"
 
 namespace burnish {
 
@@ -58,6 +59,12 @@ template <int Dim> struct ContactState {
 struct PrescribedValues {
   std::vector<char> is_motion; ///< 1: q^k = value; 0: generalized force Q_k on the tool = value
   Eigen::VectorXd value;
+  /// Per coordinate: the force as a formula, see force_formula, or null; its value counts for nothing then. Empty: none.
+  std::vector<std::shared_ptr<const CoordinateFormula>> formula = {};
+  double t = 0; ///< time at the end of the step, for the formulas
+  /// Per coordinate: 1 if its own force resists it (held_by_drive), it needs no contact then. Empty: none.
+  std::vector<char> held = {};
+  bool is_held(Eigen::Index k) const { return !held.empty() && held[static_cast<std::size_t>(k)]; }
 };
 
 } // namespace burnish

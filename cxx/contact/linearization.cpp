@@ -15,8 +15,9 @@ NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const Cont
   result.x_q = p.x_q;
   if (model.is_constrained(candidate))
     result.x_q = admissible_normal(model, candidate, p.n) * (p.n.transpose() * result.x_q);
-  const Vector<Dim> F = nodal_force(model, candidate, p, R).F;
+  const Vector<Dim> F = result.F = nodal_force(model, candidate, p, R).F;
   const Eigen::Index nq = p.x_q.cols();
+  for (int k = 0; k < nq; ++k) result.at.push_back(model.first[node.tool] + k);
   result.geo_sq = result.geo_qs = Eigen::MatrixXd::Zero(Dim - 1, nq);
   result.geo_qq = Eigen::MatrixXd::Zero(nq, nq);
   if (result.sliding) {

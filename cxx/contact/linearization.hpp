@@ -18,6 +18,8 @@ template <int Dim> struct NodeLinearization {
   bool in_contact = true; ///< false: its displacement is unknown, no force acts on it (ContactBlockInput)
   bool sliding = false;   ///< has unknown slips, Dim-1 of them
   SurfacePoint<Dim> point;
+  Vector<Dim> F = Vector<Dim>::Zero(); ///< force of the tool on it at the linearization point [force]
+  std::vector<int> at; ///< coordinates that the columns of x_q and the geometric terms belong to: places in q
   PerCoordinate<Dim>
       x_q; ///< displacement per coordinate: X_,k, or along the admissible normal of a constrained node
   Tangents<Dim> W = Tangents<Dim>::Zero();

@@ -1,4 +1,5 @@
 #include "contact/slip_motion.hpp"
+#include "contact/coupling.hpp"
 
 namespace burnish {
 
@@ -17,6 +18,7 @@ template <int Dim>
 void move_by(const ContactModel<Dim>& model, const typename Condensation<Dim>::Expansion& increment,
              ContactState<Dim>& state) {
   state.q += increment.dq;
+  follow(model, state.q);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
     if (node.state != NodeState::SLIDING) continue;
@@ -29,6 +31,7 @@ template <int Dim>
 void shorten(const ContactModel<Dim>& model, const ContactState<Dim>& start, double fraction,
              ContactState<Dim>& end) {
   end.q = (start.q + fraction * (end.q - start.q)).eval();
+  follow(model, end.q);
   for (std::size_t i = 0; i < end.nodes.size(); ++i) {
     ContactNode<Dim>& node = end.nodes[i];
     if (node.state == NodeState::SLIDING)

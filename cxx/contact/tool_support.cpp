@@ -36,6 +36,19 @@ ToolContact contact_of(const ContactModel<Dim>& model, const std::vector<Pose<Di
   return result;
 }
 
+// Whether the contact of another tool, with a coordinate that follows k, resists k.
+template <int Dim>
+bool resisted_through_followers(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses,
+                                const ContactState<Dim>& state, int k) {
+  for (const int follower : model.followers(k)) {
+    const int tool = model.tool_of(follower);
+    const ToolContact contact = contact_of(model, poses, state, tool, {});
+    const Eigen::Index own = follower - model.first[tool];
+    if (contact.any && (contact.sticks || contact.normal[own] > ALONG * contact.size[own])) return true;
+  }
+  return false;
+}
+
 } // namespace
 
 template <int Dim>
@@ -47,7 +60,10 @@ int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& pr
     const ToolContact contact = contact_of(model, poses, state, t, refused);
     if (!contact.any || contact.sticks) continue;
     for (Eigen::Index k = 0; k < contact.normal.size(); ++k) {
-      if (prescribed.is_motion[model.first[t] + k] || contact.normal[k] > ALONG * contact.size[k]) continue;
+      const int q = model.first[t] + static_cast<int>(k);
+      if (prescribed.is_motion[q] || contact.normal[k] > ALONG * contact.size[k]) continue;
+      if (prescribed.is_held(q) || model.coupling_of(q) || resisted_through_followers(model, poses, state, q))
+        continue;
       make_stick(state.nodes[contact.least_slip]);
       return contact.least_slip;
     }

@@ -30,6 +30,26 @@ template <int Dim> Prescription& DrivenTool<Dim>::prescription() {
   return *m_prescription;
 }
 
+template <int Dim> void DrivenTool<Dim>::force(const std::string& coordinate, const std::string& text) {
+  index(coordinate); // throws
+  auto& formula = m_formulas[{coordinate, text}];
+  if (!formula) formula = force_formula(m_name, coordinate, text, tool().coordinates().names(), m_parameters);
+  prescription().force(coordinate, formula);
+}
+
+template <int Dim> void DrivenTool<Dim>::set_parameter(const std::string& parameter, double value) {
+  const std::string where = "tool.parameter of \"" + m_name + "\"";
+  check_formula_names(where, {{}, {{parameter, value}}});
+  const auto known = m_parameters.find(parameter);
+  if (m_tool && known != m_parameters.end() && known->second != value) {
+    std::ostringstream text;
+    text << "\"" << parameter << "\" = " << value << " comes too late, it is " << known->second
+         << " in formulas already: set parameters before coordinates(...)";
+    fail(where, text.str());
+  }
+  m_parameters[parameter] = value;
+}
+
 template <int Dim> Eigen::VectorXd& DrivenTool<Dim>::q() {
   tool();
   return m_q;

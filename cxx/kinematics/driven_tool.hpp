@@ -18,6 +18,14 @@ public:
   const Tool<Dim>& tool() const;
   std::shared_ptr<const Tool<Dim>> shared_tool() const { return m_tool; }
   Prescription& prescription();
+  /// Prescribes the force conjugate to a coordinate by a formula, see force_formula. A formula that was given before
+  /// is not read again. @throws std::invalid_argument naming tool and coordinate, see there
+  void force(const std::string& coordinate, const std::string& text);
+  /// A number that formulas of coordinates and forces call by name. Once the coordinates are chosen, new ones only.
+  /// @throws std::invalid_argument for a name that formulas cannot have, a value that is not finite, or one that
+  /// formulas have read already
+  void set_parameter(const std::string& parameter, double value);
+  const std::map<std::string, double>& parameters() const { return m_parameters; }
   const std::string& name() const { return m_name; }
   /// Present coordinates, one per name; may be set before the first step.
   Eigen::VectorXd& q();
@@ -35,6 +43,8 @@ private:
   std::shared_ptr<const Tool<Dim>> m_tool;
   std::optional<Prescription> m_prescription;
   Eigen::VectorXd m_q, m_force;
+  std::map<std::string, double> m_parameters;
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<const CoordinateFormula>> m_formulas;
 };
 
 } // namespace burnish

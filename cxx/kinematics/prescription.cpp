@@ -18,11 +18,33 @@ Prescription::Prescription(std::string tool, std::vector<std::string> names)
 }
 
 void Prescription::move(const std::string& name, double value) {
-  set("Prescription::move", name, Kind::MOTION, value);
+  set("Prescription::move", name, {Kind::MOTION, value});
 }
 
 void Prescription::force(const std::string& name, double value) {
-  set("Prescription::force", name, Kind::FORCE, value);
+  set("Prescription::force", name, {Kind::FORCE, value});
+}
+
+void Prescription::force(const std::string& name, std::shared_ptr<const CoordinateFormula> formula) {
+  set("Prescription::force", name, {Kind::FORCE, 0, std::move(formula)});
+}
+
+void Prescription::follow(const std::string& name, const std::string& relation) {
+  Entry& found = entry("couple", name);
+  if (found.kind == Kind::FOLLOWS)
+    fail("couple", "coordinate \"" + name + "\" of tool \"" + m_tool + "\" follows " +
+                       quoted(found.relation) + " already");
+  if (found.kind != Kind::NONE)
+    fail("couple", "coordinate \"" + name + "\" of tool \"" + m_tool + "\" has a " +
+                       (found.kind == Kind::MOTION ? "motion" : "force") + " already and cannot follow " +
+                       quoted(relation) + " as well: it takes neither motion nor force of its own");
+  found = {Kind::FOLLOWS, 0, nullptr, relation};
+}
+
+bool Prescription::follows(int k) const { return at("Prescription::follows", k).kind == Kind::FOLLOWS; }
+
+std::shared_ptr<const CoordinateFormula> Prescription::formula(int k) const {
+  return prescribed("Prescription::formula", k).formula;
 }
 
 bool Prescription::is_set(int k) const { return at("Prescription::is_set", k).kind != Kind::NONE; }
@@ -40,14 +62,22 @@ void Prescription::check_complete() const {
   if (!message.empty()) fail("Prescription", message);
 }
 
-void Prescription::set(const char* where, const std::string& name, Kind kind, double value) {
+Prescription::Entry& Prescription::entry(const char* where, const std::string& name) {
   const auto found = std::find(m_names.begin(), m_names.end(), name);
   if (found == m_names.end())
     fail(where,
          "tool \"" + m_tool + "\" has no coordinate \"" + name + "\", expected one of " + joined(m_names));
+  return m_entries[static_cast<std::size_t>(found - m_names.begin())];
+}
+
+void Prescription::set(const char* where, const std::string& name, Entry given) {
+  Entry& old = entry(where, name);
   const std::string what = "value of \"" + name + "\" of tool \"" + m_tool + "\"";
-  require(std::isfinite(value), where, what.c_str(), value, "a finite number");
-  m_entries[static_cast<std::size_t>(found - m_names.begin())] = {kind, value};
+  require(std::isfinite(given.value), where, what.c_str(), given.value, "a finite number");
+  if (old.kind == Kind::FOLLOWS)
+    fail(where, "coordinate \"" + name + "\" of tool \"" + m_tool + "\" follows " + quoted(old.relation) +
+                    " and takes neither motion nor force of its own: prescribe what it follows");
+  old = std::move(given);
 }
 
 const Prescription::Entry& Prescription::at(const char* where, int k) const {

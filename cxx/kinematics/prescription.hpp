@@ -1,6 +1,7 @@
 #pragma once
 // What the program prescribes for the coordinates of one tool: motion or conjugate force
 // (METHOD.md 2.4, 3.1).
+#include "kinematics/coordinate_formula.hpp"
 #include <string>
 #include <vector>
 
@@ -26,27 +27,42 @@ public:
   /// [force, or force length for an angle]; equilibrium is sum_n X_k . F_n = Q_k.
   /// @throws std::invalid_argument if the name is unknown (lists the names) or the value is not finite
   void force(const std::string& name, double value);
+  /// Prescribes Q_k as a formula of the coordinates of this tool, see force_formula: a spring, a brake.
+  /// @throws std::invalid_argument if the name is unknown (lists the names)
+  void force(const std::string& name, std::shared_ptr<const CoordinateFormula> formula);
+  /// The coordinate follows others from now on: it takes neither motion nor force any more.
+  /// @param relation for messages, such as "-upper.y"
+  /// @throws std::invalid_argument if the name is unknown, or if it has a motion or a force already
+  void follow(const std::string& name, const std::string& relation);
 
-  /// True if coordinate k (0 <= k < size()) has a motion or a force.
+  /// True if coordinate k (0 <= k < size()) has a motion or a force, or follows others.
   /// @throws std::invalid_argument if k is out of range
   bool is_set(int k) const;
-  /// True if coordinate k has a motion, false if it has a force.
+  /// True if coordinate k follows others. @throws std::invalid_argument if k is out of range
+  bool follows(int k) const;
+  /// True if coordinate k has a motion, false if it has a force or follows others.
   /// @throws std::invalid_argument if k is out of range or has neither
   bool is_motion(int k) const;
-  /// The prescribed q^k or Q_k of coordinate k.
+  /// The prescribed q^k or Q_k of coordinate k; 0 if it has a formula or follows others.
   /// @throws std::invalid_argument if k is out of range or has neither
   double value(int k) const;
+  /// The formula of the force of coordinate k; null if it has none.
+  /// @throws std::invalid_argument if k is out of range or has neither
+  std::shared_ptr<const CoordinateFormula> formula(int k) const;
   /// To be called when a step begins.
   /// @throws std::invalid_argument naming every coordinate that has neither motion nor force
   void check_complete() const;
 
 private:
-  enum class Kind { NONE, MOTION, FORCE };
+  enum class Kind { NONE, MOTION, FORCE, FOLLOWS };
   struct Entry {
     Kind kind = Kind::NONE;
     double value = 0;
+    std::shared_ptr<const CoordinateFormula> formula = nullptr;
+    std::string relation = {}; // of one that follows others
   };
-  void set(const char* where, const std::string& name, Kind kind, double value);
+  Entry& entry(const char* where, const std::string& name);
+  void set(const char* where, const std::string& name, Entry given);
   const Entry& at(const char* where, int k) const;
   const Entry& prescribed(const char* where, int k) const;
   std::string missing(std::size_t k) const;

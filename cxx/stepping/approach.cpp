@@ -93,6 +93,18 @@ void check_from_outside(const ContactSetup<Dim>& setup, const ContactState<Dim>&
   }
 }
 
+// A coordinate that follows others cannot move alone, nor one that another of the same tool follows.
+template <int Dim> void check_independent_approach(const ContactSetup<Dim>& setup, int q) {
+  const auto& model = setup.model();
+  if (const Coupling* coupling = model.coupling_of(q))
+    fail("contact.approach", model.coordinate(q) + " follows \"" + coupling->formula->text() +
+                                 "\"; approach along " + model.coordinate(coupling->formula->arguments()[0]));
+  for (const int follower : model.followers(q))
+    if (model.tool_of(follower) == model.tool_of(q))
+      fail("contact.approach", model.coordinate(follower) + " follows " + model.coordinate(q) +
+                                   ", which cannot approach alone; place it by hand");
+}
+
 template <int Dim> [[noreturn]] void fail_approach(const ContactSetup<Dim>& setup, int tool, int k) {
   const double h = setup.body().spacing, radius = setup.model().tools[tool]->surface().tightest_radius();
   std::ostringstream small;
@@ -111,6 +123,7 @@ template <int Dim> [[noreturn]] void fail_approach(const ContactSetup<Dim>& setu
 template <int Dim>
 ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> state,
                              const Eigen::VectorXd& u, int tool, int k) {
+  check_independent_approach(setup, setup.model().first[tool] + k);
   double& q = state.q[setup.model().first[tool] + k];
   const double spacing = setup.body().spacing;
   for (int iteration = 0; iteration < ITERATIONS; ++iteration) {

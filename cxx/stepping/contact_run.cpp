@@ -1,6 +1,8 @@
 #include "stepping/contact_run.hpp"
 #include "base/error.hpp"
 #include "base/formula.hpp"
+#include "contact/coupling.hpp"
+#include "contact/driving_force.hpp"
 #include "contact/slip_motion.hpp"
 #include "contact/tool_support.hpp"
 #include "contact/tributary_area.hpp"
@@ -19,9 +21,16 @@ ContactRun<Dim>::ContactRun(std::shared_ptr<ContactSetup<Dim>> setup)
       m_predictor(m_setup->mesh(), model(), body()), m_condensation(model(), body()) {
   m_accepted.u = m_accepted.R = Eigen::VectorXd::Zero(m_setup->mesh().num_dofs());
   m_accepted.contact.nodes.resize(m_setup->candidates().size());
-  m_accepted.contact.q = m_setup->placed();
   m_accepted.generalized_force = Eigen::VectorXd::Zero(model().num_coordinates());
+  take_places();
   m_accepted.warnings.check_curvature(*m_setup);
+}
+
+// Where the script placed the tools; coordinates that follow are placed by what they follow.
+template <int Dim> void ContactRun<Dim>::take_places() {
+  m_accepted.contact.q = m_setup->placed();
+  follow(model(), m_accepted.contact.q);
+  if (!model().couplings.empty()) update_tools();
 }
 
 template <int Dim> ContactRunState<Dim> ContactRun<Dim>::state() const {
@@ -78,8 +87,13 @@ double ContactRun<Dim>::approach(int tool, const std::string& coordinate, const 
   const int k = placed.index(coordinate);
   ContactState<Dim> state = m_accepted.contact;
   state.q.segment(model().first[tool], placed.q().size()) = placed.q();
+  follow(model(), state.q);
   m_accepted.contact = approached(*m_setup, std::move(state), u, tool, k);
   m_accepted.u = u;
+  if (!model().couplings.empty()) {
+    follow(model(), m_accepted.contact.q);
+    update_tools();
+  }
   return placed.q()[k] = m_accepted.contact.q[model().first[tool] + k];
 }
 
@@ -89,9 +103,11 @@ template <int Dim> PrescribedValues ContactRun<Dim>::start_values() const {
   PrescribedValues start{m_prescribed.is_motion, m_accepted.contact.q};
   const PrescribedValues& before = m_accepted.prescribed;
   const bool known = before.value.size() == m_prescribed.value.size();
+  const Eigen::VectorXd last =
+      known ? driving_force(model(), before, m_accepted.contact.q).value : before.value;
   for (Eigen::Index q = 0; q < start.value.size(); ++q) {
     if (start.is_motion[q]) continue;
-    start.value[q] = known && !before.is_motion[q] ? before.value[q] : m_accepted.generalized_force[q];
+    start.value[q] = known && !before.is_motion[q] ? last[q] : m_accepted.generalized_force[q];
   }
   return start;
 }
@@ -116,10 +132,11 @@ template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, dou
   m_stage = Stage::NONE;
   const bool first = m_accepted.history.dt == 0;
   if (first) // the script's places count, after another tool's approach too
-    m_accepted.contact.q = m_setup->placed();
+    take_places();
   else
     check_not_placed(*m_setup, m_accepted.contact);
-  m_prescribed = prescribed_values(*m_setup);
+  m_prescribed = prescribed_values(*m_setup, t + dt);
+  m_prescribed.held = held_by_drive(driving_force(model(), m_prescribed, m_accepted.contact.q), m_prescribed);
   m_left_out = leave_out_unresisted(*m_setup, m_accepted.contact, m_prescribed);
   check_support(*m_setup, m_accepted.contact, m_prescribed);
   check_independent(*m_setup, m_accepted.contact, m_prescribed);
@@ -300,6 +317,7 @@ template <int Dim> void ContactRun<Dim>::cut(Eigen::VectorXd& u, double fraction
   u = (m_u_start + fraction * (u - m_u_start)).eval();
   shorten(model(), m_accepted.contact, fraction, m_corrector.state());
   const Eigen::VectorXd& start = m_prescribed_start.value;
+  m_prescribed.t = m_t + fraction * m_dt;
   m_prescribed.value = (start + fraction * (m_prescribed.value - start)).eval();
   m_dt *= fraction;
 }

@@ -101,6 +101,7 @@ public:
 private:
   void take_areas(ContactState<Dim>& state, const Eigen::VectorXd& u) const;
   PrescribedValues start_values() const;
+  void take_places();
   Prediction<Dim> predicted(const Eigen::VectorXd& u) const;
   void take_events(const std::vector<ContactEvent<Dim>>& events, const Eigen::VectorXd& u,
                    ContactState<Dim>& state) const;

@@ -1,5 +1,6 @@
 #include "stepping/contact_setup.hpp"
 #include "base/error.hpp"
+#include "contact/coupling.hpp"
 
 namespace burnish {
 
@@ -48,6 +49,15 @@ void ContactSetup<Dim>::add_tool(std::shared_ptr<DrivenTool<Dim>> tool,
   for (const Facet<Dim>& facet : reach)
     for (const int node : nodes_of(facet)) reached[node] = 1;
   for (const int candidate : m_model.candidates) m_model.reach.back().push_back(reached[candidate]);
+}
+
+template <int Dim> void ContactSetup<Dim>::couple(const std::string& dependent, const std::string& text) {
+  if (m_closed) fail("contact.couple", "relations must be given before the first step and approach");
+  Coupling coupling = make_coupling(m_model, dependent, text);
+  const int tool = m_model.tool_of(coupling.dependent), k = coupling.dependent - m_model.first[tool];
+  Prescription& prescription = m_tools[static_cast<std::size_t>(tool)]->prescription();
+  prescription.follow(prescription.names()[static_cast<std::size_t>(k)], text);
+  m_model.couplings.push_back(std::move(coupling));
 }
 
 template <int Dim> void ContactSetup<Dim>::close() {

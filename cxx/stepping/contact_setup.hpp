@@ -21,6 +21,10 @@ public:
   /// @throws std::invalid_argument once it is closed, or if a tool of that name is there
   void add_tool(std::shared_ptr<DrivenTool<Dim>> tool, std::shared_ptr<const FrictionLaw> friction,
                 const std::vector<Facet<Dim>>& reach = {});
+  /// Coordinate "tool.coordinate" follows others, METHOD.md 2.6.
+  /// @param text formula of other coordinates of this contact, "-upper.y"
+  /// @throws std::invalid_argument once it is closed; see make_coupling and Prescription::follow
+  void couple(const std::string& dependent, const std::string& text);
   /// No more tools; model() and body() are complete from here on. @throws std::invalid_argument without a tool
   void close();
   bool closed() const { return m_closed; }

@@ -1,6 +1,7 @@
 #include "stepping/corrector.hpp"
 #include "base/cpu_time.hpp"
 #include "base/error.hpp"
+#include "contact/coupling.hpp"
 #include "contact/slip_motion.hpp"
 #include "contact/tool_support.hpp"
 #include "solver/schur_factor.hpp"
@@ -116,6 +117,7 @@ template <int Dim> StepStatus Corrector<Dim>::backtrack(Eigen::VectorXd& u) {
   ++m_counts.backtracks;
   u = 0.5 * (u + m_u_before);
   m_state.q = 0.5 * (m_state.q + m_q_before);
+  follow(m_model, m_state.q);
   project(u, true);
   m_u_before.resize(0);
   m_mixer.clear();
@@ -258,6 +260,7 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
   m_state.nodes = solution.state.nodes;
   u += step.head(n);
   m_state.q += step.tail(nq);
+  follow(m_model, m_state.q);
   project(u, m_mixer.mixed());
   return StepStatus::ITERATE;
 }

@@ -1,4 +1,5 @@
 #include "stepping/predictor.hpp"
+#include "contact/coupling.hpp"
 #include <cmath>
 
 namespace burnish {
@@ -167,6 +168,7 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
   result.entry = entry_nodes(state, u);
   result.state.nodes = result.entry;
   result.state.q = predict_coordinates(prescribed, state.q, history, ratio);
+  follow(m_model, result.state.q);
   for (auto& node : result.state.nodes)
     if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
   if (known && carry) {

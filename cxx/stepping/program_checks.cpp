@@ -32,15 +32,21 @@ bool within_body(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& locator
 
 } // namespace
 
-template <int Dim> PrescribedValues prescribed_values(const ContactSetup<Dim>& setup) {
+template <int Dim> PrescribedValues prescribed_values(const ContactSetup<Dim>& setup, double t) {
   PrescribedValues prescribed;
+  prescribed.t = t;
+  const auto nq = static_cast<std::size_t>(setup.model().num_coordinates());
   prescribed.value.resize(setup.model().num_coordinates());
-  for (std::size_t t = 0; t < setup.tools().size(); ++t) {
-    const Prescription& prescription = setup.tools()[t]->prescription();
+  for (std::size_t tool = 0; tool < setup.tools().size(); ++tool) {
+    const Prescription& prescription = setup.tools()[tool]->prescription();
     prescription.check_complete();
     for (int k = 0; k < prescription.size(); ++k) {
+      const int at = setup.model().first[tool] + k;
       prescribed.is_motion.push_back(prescription.is_motion(k));
-      prescribed.value[setup.model().first[t] + k] = prescription.value(k);
+      prescribed.value[at] = prescription.value(k);
+      if (!prescription.formula(k)) continue;
+      prescribed.formula.resize(nq);
+      prescribed.formula[static_cast<std::size_t>(at)] = prescription.formula(k);
     }
   }
   return prescribed;
@@ -86,6 +92,7 @@ std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, co
                                               PrescribedValues& prescribed) {
   std::vector<std::string> left_out;
   const auto& model = setup.model();
+  const DrivingForce drive = driving_force(model, prescribed, state.q);
   const auto poses = model.poses(state.q);
   for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
     if (!model.laws[t].frictionless()) continue;
@@ -100,7 +107,8 @@ std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, co
     for (Eigen::Index k = 0; k < normal.size(); ++k) {
       const int q = model.first[t] + static_cast<int>(k);
       if (prescribed.is_motion[q] || normal[k] > UNRESISTED * size[k]) continue;
-      if (prescribed.value[q] != 0)
+      if (prescribed.is_held(q) || model.coupling_of(q) || !model.followers(q).empty()) continue;
+      if (drive.value[q] != 0)
         fail("contact.begin", coordinate(*setup.tools()[t], k) +
                                   " has a force but without friction nothing " +
                                   "resists it; give it a motion or friction");
@@ -115,13 +123,21 @@ std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, co
 template <int Dim>
 void check_support(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
                    const PrescribedValues& prescribed) {
+  const auto& model = setup.model();
+  const auto touches = [&](int tool) {
+    return std::any_of(state.nodes.begin(), state.nodes.end(),
+                       [tool](const auto& node) { return in_contact(node.state) && node.tool == tool; });
+  };
+  const auto supported = [&](int k) {
+    const std::vector<int> followers = model.followers(k);
+    return prescribed.is_motion[k] || prescribed.is_held(k) || model.coupling_of(k) ||
+           std::any_of(followers.begin(), followers.end(),
+                       [&](int follower) { return touches(model.tool_of(follower)); });
+  };
   for (int t = 0; t < static_cast<int>(setup.tools().size()); ++t) {
-    const bool touches = std::any_of(state.nodes.begin(), state.nodes.end(), [t](const auto& node) {
-      return in_contact(node.state) && node.tool == t;
-    });
-    if (touches) continue;
+    if (touches(t)) continue;
     for (int k = 0; k < setup.tools()[t]->q().size(); ++k)
-      if (!prescribed.is_motion[setup.model().first[t] + k])
+      if (!supported(model.first[t] + k))
         fail("contact.begin",
              coordinate(*setup.tools()[t], k) +
                  " is under force but the tool touches nothing, so it has no support; bring the tool "
@@ -138,7 +154,8 @@ void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& 
     std::string names;
     std::vector<Eigen::VectorXd> motions;
     for (int k = 0; k < setup.tools()[t]->q().size(); ++k) {
-      if (prescribed.is_motion[setup.model().first[t] + k]) continue;
+      const int at = setup.model().first[t] + k;
+      if (prescribed.is_motion[at] || prescribed.is_held(at) || setup.model().coupling_of(at)) continue;
       Eigen::VectorXd motion(Dim + Dim * Dim);
       motion << poses[t].origin_q[k],
           lever * Eigen::Map<const Eigen::VectorXd>(poses[t].R_q[k].data(), Dim * Dim);
@@ -158,7 +175,7 @@ void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& 
 }
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
-  template PrescribedValues prescribed_values<Dim>(const ContactSetup<Dim>&);                                \
+  template PrescribedValues prescribed_values<Dim>(const ContactSetup<Dim>&, double);                        \
   template void check_not_placed<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&);                   \
   template void check_not_inside<Dim>(const ContactSetup<Dim>&, const MeshLocator<Dim>&,                     \
                                       const ContactState<Dim>&, const Eigen::VectorXd&);                     \

@@ -1,5 +1,6 @@
 #pragma once
 // What is checked of a program and of the tools' places before a step.
+#include "contact/driving_force.hpp"
 #include "mesh/mesh_locator.hpp"
 #include "stepping/contact_setup.hpp"
 
@@ -8,8 +9,8 @@ namespace burnish {
 /// Places in messages: on one line, without padding.
 inline const Eigen::IOFormat PLACE_FORMAT(Eigen::StreamPrecision, Eigen::DontAlignCols);
 
-/// Values that the tools' prescriptions hold. @throws std::invalid_argument naming a coordinate without any
-template <int Dim> PrescribedValues prescribed_values(const ContactSetup<Dim>& setup);
+/// Values that the tools' prescriptions hold for the end of a step at t. @throws std::invalid_argument naming a coordinate without any
+template <int Dim> PrescribedValues prescribed_values(const ContactSetup<Dim>& setup, double t);
 
 /// Between steps a tool moves by its program only. @throws std::invalid_argument for one that was placed
 template <int Dim> void check_not_placed(const ContactSetup<Dim>& setup, const ContactState<Dim>& state);
@@ -25,7 +26,8 @@ template <int Dim>
 std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
                                               PrescribedValues& prescribed);
 
-/// @throws std::invalid_argument for a coordinate under force of a tool that touches nothing
+/// @throws std::invalid_argument for a coordinate under force of a tool that touches nothing, unless the force itself
+/// holds it (a spring) or the tool of a coordinate that follows it touches
 template <int Dim>
 void check_support(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
                    const PrescribedValues& prescribed);
