@@ -56,6 +56,7 @@ static void init() {
   register_contact_matrix();
   register_contact_data();
   register_contact_tools();
+  register_contact_forces();
   register_solver();
   register_geo_mesh();
   register_tools_of_the_trade();
