@@ -32,7 +32,16 @@ template <int Dim> Resultant<Dim> ForceBalance<Dim>::external_force(const Eigen:
   const Eigen::VectorXd& R = m_run.accepted().R;
   require(internal.size() == R.size(), "contact", "size of the internal force", internal.size(),
           "number of dofs");
-  return sum(internal - R, m_about);
+  return sum(internal - R - hold_forces(), m_about);
+}
+
+template <int Dim> Eigen::VectorXd ForceBalance<Dim>::hold_forces() const {
+  const Hold<Dim>& hold = m_run.hold();
+  return hold.force(m_run.accepted().u, hold.state().factor);
+}
+
+template <int Dim> Resultant<Dim> ForceBalance<Dim>::hold_force() const {
+  return sum(hold_forces(), m_about);
 }
 
 template <int Dim> double ForceBalance<Dim>::imbalance(const Eigen::VectorXd& internal) const {
@@ -47,6 +56,7 @@ template <int Dim> double ForceBalance<Dim>::imbalance(const Eigen::VectorXd& in
   Resultant<Dim> total = centered.reaction();
   total += centered.contact_force(-1);
   total += centered.external_force(internal);
+  total += centered.hold_force();
   const double load = std::max(m_run.corrector().load_scale(), state.R.cwiseAbs().maxCoeff());
   if (!(load > 0)) return 0;
   return std::max(total.force.cwiseAbs().maxCoeff(), total.moment.cwiseAbs().maxCoeff() / size) / load;

@@ -20,11 +20,14 @@ public:
   /// Force of what the script puts on the nodes: weight, pressure.
   /// @param internal internal nodal force of the accepted state, num_dofs [force]
   Resultant<Dim> external_force(const Eigen::VectorXd& internal) const;
+  /// Force of the soft hold on the workpiece.
+  Resultant<Dim> hold_force() const;
   /// What is out of balance: the largest component of the sum of all forces over the load, or of their moment over load
   /// and size of the body (largest distance of a node from the middle) [-]; 0 without any force.
   double imbalance(const Eigen::VectorXd& internal) const;
 
 private:
+  Eigen::VectorXd hold_forces() const;
   Resultant<Dim> sum(const Eigen::VectorXd& f, const Vector<Dim>& about,
                      const std::vector<int>& nodes = {}) const;
 
