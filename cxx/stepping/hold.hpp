@@ -36,7 +36,7 @@ public:
   /// Part of the stiffness at an instant: 1 at the start, 0 from `until` on.
   double factor(double t) const;
   bool acts(double t) const { return factor(t) > 0; }
-  /// Force on the nodes of the body at u, num_dofs, 0 at given components [force]; (3.16).
+  /// Force on the nodes of the body at u, num_dofs, 0 at given components [force]; METHOD.md (3.16).
   Eigen::VectorXd force(const Eigen::VectorXd& u, double factor) const;
   /// Takes that force off the residual force, and adds its stiffness to the tangent.
   void add_force(const Eigen::VectorXd& u, double t, Eigen::VectorXd& R) const;
