@@ -1,17 +1,10 @@
-// Resultants of what acts on the workpiece, accepted state: [Fx, Fy, Mz], force and moment about the point (x0, y0), counter-
-// clockwise [force, force length]; axisymmetric: of the whole ring, [0, Fy, 0].
-//   C.reaction(x0, y0)                of the supports, all nodes with given displacement; label= or labels=: those there
+// Resultants of what acts on the workpiece, accepted state: [Fx, Fy, Mz], force and moment about the point (x0, y0),
+// counter-clockwise [force, force length]; axisymmetric: of the whole ring, [0, Fy, 0]. METHOD.md 3.13
+//   C.reaction(x0, y0)                of the supports, all nodes of fixed=; label= or labels=: those there
 //   C.contactforce(i, x0, y0)         of tool i
 //   C.externalforce(M, x0, y0)        of the forces of the script, rcExternal
-//   C.holdforce(x0, y0)               of the soft hold (below)
-//   C.imbalance(M)                    of all together: the largest of forces over the load, moment over load and size [-]
-//   What holds it beside tools, from the next step on:
-//   C.supportdisplacement(g)          displacement of the supports at the end of the step to come, until another is given
-//                                     [length]; real[int] as long as u, 0 at free components (METHOD.md 3.14)
-//   C.hold(stiffness, until)          springs from all nodes to where they are when the next step begins: stiffness per
-//                                     reference volume [stress/length^2];
-//                                     it falls linearly to 0 at t = until (METHOD.md 3.15)
-//   C.addhold(u[], R)                 its force into R, after rcResidual: in a user-defined loop only, rcRun does it by itself
+//   C.holdforce(x0, y0)               of the soft hold (contact_supports.cpp)
+//   C.imbalance(M)                    largest component of the sum: forces over the load, moment over load and size
 #include "base/error.hpp"
 #include "named.hpp"
 #include "stepping/force_balance.hpp"
@@ -96,48 +89,9 @@ double imbalance(const Method<H, ImbalanceTag>& m, MaterialHandle* const& materi
   });
 }
 
-// --- what holds the workpiece beside tools
-struct SupportTag {};
-bool support_displacement(Stack, const Method<H, SupportTag>& m, const KN_<double>& values) {
-  return guarded([&] {
-    ContactObject& contact = m->get();
-    Eigen::VectorXd v(values.N());
-    for (long d = 0; d < values.N(); ++d) v[d] = values[d];
-    contact.run().supports().prescribe(v);
-    return true;
-  });
-}
-struct HoldTag {};
-bool hold(const Method<H, HoldTag>& m, const double& stiffness, const double& until) {
-  return guarded([&] { return m->get().run().hold().set(stiffness, until), true; });
-}
-struct AddHoldTag {};
-bool add_hold(Stack, const Method<H, AddHoldTag>& m, const KN_<double>& u, const KN_<double>& R) {
-  return guarded([&] {
-    ContactObject& contact = m->get();
-    contact.run().require_begun("contact.addhold");
-    const long n = contact.setup->mesh().num_dofs();
-    Eigen::VectorXd force = to_dofs(R, n, "contact.addhold", "R");
-    contact.run().add_hold(to_dofs(u, n, "contact.addhold", "u"), force);
-    to_array(force, R, "contact.addhold");
-    return true;
-  });
-}
-
-void register_holds() {
-  add_method<H, SupportTag>("supportdisplacement", [] {
-    return new OneOperator2s_<bool, Method<H, SupportTag>, Array>(support_displacement);
-  });
-  add_method<H, HoldTag>("hold",
-                         [] { return new OneOperator3_<bool, Method<H, HoldTag>, double, double>(hold); });
-  add_method<H, AddHoldTag>(
-      "addhold", [] { return new OneOperator3s_<bool, Method<H, AddHoldTag>, Array, Array>(add_hold); });
-}
-
 } // namespace
 
 void register_contact_forces() {
-  register_holds();
   add_method<H, HoldForceTag>("holdforce", [] {
     return new NamedOperator<HoldForce, Array, Method<H, HoldForceTag>, double, double>;
   });

@@ -25,8 +25,8 @@ Resultant<Dim> resultant(const BodyView<Dim>& body, const Eigen::VectorXd& u, co
 /// component remains.
 template <int Dim> Resultant<Dim> of_ring(const Resultant<Dim>& section);
 
-/// Forces of the tools on the nodes of the workpiece, num_dofs, 0 where there is no contact [force]. A node that an event
-/// has just released still has its force.
+/// Forces of the tools on the nodes of the workpiece, num_dofs, 0 where there is no contact [force]. A node that an
+/// event has just released still has its force.
 /// @param R    internal minus external nodal force [force]
 /// @param tool only those of this one; -1: of all
 template <int Dim>

@@ -13,7 +13,7 @@ public:
   /// @throws std::invalid_argument if it is not finite
   ForceBalance(const ContactRun<Dim>& run, const Vector<Dim>& about);
 
-  /// Force of the supports on the workpiece, all nodes with given components or those of a list. @param nodes empty: all
+  /// Force of the supports on the workpiece. @param nodes only those of these; empty: all
   Resultant<Dim> reaction(const std::vector<int>& nodes = {}) const;
   /// Force of a tool on the workpiece. @param tool -1: of all tools
   Resultant<Dim> contact_force(int tool) const;

@@ -31,7 +31,8 @@ public:
   /// @param stiffness > 0 at its start, per reference volume; it falls linearly in time to 0 at `until`
   /// @throws std::invalid_argument for a stiffness that is not finite and > 0, an instant that is not finite
   void set(double stiffness, double until);
-  /// A step begins at t from u: the hold begins there, if it is new. @throws std::invalid_argument if it would end before
+  /// A step begins at t from u: the hold begins there, if it is new.
+  /// @throws std::invalid_argument if it would end before
   void begin(double t, const Eigen::VectorXd& u);
   /// Part of the stiffness at an instant: 1 at the start, 0 from `until` on.
   double factor(double t) const;

@@ -91,6 +91,45 @@ TEST(Hold, SaysWhatItStillCarries) {
   EXPECT_NE(held.hold.warning().find("when the hold ended at t = 3 it still carried 0.4"), std::string::npos);
 }
 
+// A step ends at the instant at which the hold does; a copy of the run goes on to the same bits through it.
+TEST(Hold, OfARunEndsWithAStepAndIsPartOfItsState) {
+  const auto scene = [] {
+    auto block = std::make_unique<Scene>(block_mesh(12, 4, 2, 4, 1.5), elastic_material());
+    block->add_tool(std::make_shared<Circle>(3.), std::make_shared<Cartesian>(), 0.3);
+    block->place({1.7, 4.9, 0});
+    block->contact().approach(0, "y", block->u);
+    return block;
+  };
+  const auto program = [](Scene& block) {
+    return [&block](double t) {
+      block.tool->prescription().move("x", 1.7);
+      block.tool->prescription().move("y", 4.5 - 0.05 * t);
+      block.tool->prescription().move("angle", 0);
+    };
+  };
+  StepControlOptions control;
+  control.dt_max = 0.09;
+  const auto one = scene(), other = scene();
+  one->contact().hold().set(0.1, 0.61);
+  Stepper<2> first(one->contact(), one->body, StepControl(0, control), {});
+  Stepper<2> second(other->contact(), other->body, StepControl(0, control), {});
+  while (first.counts().steps < 4) answer(first.next(one->u, one->R), *one, first, program(*one));
+  EXPECT_GT(first.state().contact.hold.share, 0);
+  second.set_state(first.state(), other->u, other->R);
+  bool hit = false;
+  ASSERT_EQ(run(*one, first, program(*one), [&] { hit = hit || first.target() == 0.61; }), Task::FINISHED);
+  ASSERT_EQ(run(*other, second, program(*other)), Task::FINISHED);
+  EXPECT_TRUE(hit);
+  EXPECT_EQ(one->u, other->u);
+  EXPECT_EQ(one->contact().hold().state().factor, 0);
+
+  const auto without = scene();
+  Stepper<2> third(without->contact(), without->body, StepControl(0, control), {});
+  ASSERT_EQ(run(*without, third, program(*without)), Task::FINISHED);
+  const double Q = without->tool->generalized_force()[1];
+  EXPECT_NEAR(one->tool->generalized_force()[1], Q, 1e-2 * std::abs(Q)); // by friction the path counts
+}
+
 TEST(Hold, RefusesWhatIsNone) {
   Held held(1);
   for (const double stiffness : {0., -1., double(NAN), double(INFINITY)})
