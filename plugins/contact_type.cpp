@@ -130,6 +130,8 @@ string* warnings(Stack stack, ContactHandle* const& h) {
     std::string text;
     if (!h->get().started()) return new_string(stack, "");
     for (const auto& warning : h->get().run().accepted().warnings.list()) text += warning.text + "\n";
+    const std::string hold = h->get().run().hold().warning();
+    if (!hold.empty()) text += hold + "\n";
     return new_string(stack, text);
   });
 }

@@ -57,6 +57,8 @@ static void init() {
   register_contact_matrix();
   register_contact_data();
   register_contact_tools();
+  register_contact_forces();
+  register_contact_supports();
   register_solver();
   register_geo_mesh();
   register_tools_of_the_trade();

@@ -122,6 +122,8 @@ void register_point_events();
 void register_contact_matrix();
 void register_contact_data();
 void register_contact_tools();
+void register_contact_forces();
+void register_contact_supports();
 void register_solver();
 void register_geo_mesh();
 void register_tools_of_the_trade();

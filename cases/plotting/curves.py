@@ -62,6 +62,9 @@ def label_panel(axes, run, columns, title, change, exponent):
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
 
 
+RESULTANTS = ("_Fx", "_Fy", "_Mz")  # of supports and tools: the forces of the drives show the same
+
+
 def default_panels(run):
     """(title, columns, change) of the panels with something to show; a column of the case has a panel of its own."""
     panels = []
@@ -69,7 +72,8 @@ def default_panels(run):
         names = [n for n, c in run.columns.items() if c.kind == kind and moves(run.history[n])]
         if names:
             panels.append((title, names, kind in (u.LENGTH, u.ANGLE)))
-    own = [n for n, c in run.columns.items() if c.kind == u.OTHER and n != "factorizations" and moves(run.history[n])]
+    own = [n for n, c in run.columns.items() if c.kind == u.OTHER and n != "factorizations"
+           and not n.endswith(RESULTANTS) and moves(run.history[n])]
     return panels + [(run.columns[n].label, [n], False) for n in own]
 
 

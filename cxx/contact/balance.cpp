@@ -7,6 +7,8 @@
 namespace burnish {
 namespace {
 
+constexpr double LIGHT = 1e-3; // contact forces below this part of the supports' are no load
+
 // Whether r is worse than the worst so far; NaN is the worst of all and stays.
 bool worse(double r, const Balance& result) {
   return !(r <= result.residual) && !std::isnan(result.residual);
@@ -25,6 +27,23 @@ void free_residual(const ContactModel<Dim>& model, const BodyView<Dim>& body, co
       result.residual = std::abs(R[d]);
       result.worst_dof = static_cast<int>(d);
     }
+}
+
+// Sum of the forces of the supports, less what they share with tools.
+template <int Dim>
+double support_load(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
+                    const Eigen::VectorXd& R) {
+  std::vector<char> shared(R.size() / Dim, 0);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    if (in_contact(state.nodes[i].state)) shared[model.candidates[i]] = 1;
+  double sum = 0;
+  for (Eigen::Index a = 0; a < R.size() / Dim; ++a) {
+    double square = 0;
+    for (int c = 0; c < Dim && !shared[a]; ++c)
+      if (body.fixed[Dim * a + c]) square += R[Dim * a + c] * R[Dim * a + c];
+    sum += std::sqrt(square);
+  }
+  return sum;
 }
 
 // Residual and state test of one node in contact.
@@ -125,6 +144,8 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
   }
   pass_on_forces(model, state.q, result.generalized_force);
   complete_levers(model, prescribed, poses, state.q, lever);
+  const double others = support_load(model, body, state, R) + tolerance.held;
+  if (result.load < LIGHT * others) result.load = others;
   free_residual(model, body, state, R, result);
   tool_residual(model, prescribed, driving_force(model, prescribed, state.q), lever, result);
   return result;

@@ -8,8 +8,10 @@ namespace burnish {
 
 struct Balance {
   double residual = 0; ///< largest unbalanced force: free nodes, sliding rows, tool rows over lever [force]
-  double load = 0;     ///< size of the load: sum of contact force norms [force]
-  int worst_dof = -1;  ///< dof or -1 if the worst row is not a free node
+  double load =
+      0; ///< size of the load: sum of contact force norms; where they are none beside those of the supports,
+         ///< that of the supports [force]
+  int worst_dof = -1;        ///< dof or -1 if the worst row is not a free node
   int worst_coordinate = -1; ///< coordinate or -1
   /// sum X_k . F_n per coordinate: the generalized forces on the tools, METHOD.md (2.8); of a coordinate that others
   /// follow with what they hand on, METHOD.md (2.10)
@@ -25,6 +27,7 @@ struct BalanceTolerance {
   double force = 0;  ///< [force]
   double gap = 0;    ///< of penetration and of backward slip [length]
   double offset = 0; ///< of a contact node from its tool [length]
+  double held = 0;   ///< what carries the body beside tools and supports [force]
 };
 
 /// @param R internal minus external nodal force, num_dofs [force]

@@ -8,8 +8,9 @@ namespace {
 /// Whether one of the names is that of another column of a history: time, forces, counts, maxima.
 bool is_column(const std::vector<std::string>& names) {
   std::set<std::string> columns{
-      "t",       "contact",       "contact_begin_deg",     "contact_end_deg", "sticking",
-      "sliding", "stress_eq_max", "plastic_strain_eq_max", "factorizations"};
+      "t",          "contact",       "contact_begin_deg",     "contact_end_deg", "sticking",
+      "sliding",    "stress_eq_max", "plastic_strain_eq_max", "factorizations",  "support_Fx",
+      "support_Fy", "support_Mz"};
   for (const std::string& name : names) columns.insert("Q_" + name);
   for (const std::string& name : names)
     if (columns.count(name)) return true;

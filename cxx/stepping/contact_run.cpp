@@ -18,7 +18,8 @@ namespace burnish {
 template <int Dim>
 ContactRun<Dim>::ContactRun(std::shared_ptr<ContactSetup<Dim>> setup)
     : m_setup((setup->close(), std::move(setup))), m_corrector(model(), body(), m_setup->options()),
-      m_predictor(m_setup->mesh(), model(), body()), m_condensation(model(), body()) {
+      m_predictor(m_setup->mesh(), model(), body()), m_condensation(model(), body()), m_supports(body()),
+      m_hold(m_setup->mesh(), body()) {
   m_accepted.u = m_accepted.R = Eigen::VectorXd::Zero(m_setup->mesh().num_dofs());
   m_accepted.contact.nodes.resize(m_setup->candidates().size());
   m_accepted.generalized_force = Eigen::VectorXd::Zero(model().num_coordinates());
@@ -38,6 +39,7 @@ template <int Dim> ContactRunState<Dim> ContactRun<Dim>::state() const {
   state.corrector = m_corrector.memory();
   state.counts = m_corrector.counts();
   state.largest_dt = m_largest_dt;
+  state.hold = m_hold.state();
   return state;
 }
 
@@ -49,6 +51,8 @@ template <int Dim> void ContactRun<Dim>::set_state(const ContactRunState<Dim>& s
   m_corrector.set_counts(state.counts);
   m_corrector.state() = state.contact;
   m_largest_dt = state.largest_dt;
+  m_supports.restore(state.support_displacement);
+  m_hold.set_state(state.hold);
   m_left_out.clear();
   m_log.events.clear();
   m_stage = Stage::NONE;
@@ -125,6 +129,15 @@ template <int Dim> Prediction<Dim> ContactRun<Dim>::predicted(const Eigen::Vecto
   }
 }
 
+// Motion of the supports and hold; pure rates know neither.
+template <int Dim> void ContactRun<Dim>::begin_body(double t, Stepping stepping, const Eigen::VectorXd& u) {
+  m_hold.begin(t, u);
+  if (stepping != Stepping::RATES) return;
+  if (m_supports.move(u))
+    fail("contact.begin", "pure rates know no motion of supports; take the scheme implicit or event");
+  if (m_hold.acts(t)) fail("contact.begin", "pure rates know no hold; take the scheme implicit or event");
+}
+
 template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, double dt, Stepping stepping) {
   require(std::isfinite(dt) && dt > 0, "contact.begin", "dt", dt, "> 0");
   require(u.size() == m_accepted.u.size(), "contact.begin", "size of u", u.size(), "number of dofs");
@@ -145,6 +158,7 @@ template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, dou
     take_areas(m_accepted.contact, u);
     m_accepted.u = u;
   }
+  begin_body(t, stepping, u);
   m_t = t;
   m_dt = dt;
   m_largest_dt = std::max(m_largest_dt, dt);
@@ -154,6 +168,7 @@ template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, dou
   m_prescribed_start = start_values();
   auto prediction = predicted(u);
   u = prediction.u;
+  m_supports.apply(u);
   const bool keep =
       stepping == Stepping::EVENT && m_corrector.factor_age() < m_corrector.options().steps_per_factor;
   m_corrector.begin(m_prescribed, prediction.state, std::move(prediction.entry),
@@ -174,6 +189,10 @@ template <int Dim> void ContactRun<Dim>::require_checked(const char* where) cons
 template <int Dim> StepStatus ContactRun<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   require_begun("contact.check");
   m_stage = Stage::CHECKED;
+  double held = m_hold.carried(u, t_end());
+  if (m_supports.displacement().size() > 0) // with nothing in the body's way only rounding is left to balance
+    held += m_corrector.memory().rounding / m_corrector.options().tolerance;
+  m_corrector.set_held(held);
   try {
     return m_corrector.check(u, R);
   } catch (const FormulaDomainError& error) {
@@ -189,10 +208,17 @@ template <int Dim> StepStatus ContactRun<Dim>::correct(Eigen::VectorXd& u, const
   }
 }
 
+template <int Dim> const NodeBlockMatrix<Dim>& ContactRun<Dim>::with_hold(const NodeBlockMatrix<Dim>& K) {
+  if (!m_hold.acts(t_end()) || K.size() != body().X.size()) return K;
+  m_held = K;
+  m_hold.add_stiffness(t_end(), m_held);
+  return m_held;
+}
+
 template <int Dim>
 FactorStatus ContactRun<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
   require_begun("contact.factorize");
-  return m_corrector.factorize(K, u);
+  return m_corrector.factorize(with_hold(K), u);
 }
 
 template <int Dim>
@@ -255,6 +281,8 @@ void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
       nullptr; // state() shares it; kept here, the next factor could not take its place
   m_accepted.prescribed = m_prescribed;
   m_accepted.left_out = left_out();
+  m_accepted.support_displacement = m_supports.displacement();
+  m_hold.accept(u, t_end(), m_corrector.load_scale());
   m_corrector.accepted();
   m_log.events.clear();
   m_stage = Stage::NONE;
@@ -290,8 +318,8 @@ const CondensedSystem& ContactRun<Dim>::condense(const NodeBlockMatrix<Dim>& K, 
   if (!R.allFinite()) fail("contact.condense", "the force array contains NaN or Inf");
   m_corrector.count_condensation();
   m_corrector.prepare_condensed();
-  return m_condensation.condense(K, m_corrector.state(), {&m_prescribed, &m_prescribed_start}, u, R, terms,
-                                 right, half);
+  return m_condensation.condense(with_hold(K), m_corrector.state(), {&m_prescribed, &m_prescribed_start}, u,
+                                 R, terms, right, half);
 }
 
 template <int Dim> double ContactRun<Dim>::expand(const Eigen::VectorXd& z, Eigen::VectorXd& u) {

@@ -6,7 +6,9 @@
 #include "stepping/contact_warnings.hpp"
 #include "stepping/corrector.hpp"
 #include "stepping/event_log.hpp"
+#include "stepping/hold.hpp"
 #include "stepping/predictor.hpp"
+#include "stepping/supports.hpp"
 
 namespace burnish {
 
@@ -17,6 +19,8 @@ template <int Dim> struct ContactRunState {
   Eigen::VectorXd generalized_force; ///< on the tools, one per coordinate [force, force length]
   PrescribedValues prescribed;       ///< at the end of the last step
   StepHistory<Dim> history;
+  Eigen::VectorXd support_displacement; ///< prescribed at the end of the last step; empty: none [length]
+  HoldState hold;
   CorrectorMemory<Dim> corrector;
   // what has been found and counted
   double largest_dt = 0; ///< that was ever tried [time]
@@ -47,11 +51,19 @@ public:
   /// alone, or would touch it from inside; nothing has changed then
   double approach(int tool, const std::string& coordinate, const Eigen::VectorXd& u);
 
+  /// Prescribed displacement of the supports; takes effect with the next begin.
+  Supports<Dim>& supports() { return m_supports; }
+  /// Soft hold; a new one begins with the next begin.
+  Hold<Dim>& hold() { return m_hold; }
+  const Hold<Dim>& hold() const { return m_hold; }
+
   // --- one step
   /// @param u in: accepted displacement; out: predicted one. The prescriptions hold the values at the end of the step.
   /// @throws std::invalid_argument for dt <= 0, a coordinate without motion or force, force control without contact, a
   /// tool that starts inside the body, wrong sizes, NaN
   void begin(Eigen::VectorXd& u, double t, double dt, Stepping stepping);
+  /// Puts the force of the hold at u into the residual force R of the step under way, before check.
+  void add_hold(const Eigen::VectorXd& u, Eigen::VectorXd& R) const { m_hold.add_force(u, t_end(), R); }
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
   StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R);
@@ -106,12 +118,17 @@ private:
   void take_events(const std::vector<ContactEvent<Dim>>& events, const Eigen::VectorXd& u,
                    ContactState<Dim>& state) const;
   void update_tools();
+  void begin_body(double t, Stepping stepping, const Eigen::VectorXd& u);
+  const NodeBlockMatrix<Dim>& with_hold(const NodeBlockMatrix<Dim>& K);
   StepEnds<Dim> ends(const Eigen::VectorXd& u, const Eigen::VectorXd& R) const;
 
   std::shared_ptr<ContactSetup<Dim>> m_setup;
   Corrector<Dim> m_corrector;
   Predictor<Dim> m_predictor;
   Condensation<Dim> m_condensation;
+  Supports<Dim> m_supports;
+  Hold<Dim> m_hold;
+  NodeBlockMatrix<Dim> m_held; // tangent with the hold
   ContactRunState<Dim> m_accepted;
   // of the step under way
   Eigen::VectorXd m_u_start;

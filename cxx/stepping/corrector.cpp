@@ -81,8 +81,9 @@ template <int Dim> double Corrector<Dim>::balance_at(const Eigen::VectorXd& u, c
   const double h = m_body.spacing;
   double scale = m_load_scale;
   for (int pass = 0; pass < 2; ++pass) {
-    m_balance = balance(m_model, m_body, m_state, m_prescribed, u, R,
-                        {allowed(scale), m_options.gap_tolerance * h, m_options.offset_tolerance * h});
+    m_balance =
+        balance(m_model, m_body, m_state, m_prescribed, u, R,
+                {allowed(scale), m_options.gap_tolerance * h, m_options.offset_tolerance * h, m_held});
     if (m_balance.load <= scale) break;
     scale = m_balance.load;
   }

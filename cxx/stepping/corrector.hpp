@@ -86,6 +86,8 @@ public:
   /// Load scale of the tolerance: largest contact resultant of the accepted steps and of this one [force].
   double load_scale() const { return m_load_scale; }
   void set_load_scale(double scale) { m_load_scale = scale; }
+  /// What a soft hold carries: a load as supports have it [force].
+  void set_held(double force) { m_held = force; }
 
 private:
   double balance_at(const Eigen::VectorXd& u, const Eigen::VectorXd& R);
@@ -121,7 +123,7 @@ private:
   Balance m_balance;
   CorrectorCounts m_counts;
   std::string m_reason;
-  double m_rounding = 0, m_load_scale = 0, m_last_residual = -1;
+  double m_rounding = 0, m_load_scale = 0, m_last_residual = -1, m_held = 0;
   int m_factor_age = 0, m_iteration = 0, m_backtracks = 0, m_step_factorizations = 0, m_indefinite = 0;
   Eigen::VectorXd m_u_before, m_q_before; // iterate before the last iteration, for backtracking
   std::vector<char> m_fresh;

@@ -1,5 +1,6 @@
 #pragma once
 // Length of the next step: tied to the contact width, to failures and to output times (ALGORITHMS.md 1).
+#include <limits>
 #include <vector>
 
 namespace burnish {
@@ -48,6 +49,8 @@ public:
   /// Chooses the next step. @param width contact width [length]; @param speed of the contact along the body
   /// [length/time]; either 0: unknown
   double propose(double width, double speed);
+  /// One more instant that a step ends at, in place of an earlier one; one that is past does not count.
+  void stop_at(double t) { m_stop = t; }
   void accepted();
   /// Shortens the step. @returns false at the floor (the run must stop)
   bool rejected();
@@ -58,6 +61,7 @@ private:
   double next_stop() const;
   StepControlOptions m_options;
   StepControlState m_state;
+  double m_stop = -std::numeric_limits<double>::infinity();
 };
 
 } // namespace burnish

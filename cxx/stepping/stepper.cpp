@@ -28,6 +28,7 @@ template <int Dim> Task Stepper<Dim>::next(Eigen::VectorXd& u, Eigen::VectorXd& 
   case Phase::SOLVE:
     return done ? ask(Task::FORCES, Phase::FORCES) : solved(false, u, R);
   case Phase::FORCES:
+    if (done) m_contact.add_hold(u, R);
     return done ? check(u, R) : solved(false, u, R);
   case Phase::TANGENT:
     return done ? correct(u, R) : solved(false, u, R);
@@ -50,6 +51,7 @@ template <int Dim> void Stepper<Dim>::stop(const std::string& reason) {
 template <int Dim> Task Stepper<Dim>::begin_step() {
   if (m_control.finished()) return ask(Task::FINISHED, Phase::ENDED);
   const double narrow = m_options.width_steps * m_options.nodes_per_step * m_contact.body().spacing;
+  m_control.stop_at(m_contact.hold().state().until);
   m_control.propose(std::max(m_contact.contact_width(), narrow), m_contact.contact_speed());
   m_tries = 0;
   return try_step();

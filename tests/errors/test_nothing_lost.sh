@@ -56,8 +56,8 @@ whole "$SCRATCH/motion" error 'has no coordinate "psi", expected one of r, phi, 
 
 # within a step, when the displacements are those of the predictor already
 broken force "s/^$at/$at if (t > 0.5) { rcExternal.resize(Vh.ndof); rcExternal = 0; rcExternal[0] = sqrt(-1.); }/"
-finish force 20 ', error: stepcontrol.next: R[0] = '
-whole "$SCRATCH/force" error 'stepcontrol.next: R[0] = ' 20 15e-3
+finish force 20 ', error: rcRun: rcExternal[0] = '
+whole "$SCRATCH/force" error 'rcRun: rcExternal[0] = ' 20 15e-3
 
 broken record 's/^func int record(real t) {/& int[int] two(2); if (t > 0.5) two[7] = 1;/'
 finish record 20 'Out of bound in operator []'

@@ -6,7 +6,7 @@ import os
 import sys
 
 HEADER = ("t,r,phi,theta,Q_r,Q_phi,Q_theta,contact_begin_deg,contact_end_deg,sticking,sliding,"
-          "stress_eq_max,plastic_strain_eq_max,factorizations")
+          "stress_eq_max,plastic_strain_eq_max,factorizations,support_Fx,support_Fy,support_Mz,roller_Fx,roller_Fy,roller_Mz")
 
 
 class Run:
