@@ -49,7 +49,7 @@ void Corrector<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
   m_iteration = m_backtracks = m_step_factorizations = m_indefinite = 0;
   m_last_residual = -1;
   m_condensed = m_again = false;
-  m_passes = 0;
+  m_passes = m_falls = 0;
   m_refused.assign(m_state.nodes.size(), 0);
   m_mixer = AndersonMixer(m_options.anderson_memory);
   m_fresh.assign(m_state.nodes.size(), 0);
@@ -142,7 +142,7 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
   const bool slow = m_last_residual >= 0 && res > m_options.slow * m_last_residual;
   if (slow && m_iteration >= 2 && m_backtracks < m_options.max_backtracks && m_u_before.size() == u.size())
     return backtrack(u);
-  if (slow && m_condensed) ++m_step_factorizations; // cycles of plastic points, as at further factorizations
+  if (m_condensed) choose_blend(res);
   m_last_residual = res;
   const bool fresh = m_iteration == 0 && !m_keep_factor;
   const bool renew = !m_has_factor || fresh || (slow && res > allowed(scale)) || !window_covers(u);

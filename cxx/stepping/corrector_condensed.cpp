@@ -9,6 +9,17 @@ template <int Dim> void Corrector<Dim>::prepare_condensed() {
   if (m_adapt) stick_unsupported(m_model, m_prescribed, m_state, m_refused);
 }
 
+// Elastic moduli while points go to and fro between elastic and plastic; none once the residual falls (ALGORITHMS.md 5.8).
+template <int Dim> void Corrector<Dim>::choose_blend(double residual) {
+  if (m_last_residual < 0) return;
+  if (residual > m_options.condensed_slow * m_last_residual) {
+    ++m_step_factorizations;
+    m_falls = 0;
+  } else if (++m_falls >= m_options.condensed_falls) {
+    m_step_factorizations = 0;
+  }
+}
+
 // States of the candidates by the solution of the present ones, before anything moves: passes as in solve_window.
 template <int Dim>
 bool Corrector<Dim>::change_states(const typename Condensation<Dim>::Expansion& increment,
@@ -42,6 +53,7 @@ void Corrector<Dim>::advance(const typename Condensation<Dim>::Expansion& increm
     return;
   }
   m_passes = 0;
+  m_refused.assign(m_state.nodes.size(), 0);
   ++m_iteration;
   ++m_counts.iterations;
   m_u_before = u;
@@ -56,6 +68,7 @@ void Corrector<Dim>::advance(const typename Condensation<Dim>::Expansion& increm
 // clang-format off
 #define BURNISH_CONDENSED(Dim)                                                                                         \
   template void Corrector<Dim>::prepare_condensed();                                                                   \
+  template void Corrector<Dim>::choose_blend(double);                                                                  \
   template bool Corrector<Dim>::change_states(const Condensation<Dim>::Expansion&, const Eigen::VectorXd&);            \
   template void Corrector<Dim>::advance(const Condensation<Dim>::Expansion&, Eigen::VectorXd&);
 // clang-format on
