@@ -14,8 +14,8 @@
 //   M.acceptances, M.reversions    how often the accepted state changed, and how often it was gone back to
 //   M.modulus("K"), ("G")      of the material's elasticity [stress]; ("C"), ("gamma")  of its back stress [stress, -]
 //   M.yieldstress(ep), M.hardeningslope(ep)   of its hardening
-//   M.vertexvalues(a)          the linear function of every element with the values a at its points, by its values at the
-//                              vertices: a field of P1dc (P1: of P0)
+//   M.vertexvalues(a)          the linear function of every element with the values a at its points, as a field of P1dc
+//                              (P1: of P0)
 // Arrays hold one number per point; numbers that are not finite are refused with the point.
 #include "base/error.hpp"
 #include "types.hpp"
@@ -28,6 +28,8 @@ namespace {
 using H = MaterialHandle;
 using Array = KN_<double>;
 constexpr int GRADIENT = num_gradient<2>, STRESS = num_stress<2>, INCREMENTS = num_increments<2>;
+
+constexpr double P1DC_PLACES = 0.99; // degrees of freedom of FreeFEM's P1dc, of the way to the vertices
 
 struct StressTag {};
 struct GradientTag {};
@@ -173,7 +175,7 @@ Array hardening_slope(Stack stack, const Method<H, SlopeTag>& m, const Array& ep
 Array at_vertices(Stack stack, const Method<H, VertexTag>& m, const Array& a) {
   return guarded([&] {
     return new_array(stack, vertex_values(m->get().workpiece().discretization(),
-                                          to_vector(a, "material.vertexvalues", "values")));
+                                          to_vector(a, "material.vertexvalues", "values"), P1DC_PLACES));
   });
 }
 long acceptances(H* const& h) {

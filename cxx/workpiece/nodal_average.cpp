@@ -66,17 +66,18 @@ Eigen::VectorXd nodal_average(const Discretization<Dim>& d, const Eigen::VectorX
 template Eigen::VectorXd nodal_average<2>(const Discretization<2>&, const Eigen::VectorXd&);
 template Eigen::VectorXd nodal_average<3>(const Discretization<3>&, const Eigen::VectorXd&);
 
-Eigen::VectorXd vertex_values(const Discretization<2>& mesh, const Eigen::VectorXd& values) {
+Eigen::VectorXd vertex_values(const Discretization<2>& mesh, const Eigen::VectorXd& values, double share) {
   const char* where = "vertex_values";
   require(values.size() == mesh.num_points(), where, "size of values", values.size(), "num_points");
   if (mesh.points_per_element == 1) return values;
   require(mesh.points_per_element == 3, where, "points_per_element", mesh.points_per_element, "1 or 3");
-  // with the sum s of the three: middles of the edges give s - 2 v, inner points of barycentric 2/3, 1/6, 1/6 give
-  // 2 v - s/3
-  const double of_sum = mesh.axisymmetric ? -1. / 3 : 1, of_own = mesh.axisymmetric ? 2 : -2;
+  // vertices lie twice as far from the centroid as the inner points, and opposite to the middles of the edges
+  const double factor = mesh.axisymmetric ? 2 * share : -2 * share;
   Eigen::VectorXd result(values.size());
-  for (Eigen::Index e = 0; e < values.size(); e += 3)
-    result.segment<3>(e) = (of_own * values.segment<3>(e)).array() + of_sum * values.segment<3>(e).sum();
+  for (Eigen::Index e = 0; e < values.size(); e += 3) {
+    const double middle = values.segment<3>(e).mean();
+    result.segment<3>(e) = middle + factor * (values.segment<3>(e).array() - middle);
+  }
   return result;
 }
 

@@ -12,9 +12,10 @@ namespace burnish {
 template <int Dim>
 Eigen::VectorXd nodal_average(const Discretization<Dim>& discretization, const Eigen::VectorXd& values);
 
-/// The linear function of every element with the given values at its quadrature points, by its values at the vertices:
-/// num_elements x (Dim + 1), for elements with that many points; one number per element where there is one point.
+/// The linear function of every element with the given values at its quadrature points, by its values at 3 places per
+/// element (triangles with 3 points): on the way from the centroid to the vertices, `share` of it; one number per
+/// element where there is one point. Unit of the values.
 /// @throws std::invalid_argument for a wrong size or another quadrature than that of triangles()
-Eigen::VectorXd vertex_values(const Discretization<2>& mesh, const Eigen::VectorXd& values);
+Eigen::VectorXd vertex_values(const Discretization<2>& mesh, const Eigen::VectorXd& values, double share = 1);
 
 } // namespace burnish
