@@ -12,7 +12,8 @@
 //   M.F(i)                     deformation gradient xx, xy, yx, yy, zz [-]
 //   M.strain(i), M.rotation    increments of the step: strain xx, yy, zz, xy and rotation [-, rad]
 //   M.acceptances, M.reversions    how often the accepted state changed, and how often it was gone back to
-//   M.modulus("K"), ("G")      of the material's elasticity [stress];  M.yieldstress(ep), M.hardeningslope(ep)  of its hardening
+//   M.modulus("K"), ("G")      of the material's elasticity [stress]; ("C"), ("gamma")  of its back stress [stress, -]
+//   M.yieldstress(ep), M.hardeningslope(ep)   of its hardening
 //   M.vertexvalues(a)          the linear function of every element with the values a at its points, as a field of P1dc
 //                              (P1: of P0)
 // Arrays hold one number per point; numbers that are not finite are refused with the point.

@@ -111,7 +111,8 @@ public:
   /// False: moduli and stress come from elsewhere (UserLaw), tangent() has none.
   virtual bool has_moduli() const { return true; }
 
-  /// Its moduli by name, K and G of isotropic elasticity [stress]; none where it has others.
+  /// Its moduli by name, K and G of isotropic elasticity [stress], C [stress] and gamma [-] of a back stress; none where it
+  /// has others.
   virtual std::map<std::string, double> moduli() const { return {}; }
 
   // A law without a yield surface leaves the rest as it is.

@@ -91,6 +91,15 @@ PiolaTangent<Dim> J2Law<Dim>::tangent(TangentKind kind, const PointStep<Dim>& st
                                  kin, now.F, now.stress);
 }
 
+template <int Dim> std::map<std::string, double> J2Law<Dim>::moduli() const {
+  std::map<std::string, double> all{{"G", m_material.elastic.G}, {"K", m_material.elastic.K}};
+  if (m_material.kinematic.exists()) {
+    all["C"] = m_material.kinematic.modulus;
+    all["gamma"] = m_material.kinematic.recovery;
+  }
+  return all;
+}
+
 template <int Dim> StepIncrements<Dim> J2Law<Dim>::increments(const PointStep<Dim>& step) const {
   return increments_of(kinematics_of(m_material, step));
 }

@@ -18,9 +18,8 @@ public:
   PiolaTangent<Dim> tangent(TangentKind kind, const PointStep<Dim>& step, const PointTrial& trial,
                             const PointState<Dim>& now) const override;
   StepIncrements<Dim> increments(const PointStep<Dim>& step) const override;
-  std::map<std::string, double> moduli() const override {
-    return {{"G", m_material.elastic.G}, {"K", m_material.elastic.K}};
-  }
+  /// G, K, and C, gamma of the back stress where there is one.
+  std::map<std::string, double> moduli() const override;
   YieldStress yield_stress(double plastic_strain_eq) const override {
     return m_material.yield_stress(plastic_strain_eq);
   }
