@@ -4,6 +4,7 @@
 //     moduli and yield stress are w times those of the law. Defaults 1e-3 and 5; 0 < integrity < 1, steps >= 1
 //   M.heal("mend", steps=5);
 //     where this one happens, w grows to 1 again; what heals is free of stress and new (plastic strain 0) as it stands
+//   int n = M.heal(steps=5);       between steps, as in record: all damaged points begin to heal now; returns their number
 //   real[int] w = M.integrity;     per quadrature point, 1 without damage [-]
 //   int n = M.damaged;             number of points with w < 1
 //   bool b = M.hasdamage;          some damage is defined
@@ -11,6 +12,7 @@
 // M.piola, M.moduli and the forces are those of the body. Not with a law of the script, not with scheme article.
 #include "named.hpp"
 #include "types.hpp"
+#include "workpiece/healing.hpp"
 #include "workpiece/point_fields.hpp"
 
 namespace burnish {
@@ -49,6 +51,17 @@ struct Heal {
 };
 basicAC_F0::name_and_type Heal::names[] = {{"steps", &typeid(long)}};
 
+struct HealAll {
+  static const int n = 1;
+  static basicAC_F0::name_and_type names[n];
+  static long call(const Named& a, Method<M, HealTag> m) {
+    return called("material.heal", [&] {
+      return heal_all(m->get().workpiece(), static_cast<int>(a.integer("steps", STEPS)));
+    });
+  }
+};
+basicAC_F0::name_and_type HealAll::names[] = {{"steps", &typeid(long)}};
+
 KN_<double> integrity(Stack stack, M* const& h) {
   return guarded([&] { return new_array(stack, integrity_field(h->get().workpiece())); });
 }
@@ -65,7 +78,9 @@ bool has_damage(M* const& h) {
 void register_point_damage() {
   add_method<M, DamageTag>("damage",
                            [] { return new NamedOperator<Damage, bool, Method<M, DamageTag>, string*>; });
-  add_method<M, HealTag>("heal", [] { return new NamedOperator<Heal, bool, Method<M, HealTag>, string*>; });
+  add_method<M, HealTag>(
+      "heal", [] { return new NamedOperator<Heal, bool, Method<M, HealTag>, string*>; },
+      [] { return new NamedOperator<HealAll, long, Method<M, HealTag>>; });
   Add<M*>("integrity", ".", new OneOperator1s_<KN_<double>, M*>(integrity));
   Add<M*>("damaged", ".", new OneOperator1_<long, M*>(damaged));
   Add<M*>("hasdamage", ".", new OneOperator1_<bool, M*>(has_damage));

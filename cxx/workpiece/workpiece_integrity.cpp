@@ -28,6 +28,7 @@ template <int Dim> void Workpiece<Dim>::change_integrity(int point, double goal,
   const char* where = "Workpiece::change_integrity";
   require_point(where, point);
   if (!tracks_integrity()) fail(where, "no integrity is tracked, call track_integrity first");
+  if (m_updated) fail(where, "a step is under way, expected a call between steps, as in record");
   require(goal > 0 && goal <= 1, where, "goal", goal, "0 < goal <= 1");
   require(steps >= 1, where, "steps", steps, ">= 1");
   const double w = m_state_old.integrity[point];

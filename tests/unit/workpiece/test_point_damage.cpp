@@ -2,6 +2,7 @@
 #include "stepping/run_body.hpp"
 #include "unit/finite_difference.hpp"
 #include "unit/workpiece/event_element.hpp"
+#include "workpiece/healing.hpp"
 
 using namespace burnish;
 using namespace burnish::test;
@@ -87,6 +88,24 @@ TEST(PointDamage, TheLaterEventOfAPointCounts) {
   body.go(0.04); // b, c, d in one step: d is the last
   body.go(0.04);
   EXPECT_NEAR(body.w(), 0.8, 1e-15);
+}
+
+// At once, whatever the events say; between steps only.
+TEST(PointDamage, HealsTheWholeBody) {
+  Workpiece<2> plain(Element::mesh(3), Element::law(1.93e8)), body(Element::mesh(6), Element::law(1.93e8));
+  expect_invalid([&] { heal_all(plain, 1); }, "nothing to heal");
+  body.track_integrity();
+  EXPECT_EQ(heal_all(body, 1), 0);
+  body.change_integrity(0, 0.5, 1);
+  body.change_integrity(2, 0.1, 1);
+  const auto update = [&] { body.update(homogeneous(body.discretization(), stretch(1e-3)), 1, 0); };
+  update();
+  expect_invalid([&] { heal_all(body, 1); }, "a step is under way");
+  body.accept();
+  expect_invalid([&] { heal_all(body, 0); }, "steps = 0");
+  EXPECT_EQ(heal_all(body, 2), 2);
+  update();
+  EXPECT_EQ(body.state().integrity, (std::vector<double>{0.75, 1, 0.55}));
 }
 
 // A copy of the body's state goes on to the same bits, from the middle of a change.
