@@ -50,7 +50,7 @@ TEST(PointDamage, BeginsInTheStepAfterTheEvent) {
 TEST(PointDamage, HealedPointsCrumbleAgain) {
   Body body;
   body.define("crumble", "ep - 0.01");
-  body.define("mend", "c - sxx", {{"c", -1e8}});
+  body.define("mend", "syy - sxx - c", {{"c", 1e8}}); // flow turned round
   body.damage().damage(body.workpiece(), body.user(), "crumble", 1e-3, 1);
   body.damage().heal(body.user(), "mend", 2);
   body.go(0.02);
@@ -58,7 +58,7 @@ TEST(PointDamage, HealedPointsCrumbleAgain) {
   EXPECT_EQ(body.w(), 1);
   body.go(0.02);
   EXPECT_EQ(body.w(), 1e-3);
-  body.go(0.01); // effective stress turns to compression
+  body.go(0.01);
   EXPECT_EQ(body.user().number("mend"), 1);
   EXPECT_EQ(body.w(), 1e-3);
   body.go(0.01);
@@ -117,7 +117,7 @@ TEST(PointDamage, ACopyGoesOn) {
   Body body, copy;
   for (Body* each : {&body, &copy}) {
     each->define("crumble", "ep - 0.005");
-    each->define("mend", "-1e8 - sxx");
+    each->define("mend", "syy - sxx - 1e8");
     each->damage().damage(each->workpiece(), each->user(), "crumble", 0.01, 3);
     each->damage().heal(each->user(), "mend", 3);
   }
@@ -129,6 +129,7 @@ TEST(PointDamage, ACopyGoesOn) {
     EXPECT_TRUE(same(body.workpiece().state(), copy.workpiece().state()));
   }
   EXPECT_EQ(body.user().counts("crumble"), copy.user().counts("crumble"));
+  EXPECT_EQ(body.user().number("mend"), 1);
 }
 
 TEST(PointDamage, Errors) {
