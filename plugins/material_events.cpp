@@ -1,4 +1,4 @@
-// User-defined events at the points of a material. They are found and logged; nothing changes by them.
+// User-defined events at the points of a material: found, logged, counted; what they may do: material_damage.cpp.
 //   M.parameter("D", 0.1);                  a number by name for the formulas of later calls of event
 //   M.event("damage", "ep - D*exp(-1.5*sm/seq)");
 //     happens at a point where the formula passes through zero from < 0 to >= 0. Names: ep plastic strain,

@@ -70,7 +70,7 @@ template <class Give> bool give(H* handle, const Give& f) {
 
 Array stress(Stack stack, const Method<H, StressTag>& m, const long& i) {
   return guarded(
-      [&] { return component(stack, m->get().workpiece().state().stress, i, STRESS, "material.stress"); });
+      [&] { return component(stack, stress_field(m->get().workpiece()), i, STRESS, "material.stress"); });
 }
 bool give_stress(const Method<H, StressTag>& m, const long& i, const Array& a) {
   return give(m.object,

@@ -54,6 +54,7 @@ static void init() {
   register_contact();
   register_contact_step();
   register_point_events();
+  register_point_damage();
   register_contact_matrix();
   register_contact_data();
   register_contact_tools();

@@ -119,6 +119,7 @@ void register_material_points();
 void register_contact();
 void register_contact_step();
 void register_point_events();
+void register_point_damage();
 void register_contact_matrix();
 void register_contact_data();
 void register_contact_tools();

@@ -17,8 +17,11 @@ template <int Dim> void WorkpieceBody<Dim>::set_state(const BodyState<Dim>& stat
 }
 
 template <int Dim> void WorkpieceBody<Dim>::accept() {
+  std::vector<ElementEvent<Dim>> acting;
+  if (!m_damage.empty()) acting = m_user.find(*m_workpiece);
   m_user.accept(*m_workpiece);
   m_workpiece->accept();
+  m_damage.apply(acting, *m_workpiece);
   ++m_acceptances;
 }
 

@@ -2,7 +2,7 @@
 // The deformable body as the steps of a run see it: two states, and events of its points. Stress, force and tangent are
 // asked of whoever owns the law: a Workpiece, or the forms of a script.
 #include "workpiece/element_events.hpp"
-#include "workpiece/point_events.hpp"
+#include "workpiece/point_damage.hpp"
 
 namespace burnish {
 
@@ -20,6 +20,9 @@ public:
   virtual void set_state(const BodyState<Dim>& state) = 0;
   virtual void accept() = 0; ///< the end of the step becomes the accepted state
   virtual void revert() = 0; ///< back to the accepted state
+  /// Length of the full step that begins [time], 0: every update is one. Damage counts full steps (METHOD.md 1.12).
+  virtual void set_step_length(double length) = 0;
+  virtual bool has_damage() const = 0; ///< user-defined events change points
 
   // Element events of the step that the last update made. Those found stay pending until they are accepted, dropped or
   // found anew.
@@ -50,6 +53,7 @@ public:
   Workpiece<Dim>& workpiece() { return *m_workpiece; }
   const Workpiece<Dim>& workpiece() const { return *m_workpiece; }
   PointEvents<Dim>& user() { return m_user; }
+  PointDamage<Dim>& damage() { return m_damage; }
   /// How often the accepted state has changed, and how often it was gone back to: what a user-defined law with a state of
   /// its own has to follow.
   long acceptances() const { return m_acceptances; }
@@ -59,6 +63,8 @@ public:
   void set_state(const BodyState<Dim>& state) override;
   void accept() override;
   void revert() override;
+  void set_step_length(double length) override { m_workpiece->set_step_length(length); }
+  bool has_damage() const override { return !m_damage.empty(); }
   double find_earliest(double tolerance, double noise) override;
   void find_all() override;
   void drop_events() override { m_pending.clear(); }
@@ -72,6 +78,7 @@ public:
 private:
   std::unique_ptr<Workpiece<Dim>> m_workpiece;
   PointEvents<Dim> m_user;
+  PointDamage<Dim> m_damage;
   std::vector<ElementEvent<Dim>> m_pending;
   long m_acceptances = 0, m_reversions = 0;
 };

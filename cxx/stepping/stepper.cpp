@@ -1,4 +1,5 @@
 #include "stepping/stepper.hpp"
+#include "base/error.hpp"
 #include <algorithm>
 
 namespace burnish {
@@ -53,6 +54,11 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
   const double narrow = m_options.width_steps * m_options.nodes_per_step * m_contact.body().spacing;
   m_control.stop_at(m_contact.hold().state().until);
   m_control.propose(std::max(m_contact.contact_width(), narrow), m_contact.contact_speed());
+  if (m_options.scheme == Scheme::ARTICLE && m_body.has_damage())
+    fail("Stepper",
+         "scheme article with damage, expected implicit or event: pure rates never take off the force that a "
+         "damaged point has lost");
+  m_body.set_step_length(m_control.dt());
   m_tries = 0;
   return try_step();
 }
@@ -120,6 +126,7 @@ template <int Dim> Task Stepper<Dim>::accepted() {
   m_control.accepted();
   m_counts.scheme.pileups += m_options.scheme == Scheme::EVENT && m_tries >= m_options.max_tries;
   ++m_counts.steps;
+  m_body.set_step_length(0);
   return ask(Task::RECORD, Phase::RECORD);
 }
 
@@ -138,6 +145,7 @@ template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::Vector
 }
 
 template <int Dim> Task Stepper<Dim>::end(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  m_body.set_step_length(0);
   if (m_phase != Phase::ENDED && m_phase != Phase::STEP) {
     m_body.revert();
     m_contact.revert();

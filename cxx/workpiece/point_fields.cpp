@@ -48,6 +48,12 @@ template <int Dim> Eigen::VectorXd stress_eq_field(const Workpiece<Dim>& body) {
 template <int Dim> Eigen::VectorXd yield_distance_field(const Workpiece<Dim>& body) {
   return scalars(body, [&](int p) { return body.yield_distance(p); });
 }
+template <int Dim> Eigen::VectorXd integrity_field(const Workpiece<Dim>& body) {
+  return scalars(body, [&](int p) { return body.integrity(p); });
+}
+template <int Dim> std::vector<double> stress_field(const Workpiece<Dim>& body) {
+  return tensors(body, [&](int p) { return body.stress(p); });
+}
 template <int Dim> std::vector<double> piola_field(const Workpiece<Dim>& body) {
   return tensors(body, [&](int p) { return body.point_piola(p); });
 }
@@ -59,6 +65,10 @@ template <int Dim> std::vector<double> increments_field(const Workpiece<Dim>& bo
   return tensors(body, [&](int p) { return body.law().increments(body.point_step(p)).y; });
 }
 
+template Eigen::VectorXd integrity_field<2>(const Workpiece<2>&);
+template Eigen::VectorXd integrity_field<3>(const Workpiece<3>&);
+template std::vector<double> stress_field<2>(const Workpiece<2>&);
+template std::vector<double> stress_field<3>(const Workpiece<3>&);
 template Eigen::VectorXd stress_eq_field<2>(const Workpiece<2>&);
 template Eigen::VectorXd stress_eq_field<3>(const Workpiece<3>&);
 template Eigen::VectorXd yield_distance_field<2>(const Workpiece<2>&);

@@ -65,8 +65,10 @@ Gradient<Dim> deformation_gradient(const Discretization<Dim>& mesh, int element,
 template <int Dim> Gradient<Dim> piola_of(const WorkpieceState<Dim>& state, int point) {
   const std::size_t p = point;
   const Gradient<Dim> F = Eigen::Map<const Gradient<Dim>>(state.F.data() + p * num_gradient<Dim>);
-  return first_piola(Stress<Dim>(Eigen::Map<const Stress<Dim>>(state.stress.data() + p * num_stress<Dim>)),
-                     inverse(F));
+  const Gradient<Dim> P = first_piola(
+      Stress<Dim>(Eigen::Map<const Stress<Dim>>(state.stress.data() + p * num_stress<Dim>)), inverse(F));
+  if (state.integrity.empty()) return P;
+  return state.integrity[p] * P;
 }
 
 } // namespace
@@ -93,7 +95,7 @@ template <int Dim> PointState<Dim> Workpiece<Dim>::point_now(int point) const {
   return point_state(m_state, m_num_internal, point);
 }
 template <int Dim> PointStep<Dim> Workpiece<Dim>::point_step(int point) const {
-  return {point_old(point), point_now(point).F, step_ratio(), 0, m_options};
+  return {point_state(start(), m_num_internal, point), point_now(point).F, step_ratio(), 0, m_options};
 }
 
 template <int Dim> PointResult Workpiece<Dim>::update_point(int point, const PointStep<Dim>& step) {
@@ -126,13 +128,14 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
   m_state.dt = dt;
   m_updated = true;
   if (m_user) m_user->expire();
+  if (tracks_integrity()) move_integrity(dt);
   const double ratio = step_ratio();
   const int per_element = m_discretization.points_per_element;
   for (int e = 0; e < m_discretization.num_elements; ++e)
     for (int p = e * per_element; p < (e + 1) * per_element; ++p) {
-      const PointResult result =
-          update_point(p, {point_old(p), deformation_gradient(m_discretization, e, p, displacement), ratio,
-                           iteration, m_options});
+      const PointResult result = update_point(p, {point_state(start(), m_num_internal, p),
+                                                  deformation_gradient(m_discretization, e, p, displacement),
+                                                  ratio, iteration, m_options});
       if (result.status != UpdateStatus::OK) return {result.status, p, result.value};
     }
   // a node of no element
@@ -154,12 +157,13 @@ PiolaTangent<Dim> Workpiece<Dim>::moduli(int point, TangentKind kind, double ela
   const PointStep<Dim> step = point_step(point);
   const PointState<Dim> now = point_now(point);
   const PointTrial& trial = m_trial[point];
+  const double w = tracks_integrity() ? m_state.integrity[point] : 1;
   const auto elastic = [&] { return m_law->tangent(TangentKind::ELASTIC, step, trial, now); };
-  if (kind == TangentKind::ELASTIC) return elastic();
+  if (kind == TangentKind::ELASTIC) return w * elastic();
   PiolaTangent<Dim> A =
       m_user ? user_moduli(point) : m_law->tangent(m_updated ? kind : TangentKind::RATE, step, trial, now);
   if (now.plastic && elastic_blend > 0 && m_law->has_moduli()) A += elastic_blend * (elastic() - A);
-  return 0.5 * (A + A.transpose());
+  return 0.5 * w * (A + A.transpose());
 }
 
 template <int Dim>
@@ -209,6 +213,10 @@ template <int Dim> void Workpiece<Dim>::set_plastic(int point, bool plastic) {
 
 template <int Dim> void Workpiece<Dim>::set_state(const WorkpieceState<Dim>& state) {
   burnish::require_valid(state, m_discretization, m_law->internal_variables(), "Workpiece::set_state");
+  if (tracks_integrity() == state.integrity.empty())
+    fail("Workpiece::set_state", tracks_integrity()
+                                     ? "size of integrity = 0, expected the number of points"
+                                     : "the state has integrities, this workpiece tracks none");
   m_state_old = m_state = state;
   m_updated = false;
 }
@@ -244,7 +252,7 @@ template <int Dim> double Workpiece<Dim>::modulus(const std::string& name) const
 
 template <int Dim> double Workpiece<Dim>::stress_eq(int point) const {
   require_point("Workpiece::stress_eq", point);
-  return equivalent<Dim>(deviator<Dim>(point_now(point).stress));
+  return equivalent<Dim>(deviator<Dim>(stress(point)));
 }
 
 template <int Dim> double Workpiece<Dim>::yield_distance(int point) const {

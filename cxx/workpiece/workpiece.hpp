@@ -62,7 +62,7 @@ public:
 
   /// From now on (true) the stress of each update and the moduli of each tangent are given from outside, by a user-defined
   /// law; update then moves the points only. Always so with a law without moduli.
-  /// @throws std::invalid_argument for false with such a law
+  /// @throws std::invalid_argument for false with such a law, for true if integrities are tracked
   void set_user_defined(bool user_defined);
   bool user_defined() const { return m_user.has_value(); }
   /// What it gives for state(), see UserPoints; `internal` by the name of the variable. plastic_strain_eq that has grown
@@ -74,6 +74,21 @@ public:
   void give_moduli(int row, int column, const PointValues& values, const char* where);
   void give_jacobian(int row, int column, const PointValues& values, const char* where);
   void give_internal(const std::string& name, int component, const PointValues& values, const char* where);
+
+  /// From now on every point has an integrity, 1 at first (METHOD.md 1.12); without this call none costs anything.
+  /// @throws std::invalid_argument if the law is user-defined: the core cannot forget a stress that a script keeps
+  void track_integrity();
+  bool tracks_integrity() const { return !m_state_old.integrity.empty(); }
+  /// Between steps: from the next step on the integrity of a point goes to `goal` in equal parts of `steps` full steps,
+  /// in place of any change under way. @param goal 0 < goal <= 1 [-]; @param steps >= 1
+  /// @throws std::invalid_argument if out of range, or without track_integrity
+  void change_integrity(int point, double goal, int steps);
+  /// Length of a full step [time], for updates of parts of it: they change integrities by their share. 0: every update
+  /// is a full step. @throws std::invalid_argument if < 0 or not finite
+  void set_step_length(double length);
+  double integrity(int point) const; ///< w of state(), 0 < w <= 1 [-]
+  /// Kirchhoff stress of state() that the body carries, METHOD.md (1.27) [stress].
+  Stress<Dim> stress(int point) const;
 
   void accept(); ///< state_old = state
   void revert(); ///< state = state_old
@@ -91,20 +106,23 @@ public:
   Eigen::VectorXd internal(const std::string& name, int component = 0) const;
   /// A modulus of the law, see MaterialLaw::moduli. @throws std::invalid_argument for an unknown name (lists those it has)
   double modulus(const std::string& name) const;
-  /// Von Mises stress of the Kirchhoff stress at a point of state() [stress].
+  /// Von Mises stress of the Kirchhoff stress that a point of state() carries [stress].
   /// @throws std::invalid_argument if point is out of range
   double stress_eq(int point) const;
-  /// q/sigma_y - 1 there: positive outside the yield surface, where only forward Euler leads [-].
+  /// q/sigma_y - 1 there, of the effective stress: positive outside the yield surface, where only forward Euler leads [-].
   double yield_distance(int point) const;
 
-  /// A point of either state; points into it.
+  /// A point of either state, with the effective stress; points into it.
   PointState<Dim> point_old(int point) const;
   PointState<Dim> point_now(int point) const;
-  /// The step of a point from state_old() to state().
+  /// The step of a point from state_old(), as healing leaves it (METHOD.md 1.12), to state().
   PointStep<Dim> point_step(int point) const;
 
 private:
   double step_ratio() const;
+  void move_integrity(double dt);
+  void heal_start();
+  const WorkpieceState<Dim>& start() const { return m_healing && m_updated ? m_start : m_state_old; }
   PointResult update_point(int point, const PointStep<Dim>& step);
   PiolaTangent<Dim> moduli(int point, TangentKind kind, double elastic_blend) const;
   PointResult move_point(int point, const PointStep<Dim>& step);
@@ -122,6 +140,9 @@ private:
   WorkpieceState<Dim> m_state_old, m_state;
   std::vector<PointTrial> m_trial; // per point, this step
   std::optional<UserPoints<Dim>> m_user;
+  WorkpieceState<Dim> m_start; // m_state_old with the points that heal in this step, while m_healing
+  double m_step_length = 0;
+  bool m_healing = false;
   bool m_updated = false; // state() comes from update, not from accept, revert, set_state
 };
 

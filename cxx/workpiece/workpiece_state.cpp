@@ -50,6 +50,12 @@ void require_valid(const WorkpieceState<Dim>& state, const Discretization<Dim>& 
     const Gradient<Dim> F = Eigen::Map<const Gradient<Dim>>(state.F.data() + p * num_gradient<Dim>);
     require(determinant(F) > 0, where, "det F", determinant(F), "> 0");
   }
+  const std::size_t tracked = state.integrity.empty() ? 0 : points;
+  check("integrity", state.integrity, tracked);
+  check("integrity_rate", state.integrity_rate, tracked);
+  check("integrity_goal", state.integrity_goal, tracked);
+  for (const std::vector<double>* values : {&state.integrity, &state.integrity_goal})
+    for (const double w : *values) require(w > 0 && w <= 1, where, "integrity", w, "0 < integrity <= 1");
   require(state.dt >= 0 && std::isfinite(state.dt), where, "dt", state.dt, "finite >= 0");
 }
 

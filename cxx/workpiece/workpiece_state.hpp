@@ -10,11 +10,16 @@ namespace burnish {
 template <int Dim> struct WorkpieceState {
   Eigen::VectorXd displacement; ///< num_dofs [length]
   std::vector<double> F;        ///< num_points x num_gradient: deformation gradient (Gradient) [-]
-  std::vector<double> stress;   ///< num_points x num_stress: Kirchhoff stress [stress]
+  std::vector<double>
+      stress; ///< num_points x num_stress: Kirchhoff stress [stress], effective (METHOD.md 1.12)
   std::vector<double> internal; ///< num_points x InternalVariables::size(): the law's internal variables
   std::vector<double> strain_increment; ///< num_points x num_stress: dd of the step that ended here [-]
   std::vector<char> plastic;            ///< num_points: inelastic flow happened in that step
   double dt = 0;                        ///< length of that step [time]; 0: there was none
+  // Damage and healing (METHOD.md 1.12), num_points each; empty: no damage is defined, every integrity is 1.
+  std::vector<double> integrity;      ///< 0 < w <= 1 [-]: the body carries w times `stress`
+  std::vector<double> integrity_rate; ///< change of w a full step; < 0 damage, > 0 healing, 0: at rest
+  std::vector<double> integrity_goal; ///< w at which that change ends
 };
 
 /// Undeformed and free of stress.
@@ -26,7 +31,7 @@ template <int Dim>
 void require_valid(const WorkpieceState<Dim>& state, const Discretization<Dim>& mesh,
                    const InternalVariables<Dim>& internal, const char* where);
 
-/// One point of it. The result points into the state. @param num_internal InternalVariables::size()
+/// One point of it, with the effective stress. The result points into the state. @param num_internal InternalVariables::size()
 template <int Dim>
 PointState<Dim> point_state(const WorkpieceState<Dim>& state, int num_internal, int point) {
   const std::size_t p = point;

@@ -7,6 +7,10 @@ namespace burnish {
 template <int Dim> void Workpiece<Dim>::set_user_defined(bool user_defined) {
   if (!user_defined && !m_law->has_moduli())
     fail("Workpiece::set_user_defined", "law \"" + m_law->name() + "\" has no stress of its own");
+  if (user_defined && tracks_integrity())
+    fail("Workpiece::set_user_defined",
+         "damage is defined, expected a law of the core: the stress that a script keeps "
+         "cannot be forgotten");
   if (user_defined && !m_user) m_user.emplace(m_discretization);
   if (!user_defined) m_user.reset();
 }

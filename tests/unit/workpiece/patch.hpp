@@ -52,7 +52,9 @@ inline Eigen::VectorXd bent(const Discretization<2>& mesh, double side, double s
 /// Every numbered array of a state, for comparing states.
 inline bool same(const WorkpieceState<2>& a, const WorkpieceState<2>& b) {
   return a.displacement == b.displacement && a.F == b.F && a.stress == b.stress && a.internal == b.internal &&
-         a.strain_increment == b.strain_increment && a.plastic == b.plastic && a.dt == b.dt;
+         a.strain_increment == b.strain_increment && a.plastic == b.plastic && a.dt == b.dt &&
+         a.integrity == b.integrity && a.integrity_rate == b.integrity_rate &&
+         a.integrity_goal == b.integrity_goal;
 }
 
 inline Gradient<2> gradient_at(const WorkpieceState<2>& state, int point) {

@@ -1,0 +1,51 @@
+#include "workpiece/point_damage.hpp"
+#include "base/error.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr const char* WHERE = "PointDamage";
+
+} // namespace
+
+template <int Dim>
+void PointDamage<Dim>::add(const PointEvents<Dim>& events, const std::string& event, const Rule& rule) {
+  events.counts(event); // throws if there is none
+  require(rule.steps >= 1, WHERE, "steps", rule.steps, ">= 1");
+  if (m_rules.count(event) > 0)
+    fail(WHERE, "event \"" + event + "\" damages or heals already, expected one rule an event");
+  m_rules[event] = rule;
+}
+
+template <int Dim>
+void PointDamage<Dim>::damage(Workpiece<Dim>& body, const PointEvents<Dim>& events, const std::string& event,
+                              double integrity, int steps) {
+  require(integrity > 0 && integrity < 1, WHERE, "integrity", integrity,
+          "0 < integrity < 1; at 0 nodes would have no stiffness, and the tangent would be singular");
+  if (body.user_defined()) body.track_integrity(); // says why not
+  add(events, event, {integrity, steps});
+  body.track_integrity();
+}
+
+template <int Dim>
+void PointDamage<Dim>::heal(const PointEvents<Dim>& events, const std::string& event, int steps) {
+  if (empty())
+    fail(WHERE, "event \"" + event + "\" has nothing to heal, expected damage to be defined before");
+  add(events, event, {1, steps});
+}
+
+template <int Dim>
+void PointDamage<Dim>::apply(const std::vector<ElementEvent<Dim>>& events, Workpiece<Dim>& body) const {
+  for (const ElementEvent<Dim>& event : events) {
+    const auto rule = m_rules.find(event.name);
+    if (event.change != PointChange::USER || rule == m_rules.end()) continue;
+    const auto [goal, steps] = rule->second;
+    const double w = body.integrity(event.point);
+    if (goal == 1 ? w < 1 : goal < w) body.change_integrity(event.point, goal, steps);
+  }
+}
+
+template class PointDamage<2>;
+template class PointDamage<3>;
+
+} // namespace burnish

@@ -1,0 +1,89 @@
+// Damage and healing of points by user-defined events (METHOD.md 1.12; the events: material_events.cpp).
+//   M.damage("crumble", integrity=1e-3, steps=5);
+//     where the event happens, the integrity w of the point falls from 1 to 1e-3 in equal parts of 5 accepted steps: stress,
+//     moduli and yield stress are w times those of the law. Defaults 1e-3 and 5; 0 < integrity < 1, steps >= 1
+//   M.heal("mend", steps=5);
+//     where this one happens, w grows to 1 again; what heals is free of stress and new (plastic strain 0) as it stands
+//   int n = M.heal(steps=5);       between steps, as in record: all damaged points begin to heal now; returns their number
+//   real[int] w = M.integrity;     per quadrature point, 1 without damage [-]
+//   int n = M.damaged;             number of points with w < 1
+//   bool b = M.hasdamage;          some damage is defined
+// Formulas of events, M.yielddistance and element events see the effective stress, that of the law; M.stress, M.stresseq,
+// M.piola, M.moduli and the forces are those of the body. Not with a law of the script, not with scheme article.
+#include "named.hpp"
+#include "types.hpp"
+#include "workpiece/healing.hpp"
+#include "workpiece/point_fields.hpp"
+
+namespace burnish {
+namespace {
+
+using M = MaterialHandle;
+struct DamageTag {};
+struct HealTag {};
+
+constexpr double LEAST_INTEGRITY = 1e-3;
+constexpr long STEPS = 5;
+
+struct Damage {
+  static const int n = 2;
+  static basicAC_F0::name_and_type names[n];
+  static bool call(const Named& a, Method<M, DamageTag> m, string* event) {
+    WorkpieceBody<2>& body = *m->get().body;
+    called("material.damage", [&] {
+      body.damage().damage(body.workpiece(), body.user(), *event, a.real("integrity", LEAST_INTEGRITY),
+                           static_cast<int>(a.integer("steps", STEPS)));
+    });
+    return true;
+  }
+};
+basicAC_F0::name_and_type Damage::names[] = {{"integrity", &typeid(double)}, {"steps", &typeid(long)}};
+
+struct Heal {
+  static const int n = 1;
+  static basicAC_F0::name_and_type names[n];
+  static bool call(const Named& a, Method<M, HealTag> m, string* event) {
+    WorkpieceBody<2>& body = *m->get().body;
+    called("material.heal",
+           [&] { body.damage().heal(body.user(), *event, static_cast<int>(a.integer("steps", STEPS))); });
+    return true;
+  }
+};
+basicAC_F0::name_and_type Heal::names[] = {{"steps", &typeid(long)}};
+
+struct HealAll {
+  static const int n = 1;
+  static basicAC_F0::name_and_type names[n];
+  static long call(const Named& a, Method<M, HealTag> m) {
+    return called("material.heal", [&] {
+      return heal_all(m->get().workpiece(), static_cast<int>(a.integer("steps", STEPS)));
+    });
+  }
+};
+basicAC_F0::name_and_type HealAll::names[] = {{"steps", &typeid(long)}};
+
+KN_<double> integrity(Stack stack, M* const& h) {
+  return guarded([&] { return new_array(stack, integrity_field(h->get().workpiece())); });
+}
+long damaged(M* const& h) {
+  return guarded(
+      [&] { return static_cast<long>((integrity_field(h->get().workpiece()).array() < 1).count()); });
+}
+bool has_damage(M* const& h) {
+  return guarded([&] { return h->get().body->has_damage(); });
+}
+
+} // namespace
+
+void register_point_damage() {
+  add_method<M, DamageTag>("damage",
+                           [] { return new NamedOperator<Damage, bool, Method<M, DamageTag>, string*>; });
+  add_method<M, HealTag>(
+      "heal", [] { return new NamedOperator<Heal, bool, Method<M, HealTag>, string*>; },
+      [] { return new NamedOperator<HealAll, long, Method<M, HealTag>>; });
+  Add<M*>("integrity", ".", new OneOperator1s_<KN_<double>, M*>(integrity));
+  Add<M*>("damaged", ".", new OneOperator1_<long, M*>(damaged));
+  Add<M*>("hasdamage", ".", new OneOperator1_<bool, M*>(has_damage));
+}
+
+} // namespace burnish
