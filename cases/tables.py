@@ -2,6 +2,7 @@
 
     make tables                          all of them, one run after the other: about half an hour
     make tables OPTIONS="rolling"        those of one README
+    make tables OPTIONS="rolling:ways"    one table
     make tables OPTIONS="--keep"         takes runs of the same options that out/tables/ has already
 
 A table stands between the lines <!-- table NAME --> and <!-- end -->; all between them is replaced. Runs are at the sizes
@@ -146,6 +147,24 @@ def rolling_integrator():
     return table(["", "steps", "factorizations", *NUMBERS, "CPU s"], rows)
 
 
+def rolling_ways():
+    single = f"{MEDIUM} -update single"
+    own = rolling(single)
+    rows = []
+    for law, assembly, solver, options in (
+            ("core", "core", "core", ""), ("script", "core", "core", " -forms 1 -assembly core"),
+            ("script", "varf", "core", " -forms 1"), ("core", "core", "UMFPACK", " -solver UMFPACK"),
+            ("script", "varf", "UMFPACK", " -forms 1 -solver UMFPACK"), ("core", "core", "BURNISH", " -solver BURNISH")):
+        r = rolling(single + options)
+        way = r.summary["way"]
+        matrix = f"{way['matrix_size']:.0f}, {way['matrix_nonzeros']:.0f}" if "matrix_size" in way else ""
+        times = r.summary["cpu_seconds"]["total"]/own.summary["cpu_seconds"]["total"]
+        rows.append([law, assembly, solver, r.steps, r.counts["iterations"], r.factorizations, *numbers(r), matrix, r.cpu,
+                     brief(times)])
+    return table(["law", "assembly", "solver", "steps", "iterations", "matrices", *NUMBERS, "size, nonzeros", "CPU s",
+                  "times"], rows)
+
+
 def rolling_article():
     kinds = {"implicit": "", "article": "-scheme article", "complete terms": "-scheme article -terms complete",
              "no element events": "-scheme article -events none", "radial return": "-scheme article -update single"}
@@ -266,14 +285,16 @@ def planetary_others():
     return table(["", "nodes", "steps", *STRAINS, "advance µm", "CPU s", ""], rows)
 
 
-TABLES = {"rolling": {"steps": rolling_steps, "integrator": rolling_integrator, "article": rolling_article,
+TABLES = {"rolling": {"steps": rolling_steps, "integrator": rolling_integrator, "ways": rolling_ways, "article": rolling_article,
                       "terms": rolling_terms, "mesh": rolling_mesh, "beside": rolling_beside},
           "planetary": {"mesh": planetary_mesh, "loads": planetary_loads, "others": planetary_others}}
 
 
-def write(case):
+def write(case, only):
     path = os.path.join("cases", case, "README.md")
     for name, measure in TABLES[case].items():
+        if only and name != only:
+            continue
         text = measure()
         with open(path, encoding="utf-8") as file:
             before = file.read()
@@ -289,12 +310,14 @@ def main(words):
     global KEEP
     KEEP = "--keep" in words
     cases = [w for w in words if w != "--keep"] or list(TABLES)
-    for case in cases:
-        if case not in TABLES:
-            sys.exit(f"tables.py: no tables for \"{case}\", expected one of: {', '.join(TABLES)}, --keep")
+    for word in cases:
+        case, _, name = word.partition(":")
+        if case not in TABLES or name and name not in TABLES[case]:
+            sys.exit(f"tables.py: no tables for \"{word}\", expected one of: {', '.join(TABLES)}, CASE:TABLE, --keep")
     os.chdir(TOP)
-    for case in cases:
-        write(case)
+    for word in cases:
+        case, _, name = word.partition(":")
+        write(case, name)
 
 
 if __name__ == "__main__":

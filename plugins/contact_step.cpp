@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
+#include "solver/block_symmetry.hpp"
 #include "stepping/workpiece_tangent.hpp"
 #include "types.hpp"
 
@@ -22,6 +23,8 @@ Eigen::VectorXd dofs(const ContactObject& contact, const KN_<double>& a, const c
                      const char* name) {
   return to_dofs(a, contact.setup->mesh().num_dofs(), where, name);
 }
+
+constexpr double LARGEST_ASYMMETRY = 1e-6; // of a script's tangent, over its largest entry
 
 struct BeginTag {};
 struct Begin {
@@ -82,6 +85,8 @@ bool factorize_matrix(const Method<ContactHandle, FactorizeTag>& m, Matrice_Creu
     ContactObject& contact = m->get();
     const auto& blocks =
         contact.reader.read(view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"));
+    contact.run().require_begun("contact.factorize");
+    require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.factorize");
     return contact.run().factorize(blocks, dofs(contact, u, "contact.factorize", "u")) == FactorStatus::OK;
   });
 }
