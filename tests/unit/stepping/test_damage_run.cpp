@@ -13,7 +13,7 @@ struct Crumbling : Scene {
   double y_touch = 0;
   Stepper<2> stepper;
   explicit Crumbling(Scheme scheme)
-      : Scene(block_mesh(12, 4, 2, 4, 1.5), J2Parameters::from_shear(1, 0.3, 0.01, 0.1)),
+      : Scene(block_mesh(8, 3, 2, 4, 1.5), J2Parameters::from_shear(1, 0.3, 0.01, 0.1)),
         stepper(ready(), body, StepControl(0, control()), options(scheme)) {
     body.user().add(workpiece(), "crumble", "ep - 0.004");
     body.damage().damage(workpiece(), body.user(), "crumble", 0.2, 4);
