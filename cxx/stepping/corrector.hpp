@@ -130,9 +130,9 @@ private:
   // of the condensed iterations
   bool change_states(const typename Condensation<Dim>::Expansion& increment, const Eigen::VectorXd& u);
   void choose_blend(double residual);
-  int m_falls = 0;              // iterations in a row that made the residual smaller
-  int m_passes = 0;             // changes of states since u has moved
-  std::vector<char> m_refused;  // nodes that could not stick since then
+  int m_falls = 0;             // iterations in a row that made the residual smaller
+  int m_passes = 0;            // changes of states since u has moved
+  std::vector<char> m_refused; // nodes that could not stick since then
   std::vector<ContactNode<Dim>> m_nodes_before;
 };
 

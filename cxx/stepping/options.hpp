@@ -32,8 +32,9 @@ struct StepOptions {
   /// Condensed iterations that change any number of states; later ones change one, which ends cycles
   /// (ALGORITHMS.md 5.8)
   int max_together = 8;
-  double condensed_slow = 0.7; ///< condensed iterations: a residual that falls by less takes more elastic moduli
-  int condensed_falls = 3;     ///< after so many that fall by more none are taken again
+  double condensed_slow =
+      0.7;                  ///< condensed iterations: a residual that falls by less takes more elastic moduli
+  int condensed_falls = 3;  ///< after so many that fall by more none are taken again
   int steps_per_factor = 2; ///< event steps that one factor serves
   GeometricTerms terms = GeometricTerms::COMPLETE;
 };

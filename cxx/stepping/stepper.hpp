@@ -65,7 +65,7 @@ public:
   double target() const { return m_scheme->solve().from + m_scheme->solve().dt; } ///< PROGRAM
   double dt() const { return m_scheme->solve().dt; } ///< FORCES: length of the piece
   Stepping stepping() const { return m_scheme->solve().stepping; }
-  int iteration() const { return m_iteration; }      ///< FORCES: 0, 1, 2, ... in this equilibrium
+  int iteration() const { return m_iteration; } ///< FORCES: 0, 1, 2, ... in this equilibrium
   double time() const { return m_control.time(); }
   const StepControl& control() const { return m_control; }
   const StepperCounts& counts() const { return m_counts; }

@@ -154,7 +154,8 @@ TEST(UserPoints, SaysWhatIsMissingOrWrong) {
   says([&] { pair.user.give_internal("damage", 0, ones, "give"); }, "no internal variable");
   Eigen::VectorXd bad = ones;
   bad[7] = std::numeric_limits<double>::quiet_NaN();
-  says([&] { pair.user.give_stress(3, bad, "give"); }, "Kirchhoff stress xy is nan at point 7, reference place (");
+  says([&] { pair.user.give_stress(3, bad, "give"); },
+       "Kirchhoff stress xy is nan at point 7, reference place (");
   says(
       [&] {
         for (int c = 0; c < 4; ++c) pair.user.give_piola(c, (c + 1) * ones, "give");
