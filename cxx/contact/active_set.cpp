@@ -152,7 +152,7 @@ bool test_free(const ContactModel<Dim>& model, int candidate, const std::vector<
   return true;
 }
 
-// Principal pivoting by blocks [JudicePires1994]: all changes at once while their number falls, and PATIENCE passes more;
+// Principal pivoting by blocks: all changes at once while their number falls, and PATIENCE passes more;
 // then of the nodes that touch or leave only the last one, until the number falls again. Ends cycles of flat contacts.
 template <int Dim> class Passes {
 public:
