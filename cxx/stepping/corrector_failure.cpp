@@ -34,7 +34,7 @@ template <int Dim> StepStatus Corrector<Dim>::go_back(Eigen::VectorXd& u) {
 
 // Whether the residual has hardly fallen over several iterations with one tangent.
 template <int Dim> bool Corrector<Dim>::stalls(double residual, double allowed) {
-  const bool first = m_iteration == 0;
+  const bool first = m_iteration <= m_options.stall_after; // steps that converge soon keep their tangent
   if (!first && ++m_stall_iterations < m_options.stall_after) return false;
   const bool stalled = !first && residual > m_options.stall * m_stall_residual && residual > allowed;
   m_stall_iterations = 0;
