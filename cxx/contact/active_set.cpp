@@ -152,75 +152,20 @@ bool test_free(const ContactModel<Dim>& model, int candidate, const std::vector<
   return true;
 }
 
-// Principal pivoting by blocks: all changes at once while their number falls, and PATIENCE passes more;
-// then of the nodes that touch or leave only the last one, until the number falls again. Ends cycles of flat contacts.
-template <int Dim> class Passes {
-public:
-  explicit Passes(const ContactState<Dim>& start)
-      : m_start(start), m_fewest(start.nodes.size() + 1), m_slid(start.nodes.size(), Vector<Dim>::Zero()) {}
-
-  // One pass of tests over the window; returns the number of changes.
-  int test(const ContactModel<Dim>& model, const BodyView<Dim>& body, const WindowProblem<Dim>& problem,
-           const WindowSolution<Dim>& solution, ContactState<Dim>& trial);
-
-private:
-  static constexpr int PATIENCE = 3;
-  bool all_at_once(std::size_t changes);
-  void slide_on(const ContactNode<Dim>& before, int i, ContactNode<Dim>& node);
-
-  const ContactState<Dim>& m_start; // of the iteration
-  std::size_t m_fewest;
-  int m_patience = PATIENCE;
-  std::vector<Vector<Dim>> m_slid; // direction of slip of nodes that were released, in the tool's frame
-};
-
-template <int Dim> bool Passes<Dim>::all_at_once(std::size_t changes) {
-  if (changes < m_fewest) {
-    m_fewest = changes;
-    m_patience = PATIENCE;
-    return true;
-  }
-  return --m_patience >= 0;
-}
-
-// A node that slid, left and comes back slides on: to stick at its entry place would pull it back by its whole slip.
-// Nodes that slide are linearized where the iteration found them: from the entry place on an arc, no iteration closes in.
-template <int Dim> void Passes<Dim>::slide_on(const ContactNode<Dim>& before, int i, ContactNode<Dim>& node) {
-  if (before.state == NodeState::SLIDING && !in_contact(node.state)) m_slid[i] = before.slip_direction;
-  const bool returns = !in_contact(before.state) && node.state == NodeState::STICKING;
-  if (returns && node.tool == before.tool && !m_slid[i].isZero()) make_slide(node, m_slid[i]);
-  const ContactNode<Dim>& start = m_start.nodes[i];
-  if (node.state == NodeState::SLIDING && in_contact(start.state) && start.tool == node.tool)
-    node.place = start.place;
-}
-
+// One pass of tests over the window; returns the number of changes.
 template <int Dim>
-int Passes<Dim>::test(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                      const WindowProblem<Dim>& problem, const WindowSolution<Dim>& solution,
-                      ContactState<Dim>& trial) {
+int test_window(const ContactModel<Dim>& model, const BodyView<Dim>& body, const WindowProblem<Dim>& problem,
+                const WindowSolution<Dim>& solution, ContactState<Dim>& trial) {
   const std::vector<int>& window = *problem.window;
   const auto poses = model.poses(solution.state.q);
   const Eigen::VectorXd du = problem.free_increment + problem.flexibility->matrix() * solution.load;
-  const ContactState<Dim> before = trial;
-  const std::vector<int> releases = problem.entry->releases;
-  std::vector<int> moved; // nodes that touch or leave
   int changes = 0;
   for (std::size_t w = 0; w < window.size(); ++w) {
     const int i = window[w];
     const Vector<Dim> x = body.position(*problem.u, model.candidates[i]) + du.template segment<Dim>(Dim * w);
     const Vector<Dim> F = solution.F.template segment<Dim>(Dim * w);
-    if (!test_node(model, i, poses, solution.state.nodes[i], F, x, *problem.entry, problem.options,
-                   trial.nodes[i]))
-      continue;
-    ++changes;
-    slide_on(before.nodes[i], i, trial.nodes[i]);
-    if (in_contact(before.nodes[i].state) != in_contact(trial.nodes[i].state)) moved.push_back(i);
-  }
-  if (moved.size() < 2 || all_at_once(moved.size())) return changes;
-  moved.pop_back();
-  for (const int i : moved) {
-    trial.nodes[i] = before.nodes[i];
-    problem.entry->releases[i] = releases[i];
+    changes += test_node(model, i, poses, solution.state.nodes[i], F, x, *problem.entry, problem.options,
+                         trial.nodes[i]);
   }
   return changes;
 }
@@ -245,7 +190,6 @@ WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<
   ContactState<Dim> trial = state;
   std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
   int trials = 0;
-  Passes<Dim> tests(state);
   for (solution.passes = 1;; ++solution.passes) {
     if (problem.adapt) stick_unsupported(model, prescribed, trial, refused);
     if (problem.adapt && problem.added_stiffness.size() > 0 && trials < problem.options.max_neutral_trials)
@@ -253,7 +197,7 @@ WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<
     if (!solve_active(model, body, prescribed, state, trial, problem, solution)) break;
     if (!problem.adapt || solution.passes >= problem.options.max_passes) break;
     const ContactState<Dim> before = trial;
-    if (tests.test(model, body, problem, solution, trial) == 0) break;
+    if (test_window(model, body, problem, solution, trial) == 0) break;
     for (std::size_t i = 0; i < refused.size(); ++i)
       refused[i] =
           refused[i] || (sticks(before.nodes[i].state) && trial.nodes[i].state == NodeState::SLIDING);

@@ -48,7 +48,7 @@ void Corrector<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
   m_adapt = adapt;
   m_iteration = m_backtracks = m_step_factorizations = m_indefinite = 0;
   m_last_residual = -1;
-  m_condensed = m_again = m_went_back = m_stalled = false;
+  m_condensed = m_again = false;
   m_passes = m_falls = 0;
   m_refused.assign(m_state.nodes.size(), 0);
   m_mixer = AndersonMixer(m_options.anderson_memory);
@@ -94,6 +94,37 @@ template <int Dim> void Corrector<Dim>::measure(const Eigen::VectorXd& u, const 
   m_load_scale = balance_at(u, R);
 }
 
+template <int Dim> std::string Corrector<Dim>::reason_of_failure(double scale) const {
+  std::ostringstream text;
+  text << "no convergence in " << m_iteration << " iterations: residual " << m_balance.residual
+       << ", allowed " << allowed(scale) << ", " << m_balance.inconsistent << " inconsistent contact states";
+  if (m_balance.residual > allowed(scale)) {
+    if (m_rounding > allowed(scale))
+      text << ": rounding leaves up to " << m_rounding
+           << ", the mesh is too large or too slender for this load";
+  } else if (m_balance.friction > (1 + m_options.tolerance) * m_balance.friction_limit) {
+    text << ": the forces balance with friction that adds up to " << m_balance.friction
+         << " over the contact nodes, whose limits add up to " << m_balance.friction_limit
+         << ": too little to balance a coordinate under force";
+  } else {
+    text << ": the forces balance, but states cycle";
+  }
+  return text.str();
+}
+
+// The iterate goes half way back to the one before.
+template <int Dim> StepStatus Corrector<Dim>::backtrack(Eigen::VectorXd& u) {
+  ++m_backtracks;
+  ++m_counts.backtracks;
+  u = 0.5 * (u + m_u_before);
+  m_state.q = 0.5 * (m_state.q + m_q_before);
+  follow(m_model, m_state.q);
+  project(u, true);
+  m_u_before.resize(0);
+  m_mixer.clear();
+  return StepStatus::BACKTRACKED;
+}
+
 template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(),
           "number of dofs");
@@ -108,21 +139,13 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
     return StepStatus::CONVERGED;
   }
   if (m_iteration >= m_options.max_iterations) return give_up(reason_of_failure(scale));
-  if (m_went_back) {
-    m_went_back = false;
-    m_last_residual = res;
-    return StepStatus::REFACTORIZE;
-  }
-  const bool may_go_back = m_backtracks < m_options.max_backtracks && m_u_before.size() == u.size();
-  if (may_go_back && m_last_residual >= 0 && res > m_options.blow_up * m_last_residual) return go_back(u);
-  const bool stalled = stalls(res, allowed(scale));
   const bool slow = m_last_residual >= 0 && res > m_options.slow * m_last_residual;
-  if (slow && m_iteration >= 2 && may_go_back) return backtrack(u);
+  if (slow && m_iteration >= 2 && m_backtracks < m_options.max_backtracks && m_u_before.size() == u.size())
+    return backtrack(u);
   if (m_condensed) choose_blend(res);
   m_last_residual = res;
   const bool fresh = m_iteration == 0 && !m_keep_factor;
-  m_stalled = stalled && !slow;
-  const bool renew = !m_has_factor || fresh || stalled || (slow && res > allowed(scale)) || !window_covers(u);
+  const bool renew = !m_has_factor || fresh || (slow && res > allowed(scale)) || !window_covers(u);
   return renew ? StepStatus::REFACTORIZE : StepStatus::ITERATE;
 }
 
@@ -160,8 +183,7 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
     return FactorStatus::NOT_POSITIVE_DEFINITE;
   }
   m_indefinite = 0;
-  m_step_factorizations += !m_stalled; // one that stalls does not cycle
-  m_stalled = false;
+  ++m_step_factorizations;
   const CpuTimer timer(m_counts.condensation_seconds);
   m_tangent->condense();
   m_flexibility.set(m_tangent->flexibility);
@@ -234,7 +256,6 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
   g << du, solution.state.q - m_state.q;
   m_u_before = u;
   m_q_before = m_state.q;
-  m_nodes_before = m_state.nodes;
   const Eigen::VectorXd step = m_mixer.mix(z, g, b);
   m_fresh = solution.fresh;
   m_state.nodes = solution.state.nodes;

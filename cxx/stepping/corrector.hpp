@@ -93,8 +93,6 @@ private:
   double balance_at(const Eigen::VectorXd& u, const Eigen::VectorXd& R);
   bool window_covers(const Eigen::VectorXd& u) const;
   StepStatus backtrack(Eigen::VectorXd& u);
-  StepStatus go_back(Eigen::VectorXd& u);
-  bool stalls(double residual, double allowed);
   std::string singular_reason(const WindowSolution<Dim>& solution) const;
   /// Largest residual that counts as balance [force]: the tolerance of the load, or what rounding leaves, but of
   /// that no more than the default tolerance of the load, and a billionth of it in any case.
@@ -129,16 +127,13 @@ private:
   int m_factor_age = 0, m_iteration = 0, m_backtracks = 0, m_step_factorizations = 0, m_indefinite = 0;
   Eigen::VectorXd m_u_before, m_q_before; // iterate before the last iteration, for backtracking
   std::vector<char> m_fresh;
-  bool m_went_back = false, m_stalled = false;
-  int m_stall_iterations = 0; // since m_stall_residual
-  double m_stall_residual = 0;
   // of the condensed iterations
   bool change_states(const typename Condensation<Dim>::Expansion& increment, const Eigen::VectorXd& u);
   void choose_blend(double residual);
-  int m_falls = 0;                              // iterations in a row that made the residual smaller
-  int m_passes = 0;                             // changes of states since u has moved
-  std::vector<char> m_refused;                  // nodes that could not stick since then
-  std::vector<ContactNode<Dim>> m_nodes_before; // of the iterate before the last iteration
+  int m_falls = 0;             // iterations in a row that made the residual smaller
+  int m_passes = 0;            // changes of states since u has moved
+  std::vector<char> m_refused; // nodes that could not stick since then
+  std::vector<ContactNode<Dim>> m_nodes_before;
 };
 
 } // namespace burnish

@@ -11,13 +11,10 @@ struct StepOptions {
   double offset_tolerance = 2e-4; ///< distance of a contact node from its tool, same scale
   int max_iterations = 25;        ///< bound on iterations of one step
   int max_backtracks = 3;         ///< steps back half way per step (ALGORITHMS.md 5.6)
-  int max_state_passes = 40;      ///< active-set passes on the dense block per iteration
+  int max_state_passes = 12;      ///< active-set passes on the dense block per iteration
   int max_neutral_trials = 4;     ///< looks for a neutral point per iteration (tool_support.hpp)
   int anderson_memory = 8;        ///< 0: no mixing
-  double slow = 2;     ///< residual ratio from which the iterate goes back or the tangent is taken anew
-  double blow_up = 5;  ///< residual ratio from which the iterate goes back with its states, to a new tangent
-  double stall = 0.5;  ///< the tangent is taken anew where the residual is not below this part ...
-  int stall_after = 4; ///< ... of what it was that many iterations before
+  double slow = 2; ///< residual ratio from which the iterate goes back or the tangent is taken anew
   double window_width =
       0.75; ///< candidates kept on the dense block: contact width times this beyond both ends ...
   double window_nodes = 6;       ///< ... plus this many node spacings

@@ -5,12 +5,12 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 run() { name=$1; shift; "$BURNISH" cases/rolling/rolling.edp -pictures 0 -series 1 -out "$SCRATCH/$name" "$@" >"$SCRATCH/$name.log" || { tail -20 "$SCRATCH/$name.log"; exit 1; }; }
 coarse="-inner 4 -outer 40 -sides 8 -update single"
-for scheme in implicit event; do
-  run "$scheme" $coarse -scheme "$scheme"
-  run "$scheme-law" $coarse -scheme "$scheme" -forms 1 -assembly core
-  run "$scheme-forms" $coarse -scheme "$scheme" -forms 1
-done
-small="-inner 3 -outer 24 -sides 5 -update single -steps 60 -turn 3 -tolerance 1e-9"
+run implicit $coarse
+run implicit-law $coarse -forms 1 -assembly core
+run implicit-forms $coarse -forms 1
+run event $coarse -scheme event -turn 3
+run event-law $coarse -scheme event -turn 3 -forms 1 -assembly core
+small="-inner 3 -outer 24 -sides 5 -update single -steps 40 -turn 2 -tolerance 1e-9"
 run umfpack $small -solver UMFPACK
 run umfpack-law $small -forms 1 -assembly core -solver UMFPACK
 run umfpack-forms $small -forms 1 -solver UMFPACK
