@@ -3,6 +3,7 @@
 //     named: terms="complete" | "article" | "none", rates=false, symmetric=false, solver="BURNISH"
 //   real[int] z = Kh^-1 * C.rhs;
 //   real largest = C.expand(z, u[]);
+//   C.given                      per degree of freedom: 1 where the displacement is given
 //   C.again                      contact states have changed, nothing has moved: condense and solve anew with the same K, R
 //                                (or go on: C.check then asks for another iteration)
 //   C.condensed("size" | "nonzeros" | "asymmetry")   of the last one; asymmetry: largest |k_ij - k_ji| over the largest entry
@@ -64,6 +65,12 @@ double matrix_number(const Method<ContactHandle, MatrixTag>& m, string* const& n
   });
 }
 
+KN_<double> given(Stack stack, ContactHandle* const& h) {
+  return guarded([&] {
+    const auto& fixed = h->get().run().body().fixed;
+    return new_array(stack, std::vector<double>(fixed.begin(), fixed.end()));
+  });
+}
 double elastic_blend(ContactHandle* const& h) {
   return guarded([&] { return h->get().run().corrector().elastic_blend(); });
 }
@@ -112,6 +119,7 @@ void register_contact_matrix() {
   });
   add_method<H, MatrixTag>(
       "condensed", [] { return new OneOperator2_<double, Method<H, MatrixTag>, string*>(matrix_number); });
+  Add<H*>("given", ".", new OneOperator1s_<Array, H*>(given));
   Add<H*>("again", ".", new OneOperator1_<bool, H*>(again));
   Add<H*>("elasticblend", ".", new OneOperator1_<double, H*>(elastic_blend));
   Add<H*>("blendexhausted", ".", new OneOperator1_<bool, H*>(blend_exhausted));

@@ -9,6 +9,5 @@ both ring upsetting "-n 8 -steps 40 -axisymmetric 1"
 both ring-p1 upsetting "-n 8 -steps 40 -axisymmetric 1 -element P1" -assembly core
 both planetary planetary "-element P1 -fine 0.8e-3 -coarse 0.8e-3 -inner 98" -assembly core
 both punch punch "-n 8 -scheme event" -solver UMFPACK
-both cam cam "-n 48 -steps 60 -turn 60 -W 32"
-both rolling rolling "-inner 4 -outer 40 -sides 8 -events log"
-"$PYTHON" "$here/forms_cases.py" "$SCRATCH" ring ring-p1 planetary punch cam rolling
+both rolling rolling "-inner 4 -outer 40 -sides 8 -events log -update single"
+"$PYTHON" "$here/forms_cases.py" "$SCRATCH" ring ring-p1 planetary punch rolling
