@@ -11,7 +11,8 @@ for name in names:
         with open(f"{folder}/{name}{kind}/summary.json") as f:
             runs.append(json.load(f))
     core, forms = runs
-    checks.that(name + " way", "of the script" in forms["way"]["law and assembly"], forms["way"])
+    if not name.startswith("ring"):  # upsetting has a second run, with the law of the core
+        checks.that(name + " way", "of the script" in forms["way"]["law and assembly"], forms["way"])
     largest = max(abs(v) for k, v in core["final"].items() if k.startswith("Q_") and not k.endswith(("angle", "theta")))
     for key, value in core["final"].items():
         if key.startswith("Q_") and not key.endswith(("angle", "theta")):
