@@ -7,6 +7,8 @@
 //     gaptolerance=       gap and slip over the spacing of the nodes, 1e-6
 //     maxiterations=, memory= (Anderson), terms="complete" | "article" | "none"
 //     axisymmetric=true   x is the radius (as in rcMaterial)
+//     surfaceplaces=      where the mid nodes of P2 edges lie on the true curve: Vh [X, Y] = [...]; X[]. Without it they lie on
+//                         the curve through the vertices, arc by arc; straight=true: on the edges of the mesh
 //   C.add(roller);  C.add(roller, label=3);  labels=: the part it may touch
 //     friction=0.3 | friction=0.3, shearlimit=1e8 | tresca=5e7 | sticking=true | frictionlaw="0.3*p/(1+p/k)":
 //     another law than the contact's; all: the core's contact/friction_laws.hpp
@@ -37,7 +39,7 @@ std::vector<long> labels_of(const Named& a) {
 }
 
 struct Construct {
-  static const int n = 10;
+  static const int n = 12;
   static basicAC_F0::name_and_type names[n];
   static Made<ContactObject> call(const Named& a, pfes* space) {
     const std::vector<long> labels = labels_of(a);
@@ -68,14 +70,28 @@ struct Construct {
     auto measure = std::make_shared<EdgeMeasure>(mesh.axisymmetric);
     object->setup = std::make_shared<ContactSetup<2>>(std::move(mesh), std::move(surface), std::move(fixed),
                                                       std::move(measure), options);
+    if (a.boolean("straight", false)) {
+      const auto& X = object->setup->mesh().X;
+      object->setup->place_surface(Eigen::Map<const Eigen::VectorXd>(X.data(), static_cast<long>(X.size())));
+    }
+    if (a.has("surfaceplaces"))
+      object->setup->place_surface(
+          to_dofs(a.array("surfaceplaces"), object->setup->mesh().num_dofs(), "contact", "surfaceplaces"));
     return made(std::move(object));
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {
-    {"label", &typeid(long)},         {"labels", &typeid(KN_<long>)}, {"fixed", &typeid(KN_<double>)},
-    {"friction", &typeid(double)},    {"tolerance", &typeid(double)}, {"gaptolerance", &typeid(double)},
-    {"maxiterations", &typeid(long)}, {"memory", &typeid(long)},      {"terms", &typeid(string*)},
-    {"axisymmetric", &typeid(bool)}};
+basicAC_F0::name_and_type Construct::names[] = {{"label", &typeid(long)},
+                                                {"labels", &typeid(KN_<long>)},
+                                                {"fixed", &typeid(KN_<double>)},
+                                                {"friction", &typeid(double)},
+                                                {"tolerance", &typeid(double)},
+                                                {"gaptolerance", &typeid(double)},
+                                                {"maxiterations", &typeid(long)},
+                                                {"memory", &typeid(long)},
+                                                {"terms", &typeid(string*)},
+                                                {"axisymmetric", &typeid(bool)},
+                                                {"surfaceplaces", &typeid(KN_<double>)},
+                                                {"straight", &typeid(bool)}};
 
 // Edges of the labels that a tool may touch; empty: all.
 std::vector<Facet<2>> reach_of(const Named& a, const ContactObject& contact) {

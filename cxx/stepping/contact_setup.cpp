@@ -1,6 +1,7 @@
 #include "stepping/contact_setup.hpp"
 #include "base/error.hpp"
 #include "contact/coupling.hpp"
+#include "contact/surface_curve.hpp"
 
 namespace burnish {
 
@@ -25,10 +26,15 @@ ContactSetup<Dim>::ContactSetup(Mesh<Dim> mesh, std::vector<Facet<Dim>> surface,
   }
   require(!m_model.candidates.empty(), "contact", "number of candidate nodes", 0,
           "at least one node on the labels that is not fixed");
-  m_body.X = Eigen::Map<const Eigen::VectorXd>(m_mesh.X.data(), static_cast<Eigen::Index>(m_mesh.X.size()));
+  m_body.X = places_on_curve(m_mesh, m_surface);
   m_body.fixed = std::move(fixed);
   m_body.measure = std::move(measure);
   m_model.first.assign(1, 0);
+}
+
+template <int Dim> void ContactSetup<Dim>::place_surface(const Eigen::VectorXd& places) {
+  if (m_closed) fail("contact", "places of the surface must be given before the first step");
+  m_body.X = places_given(m_mesh, m_surface, places);
 }
 
 template <int Dim>

@@ -17,6 +17,8 @@ public:
   ContactSetup(const ContactSetup&) = delete; // model and body are referred to
   ContactSetup& operator=(const ContactSetup&) = delete;
 
+  /// Mid nodes of the surface where the script says, instead of on the curve through its vertices; see places_given.
+  void place_surface(const Eigen::VectorXd& places);
   /// @param reach facets that the tool may touch; empty: the whole contact surface
   /// @throws std::invalid_argument once it is closed, or if a tool of that name is there
   void add_tool(std::shared_ptr<DrivenTool<Dim>> tool, std::shared_ptr<const FrictionLaw> friction,
@@ -35,7 +37,7 @@ public:
   const std::vector<std::shared_ptr<DrivenTool<Dim>>>& tools() const { return m_tools; }
   const std::vector<int>& candidates() const { return m_model.candidates; }
   const ContactModel<Dim>& model() const { return m_model; }
-  const BodyView<Dim>& body() const { return m_body; }
+  const BodyView<Dim>& body() const { return m_body; } ///< its mid nodes on the surface's curve
   /// Coordinates of all tools where the script placed them.
   Eigen::VectorXd placed() const;
 

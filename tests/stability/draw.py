@@ -1,0 +1,82 @@
+"""Pictures of the map: one of all dangers and methods, and one of each danger."""
+import os
+import re
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from matplotlib.patches import Patch, Rectangle
+
+COLORS = {"right": "#3a9b5c", "detected": "#f2c14e", "silent": "#c8322b", "failed": "#000000"}
+MARKERS = {"right": "o", "detected": "X", "silent": "s", "failed": "v"}
+
+
+def label(method):
+    return f"{method[0]}\n{method[1]}"
+
+
+def draw_map(dangers, methods, rows, path):
+    """Dangers down, methods across; a cell is divided into the values of its sweep, from left to right."""
+    by = {(r["danger"], r["scheme"], r["element"], r["x"]): r["outcome"] for r in rows}
+    fig, ax = plt.subplots(figsize=(11, 1.6 + 0.29 * len(dangers)))
+    for i, d in enumerate(dangers):
+        for j, method in enumerate(methods):
+            width = 0.94 / len(d["values"])
+            for k, x in enumerate(d["values"]):
+                color = COLORS[by[d["name"], *method, x]]
+                ax.add_patch(Rectangle((j + 0.03 + k * width, i + 0.1), 0.92 * width, 0.8, color=color, lw=0))
+        ax.text(len(methods) + 0.06, i + 0.5, f"{d['meaning']}: {', '.join(d['values'])}", va="center", fontsize=7.5)
+    ax.set_xlim(0, len(methods))
+    ax.set_ylim(len(dangers), 0)
+    ax.set_xticks([j + 0.5 for j in range(len(methods))], [label(m) for m in methods])
+    ax.xaxis.tick_top()
+    ax.set_yticks([i + 0.5 for i in range(len(dangers))], [d["name"] for d in dangers])
+    ax.tick_params(length=0)
+    for side in ax.spines.values():
+        side.set_visible(False)
+    count = {name: sum(r["outcome"] == name for r in rows) for name in COLORS}
+    fig.legend(handles=[Patch(color=COLORS[n], label=f"{n}: {count[n]}") for n in COLORS], loc="lower center", ncol=4,
+               frameon=False)
+    fig.subplots_adjust(left=0.22, right=0.7, top=1 - 0.75 / fig.get_figheight(), bottom=0.5 / fig.get_figheight())
+    fig.savefig(path, dpi=110)
+    plt.close(fig)
+
+
+def draw_danger(danger, methods, rows, path):
+    """Error over its tolerance against the danger; runs without a number stand on top."""
+    fig, ax = plt.subplots(figsize=(6.4, 4))
+    values = danger["values"]
+    top, bottom = 1e4, 1e-4
+    for j, method in enumerate(methods):
+        mine = [r for r in rows if r["danger"] == danger["name"] and (r["scheme"], r["element"]) == tuple(method)]
+        shift = 0.12 * (j - (len(methods) - 1) / 2)
+        xs = [values.index(r["x"]) + shift for r in mine]
+        # no number: above all
+        ys = [3 * top if r["error_over_tolerance"] in ("", "inf") else
+              min(max(float(r["error_over_tolerance"]), bottom), top) for r in mine]
+        line, = ax.plot(xs, ys, "-", lw=0.8, label=label(method).replace("\n", " "))
+        for x, y, r in zip(xs, ys, mine):
+            ax.plot(x, y, MARKERS[r["outcome"]], color=COLORS[r["outcome"]], mec=line.get_color(), ms=7)
+    ax.axhline(1, color="0.5", lw=0.8, ls="--")
+    ax.axhspan(1.5 * top, 6 * top, color="0.93")
+    ax.text(-0.45, 3 * top, "no number", va="center", fontsize=8, color="0.4")
+    ax.set_yscale("log")
+    ax.set_ylim(bottom / 2, 6 * top)
+    ax.set_xlim(-0.5, len(values) - 0.5)
+    ax.set_xticks(range(len(values)), values)
+    ax.set_xlabel(danger["meaning"])
+    ax.set_ylabel("error / allowed error [-]")
+    ax.set_title(danger["name"])
+    marks = [plt.Line2D([], [], ls="", marker=MARKERS[n], color=COLORS[n], label=n) for n in COLORS]
+    handles = ax.get_legend_handles_labels()[0] + marks
+    ax.legend(handles=handles, fontsize=7, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
+    fig.tight_layout()
+    fig.savefig(path, dpi=100)
+    plt.close(fig)
+
+
+def draw(dangers, methods, rows, folder):
+    draw_map(dangers, methods, rows, os.path.join(folder, "map.png"))
+    for d in dangers:
+        draw_danger(d, methods, rows, os.path.join(folder, re.sub(r"[^a-z0-9]+", "-", d["name"].lower()) + ".png"))

@@ -1,0 +1,211 @@
+"""The map of what can go wrong: runs every danger of dangers.csv by every method, and judges each run.
+
+run.py [--only TEXT] [--references] [--store]      see the Makefile's target stability
+  right     the numbers are within their tolerance, and the run says that it finished
+  detected  they are not, or there is no answer, and the run refused, stopped, or reported the cause by name
+  silent    they are not, and no word of the cause
+  failed    the run crashed or did not end in time
+expected.csv holds what every cell came to when it was stored; a run that comes to less, or any silent or failed cell of
+our methods, ends with status 1. references.csv holds the numbers of the reference runs.
+"""
+import argparse
+import concurrent.futures
+import csv
+import os
+import re
+import subprocess
+import sys
+import time
+
+import draw
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+METHODS = [("implicit", "P2"), ("implicit", "P1"), ("event", "P2"), ("event", "P1"), ("article", "P2")]
+RANK = {"right": 0, "detected": 1, "silent": 2, "failed": 3}
+REFUSED = {3, 4, 20}
+LIMIT = 240  # seconds of one run
+
+
+def dangers():
+    with open(os.path.join(HERE, "dangers.csv")) as f:
+        for line in f:
+            if line.startswith("#") or not line.strip():
+                continue
+            name, script, values, reference, word, meaning = (part.strip() for part in line.split(";"))
+            yield {"name": name, "script": script.split(), "values": values.split(), "reference": reference.split(),
+                   "word": word, "meaning": meaning}
+
+
+def run(script, options):
+    """Exit status (None: killed after LIMIT) and output of a run."""
+    command = [os.environ["BURNISH"], os.path.join(HERE, script[0] + ".edp"), *script[1:], *options]
+    try:
+        done = subprocess.run(command, cwd=HERE, capture_output=True, text=True, timeout=LIMIT, errors="replace")
+    except subprocess.TimeoutExpired:
+        return None, ""
+    return done.returncode, done.stdout + done.stderr
+
+
+def verdicts(text):
+    """[(name, value, reference, tolerance)] of a run, reference None: that of another run; None: there is no answer."""
+    found = []
+    for line in text.splitlines():
+        words = line.split()
+        if words[:1] != ["verdict"]:
+            continue
+        if words[1] == "none":
+            return None
+        reference = None if words[3] == "run" else float(words[3])
+        found.append((words[1], float(words[2]), reference, float(words[4])))
+    return found
+
+
+def error(value, reference):
+    return abs(value - reference) / (abs(reference) or 1)
+
+
+def reported(text, word):
+    """Is there a line of burnish's that names the cause? Verdicts are no reports."""
+    lines = [line for line in text.splitlines() if not line.startswith("verdict")]
+    return any(re.search(word, line, re.IGNORECASE) for line in lines)
+
+
+def judge(danger, status, text, references):
+    """Outcome and the largest error over its tolerance, or None."""
+    if status is None or status not in REFUSED | {0}:
+        return "failed", None
+    found = verdicts(text)
+    named = reported(text, danger["word"])
+    if found is None or not found:
+        # a run that stops early may not reach its verdict
+        return ("detected" if status in REFUSED and text.strip() or named else "silent"), None
+    worst = 0
+    for name, value, reference, allowed in found:
+        if reference is None:
+            reference = references.get(name)
+        off = float("inf") if reference is None else error(value, reference) / allowed
+        worst = max(worst, off if off == off else float("inf"))
+    if status == 0 and worst <= 1:
+        return "right", worst
+    return ("detected" if status in REFUSED or named else "silent"), worst
+
+
+def filled(template, value, element):
+    return [word.replace("{x}", value).replace("{element}", element) for word in template]
+
+
+def read_references():
+    path = os.path.join(HERE, "references.csv")
+    table = {}
+    if os.path.exists(path):
+        with open(path) as f:
+            for row in csv.DictReader(f):
+                table.setdefault((row["danger"], row["options"]), {})[row["name"]] = float(row["value"])
+    return table
+
+
+def make_references(chosen, jobs):
+    """Runs the reference of every danger again; those of others stay."""
+    wanted = {}
+    for danger in chosen:
+        for value in danger["values"] if danger["reference"] else []:
+            for _, element in METHODS:
+                options = filled(danger["reference"], value, element)
+                wanted[danger["name"], " ".join(options)] = (danger["script"], options)
+    table = read_references()
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for key, (status, text) in zip(wanted, pool.map(lambda job: run(*job), wanted.values())):
+            found = verdicts(text) or []
+            print(f"  {key[0]}: {key[1]}: status {status}, " + ", ".join(f"{v[0]} {v[1]:.6g}" for v in found), flush=True)
+            table[key] = {v[0]: v[1] for v in found if v[2] is None} if status in (0, 4) else {}
+    with open(os.path.join(HERE, "references.csv"), "w", newline="") as f:
+        out = csv.writer(f, lineterminator="\n")
+        out.writerow(["danger", "options", "name", "value"])
+        for key in sorted(table):
+            for name, value in table[key].items():
+                out.writerow([*key, name, f"{value:.8g}"])
+
+
+def run_all(chosen, jobs):
+    """Rows: danger, scheme, element, x, outcome, error, status, seconds, last words of the run."""
+    references = read_references()
+    tasks = [(d, scheme, element, x) for d in chosen for scheme, element in METHODS for x in d["values"]]
+    started, rows = time.time(), []
+
+    def one(task):
+        danger, scheme, element, x = task
+        begun = time.time()
+        status, text = run(danger["script"], ["-x", x, "-element", element, "-scheme", scheme])
+        known = references.get((danger["name"], " ".join(filled(danger["reference"], x, element))), {})
+        outcome, off = judge(danger, status, text, known)
+        words = [line for line in text.splitlines() if line.strip() and not line.startswith("verdict")]
+        return {"danger": danger["name"], "scheme": scheme, "element": element, "x": x, "outcome": outcome,
+                "error_over_tolerance": "" if off is None else f"{off:.4g}", "status": status,
+                "seconds": f"{time.time() - begun:.2f}", "last_line": words[-1][:200] if words else ""}
+
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for k, row in enumerate(pool.map(one, tasks), 1):
+            rows.append(row)
+            left = (time.time() - started) * (len(tasks) - k) / k
+            if sys.stderr.isatty():
+                print(f"\r  {k} of {len(tasks)} runs, about {left:.0f} s left ", end="", file=sys.stderr, flush=True)
+    if sys.stderr.isatty():
+        print(file=sys.stderr)
+    return rows
+
+
+def compare(rows, store):
+    """Complaints of cells that are silent, or came to less than what is stored."""
+    path = os.path.join(HERE, "expected.csv")
+    stored = {}
+    if os.path.exists(path):
+        with open(path) as f:
+            stored = {tuple(row[:4]): row[4] for row in csv.reader(f)}
+    complaints = []
+    for row in rows:
+        key = (row["danger"], row["scheme"], row["element"], row["x"])
+        expected = stored.get(key)
+        if RANK[row["outcome"]] >= RANK["silent"]:
+            complaints.append(f"{row['outcome']}: {', '.join(key)}: error over tolerance {row['error_over_tolerance'] or '-'}, "
+                              f"status {row['status']}: {row['last_line']}")
+        elif expected and RANK[row["outcome"]] > RANK.get(expected, 0):
+            complaints.append(f"{row['outcome']}, expected {expected}: {', '.join(key)}: {row['last_line']}")
+        elif not store and expected is None:
+            complaints.append(f"not in expected.csv: {', '.join(key)}")
+        stored[key] = row["outcome"]
+    if store:
+        with open(path, "w", newline="") as f:
+            csv.writer(f, lineterminator="\n").writerows([*key, stored[key]] for key in sorted(stored))
+    return complaints
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--only", default="", help="dangers whose name holds this")
+    parser.add_argument("--references", action="store_true", help="run the reference runs first")
+    parser.add_argument("--store", action="store_true", help="store the outcomes as expected")
+    parser.add_argument("--out", default="out/stability")
+    options = parser.parse_args()
+    jobs = int(os.environ.get("JOBS", os.cpu_count()))
+    chosen = [d for d in dangers() if options.only in d["name"]]
+    if not chosen:
+        sys.exit(f"stability: no danger holds \"{options.only}\"")
+    os.makedirs(options.out, exist_ok=True)
+    if options.references:
+        make_references(chosen, jobs)
+    rows = run_all(chosen, jobs)
+    with open(os.path.join(options.out, "results.csv"), "w", newline="") as f:
+        table = csv.DictWriter(f, rows[0].keys(), lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows)
+    draw.draw(chosen, METHODS, rows, options.out)
+    count = {name: sum(row["outcome"] == name for row in rows) for name in RANK}
+    print(f"{len(rows)} runs: " + ", ".join(f"{count[name]} {name}" for name in RANK) + f"; pictures in {options.out}")
+    complaints = compare(rows, options.store)
+    for line in complaints:
+        print("  " + line)
+    sys.exit(bool(complaints))
+
+
+if __name__ == "__main__":
+    main()
