@@ -9,6 +9,7 @@
 #include "stepping/approach.hpp"
 #include "stepping/contact_window.hpp"
 #include "stepping/failure_reason.hpp"
+#include "stepping/leaps.hpp"
 #include "stepping/program_checks.hpp"
 #include <algorithm>
 #include <cmath>
@@ -194,11 +195,29 @@ template <int Dim> StepStatus ContactRun<Dim>::check(Eigen::VectorXd& u, const E
     held += m_corrector.memory().rounding / m_corrector.options().tolerance;
   m_corrector.set_held(held);
   try {
-    return m_corrector.check(u, R);
+    const StepStatus status = m_corrector.check(u, R);
+    const std::string leap = status == StepStatus::CONVERGED ? leaps(u) : "";
+    return leap.empty() ? status : m_corrector.give_up(leap);
   } catch (const FormulaDomainError& error) {
     return m_corrector.give_up(error.what());
   }
 }
+
+// An equilibrium that the step has no way to: beyond a body that a tool has passed, or beyond a limit load.
+template <int Dim> std::string ContactRun<Dim>::leaps(const Eigen::VectorXd& u) const {
+  const SteppedPath<Dim> path{&m_accepted.contact, &m_corrector.state(), &m_u_start, &u};
+  const std::string passage = tool_passage(*m_setup, path);
+  if (!passage.empty() || m_stepping == Stepping::RATES) return passage;
+  return sudden_jump(*m_setup, path, m_prescribed,
+                     {m_dt, m_accepted.history.dt, m_accepted.history.dq, m_corrector.first_increment()},
+                     m_corrector.options());
+}
+
+template <int Dim> StepStatus ContactRun<Dim>::check_rates(const Eigen::VectorXd& u) {
+  const std::string leap = leaps(u);
+  return leap.empty() ? StepStatus::CONVERGED : m_corrector.give_up(leap);
+}
+
 template <int Dim> StepStatus ContactRun<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   require_checked("contact.correct");
   try {
@@ -234,7 +253,8 @@ std::vector<ContactEvent<Dim>> ContactRun<Dim>::events(const Eigen::VectorXd& u,
   const auto& options = m_corrector.options();
   const double h = body().spacing, least = std::numeric_limits<double>::min();
   const EventTolerance tolerances{options.tolerance * std::max(m_corrector.load_scale(), least),
-                                  options.gap_tolerance * h, tolerance};
+                                  options.gap_tolerance * h, tolerance,
+                                  m_corrector.tool_tolerance().cwiseMax(least)};
   std::vector<int> supports; // pure rates do not let them go, see support_after_events
   if (m_stepping == Stepping::RATES) supports = sole_supports(model(), m_prescribed, m_accepted.contact);
   auto found = earliest_events(model(), body(), ends(u, R), tolerances, supports);
@@ -303,7 +323,7 @@ template <int Dim> void ContactRun<Dim>::revert() {
     m_corrector.restore(m_accepted.corrector);
     m_corrector.drop_factor();
   } else // an event step only becomes shorter: its factor serves on
-    m_corrector.set_load_scale(m_accepted.corrector.load_scale);
+    m_corrector.set_load_scale(m_accepted.corrector.load_scale, m_accepted.corrector.tool_load);
   m_log.events.clear();
   m_stage = Stage::NONE;
 }
@@ -352,10 +372,16 @@ template <int Dim> void ContactRun<Dim>::cut(Eigen::VectorXd& u, double fraction
 
 template <int Dim> std::string ContactRun<Dim>::reason() const {
   const ContactState<Dim>& state = m_accepted.contact;
-  const std::string jump =
-      program_jump(*m_setup, FailedStep<Dim>{&state, &m_prescribed, m_t, m_dt, m_largest_dt});
-  if (m_corrector.reason().empty()) return jump; // the material could not follow: the only reason here
-  return m_corrector.reason() + (jump.empty() ? end_of_tool(*m_setup, state) : jump);
+  const std::string jump = program_jump(
+      *m_setup, FailedStep<Dim>{&state, &m_prescribed, &m_accepted.prescribed, m_t, m_dt, m_largest_dt});
+  const std::string& found = m_corrector.reason();
+  if (found.empty()) return jump;                      // the material could not follow: the only reason here
+  if (!jump.empty()) return jump + " (" + found + ")"; // the first cause first
+  std::string last;
+  if (found.find("limit load") != std::string::npos && m_accepted.history.dt > 0)
+    last =
+        "; " + last_equilibrium(*m_setup, m_accepted.prescribed, state.q, m_accepted.generalized_force, m_t);
+  return found + last + end_of_tool(*m_setup, state);
 }
 
 template <int Dim> double ContactRun<Dim>::contact_width() const {

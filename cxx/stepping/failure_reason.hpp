@@ -8,12 +8,19 @@ namespace burnish {
 template <int Dim> struct FailedStep {
   const ContactState<Dim>* state;
   const PrescribedValues* prescribed;
-  double t, dt, largest_dt; ///< largest_dt: of the run so far
+  const PrescribedValues* before; ///< at the end of the last step; empty: there was none
+  double t, dt, largest_dt;       ///< largest_dt: of the run so far
 };
 
-/// Halving the step makes a motion smaller, unless the program jumps: says so, or "".
+/// Halving the step makes a change of motion or force smaller, unless the program jumps: says so, or "".
 template <int Dim> std::string program_jump(const ContactSetup<Dim>& setup, const FailedStep<Dim>& step);
 /// A node that passes the end of an open tool loses its force there at once: says so, or "".
 template <int Dim> std::string end_of_tool(const ContactSetup<Dim>& setup, const ContactState<Dim>& state);
+
+/// The last equilibrium in words: its time, and force and place of every coordinate under a force other than zero; if there
+/// is none, of those under motion. @param force on the tools, one per coordinate
+template <int Dim>
+std::string last_equilibrium(const ContactSetup<Dim>& setup, const PrescribedValues& prescribed,
+                             const Eigen::VectorXd& q, const Eigen::VectorXd& force, double t);
 
 } // namespace burnish

@@ -81,7 +81,8 @@ template <int Dim> Task Stepper<Dim>::begin_solve(Eigen::VectorXd& u) {
 }
 
 template <int Dim> Task Stepper<Dim>::check(Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  if (m_scheme->solve().stepping == Stepping::RATES) return solved(true, u, R);
+  if (m_scheme->solve().stepping == Stepping::RATES)
+    return solved(m_contact.check_rates(u) == StepStatus::CONVERGED, u, R);
   ++m_iteration;
   switch (m_contact.check(u, R)) {
   case StepStatus::CONVERGED:
