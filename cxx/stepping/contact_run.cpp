@@ -372,11 +372,13 @@ template <int Dim> void ContactRun<Dim>::cut(Eigen::VectorXd& u, double fraction
 
 template <int Dim> std::string ContactRun<Dim>::reason() const {
   const ContactState<Dim>& state = m_accepted.contact;
-  const std::string jump = program_jump(
-      *m_setup, FailedStep<Dim>{&state, &m_prescribed, &m_accepted.prescribed, m_t, m_dt, m_largest_dt});
+  const FailedStep<Dim> step{&state, &m_prescribed, &m_accepted.prescribed, m_t, m_dt, m_largest_dt};
+  std::string cause = program_jump(*m_setup, step); // the first cause first
+  if (cause.empty()) cause = pulling_force(*m_setup, state, m_prescribed);
+  if (cause.empty() && !m_hold.acts(t_end())) cause = unheld_workpiece(*m_setup, state, m_accepted.u);
   const std::string& found = m_corrector.reason();
-  if (found.empty()) return jump;                      // the material could not follow: the only reason here
-  if (!jump.empty()) return jump + " (" + found + ")"; // the first cause first
+  if (found.empty()) return cause; // the material could not follow
+  if (!cause.empty()) return cause + " (" + found + ")";
   std::string last;
   if (found.find("limit load") != std::string::npos && m_accepted.history.dt > 0)
     last =

@@ -230,7 +230,8 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
     const CpuTimer timer(m_counts.factorization_seconds);
     const int analyses = m_tangent->solver->analyses();
     m_has_factor = m_tangent->factorize(m_model, m_body, m_state, K, m_floating) == FactorStatus::OK;
-    if (!m_has_factor && !m_floating) m_has_factor = factorize_held(K, u) == FactorStatus::OK;
+    if (!m_has_factor && !m_floating && m_indefinite >= m_options.max_indefinite) // no elastic moduli help
+      m_has_factor = factorize_held(K, u) == FactorStatus::OK;
     m_counts.analyses += m_tangent->solver->analyses() - analyses;
   }
   ++m_counts.factorizations;

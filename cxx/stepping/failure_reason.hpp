@@ -17,6 +17,14 @@ template <int Dim> std::string program_jump(const ContactSetup<Dim>& setup, cons
 /// A node that passes the end of an open tool loses its force there at once: says so, or "".
 template <int Dim> std::string end_of_tool(const ContactSetup<Dim>& setup, const ContactState<Dim>& state);
 
+/// A body that supports leave a rigid motion which the nodes in contact do not take either, the tools at rest; or "".
+template <int Dim>
+std::string unheld_workpiece(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                             const Eigen::VectorXd& u);
+/// A force that draws its tool away from all nodes that it touches: says so, or "".
+template <int Dim>
+std::string pulling_force(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                          const PrescribedValues& prescribed);
 /// The last equilibrium in words: its time, and force and place of every coordinate under a force other than zero; if there
 /// is none, of those under motion. @param force on the tools, one per coordinate
 template <int Dim>

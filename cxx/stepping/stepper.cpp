@@ -105,7 +105,11 @@ template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorX
 }
 
 template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  if (!converged) m_last_rejection = m_refusal + m_contact.reason();
+  if (!converged) {
+    const std::string cause = m_contact.reason(); // of the contact: why the body was asked for too much
+    const bool both = !cause.empty() && !m_refusal.empty();
+    m_last_rejection = both ? cause + " (" + m_refusal + ")" : cause + m_refusal;
+  }
   m_refused = false;
   m_refusal.clear();
   switch (m_scheme->solved(converged, u, R)) {
