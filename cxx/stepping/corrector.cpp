@@ -31,35 +31,6 @@ template <int Dim> double rounding_of_forces(const NodeBlockMatrix<Dim>& K, cons
   return roundings * std::numeric_limits<double>::epsilon() * stiffness * X.cwiseAbs().maxCoeff();
 }
 
-Eigen::VectorXd larger(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  if (a.size() != b.size()) return a.size() > b.size() ? a : b;
-  return a.cwiseMax(b);
-}
-
-// What a residual that stays too large comes from.
-template <int Dim>
-std::string reason_of_residual(const Balance& balance, const BodyView<Dim>& body, double rounding,
-                               double allowed, double load, double last_residual) {
-  constexpr double nothing = 1e-8;   // depth of the load under the largest stiffness, over the spacing
-  constexpr double falls = 0.5;      // ratio of the last residuals
-  constexpr double exhausted = 1e-3; // part of the friction that is left
-  std::ostringstream text;
-  if (rounding > allowed) {
-    const double place = 4 * std::numeric_limits<double>::epsilon() * body.X.cwiseAbs().maxCoeff();
-    const double depth = load / rounding * place;
-    text << ": rounding leaves up to " << rounding;
-    if (depth < nothing * body.spacing)
-      text << ", the load of " << load << " is next to nothing: look at its size and units";
-    else
-      text << ", the mesh is too large or too slender for this load";
-  } else if (last_residual >= 0 && balance.residual < falls * last_residual) {
-    text << ": the residual still falls, allow more iterations (maxiterations=)";
-  } else if (balance.friction_limit > 0 && balance.friction > (1 - exhausted) * balance.friction_limit) {
-    text << ": all friction is used up, the tool slips or the workpiece does";
-  }
-  return text.str();
-}
-
 } // namespace
 
 template <int Dim>
@@ -108,65 +79,6 @@ template <int Dim> void Corrector<Dim>::restore(const CorrectorMemory<Dim>& memo
   m_factor_age = memory.factor_age;
 }
 
-// A billionth of what rounding leaves is no load at all: a tool under zero force.
-template <int Dim> double Corrector<Dim>::allowed(double scale) const {
-  const double capped = std::min(m_rounding, StepOptions().tolerance * scale);
-  return std::max({m_options.tolerance * scale, capped, m_options.least_load * m_rounding});
-}
-
-// A tool that carries less than others is held to its own load, but to no less than what rounding leaves.
-template <int Dim>
-Eigen::VectorXd Corrector<Dim>::allowed_of_tools(double scale, const Eigen::VectorXd& tools) const {
-  const double common = allowed(scale);
-  Eigen::VectorXd result = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(m_model.tools.size()), common);
-  for (Eigen::Index t = 0; t < tools.size(); ++t)
-    if (tools[t] > m_options.least_tool_load * scale)
-      result[t] = std::min(common, std::max(allowed(tools[t]), m_rounding));
-  return result;
-}
-
-template <int Dim> Eigen::VectorXd Corrector<Dim>::tool_tolerance() const {
-  return allowed_of_tools(std::max(m_load_scale, m_balance.load), larger(m_tool_load, m_balance.tool_load));
-}
-
-// Sets m_balance; returns the load scale, in which the load of this state counts in its own tolerance.
-template <int Dim> double Corrector<Dim>::balance_at(const Eigen::VectorXd& u, const Eigen::VectorXd& R) {
-  const double h = m_body.spacing;
-  double scale = m_load_scale;
-  Eigen::VectorXd tools = m_tool_load;
-  for (int pass = 0; pass < 2; ++pass) {
-    m_balance = balance(m_model, m_body, m_state, m_prescribed, u, R,
-                        {allowed(scale), m_options.gap_tolerance * h, m_options.offset_tolerance * h, m_held,
-                         allowed_of_tools(scale, tools)});
-    const Eigen::VectorXd grown = larger(tools, m_balance.tool_load);
-    if (m_balance.load <= scale && grown == tools) break;
-    scale = std::max(scale, m_balance.load);
-    tools = grown;
-  }
-  return scale;
-}
-
-template <int Dim> void Corrector<Dim>::measure(const Eigen::VectorXd& u, const Eigen::VectorXd& R) {
-  m_load_scale = balance_at(u, R);
-  m_tool_load = larger(m_tool_load, m_balance.tool_load);
-}
-
-template <int Dim> std::string Corrector<Dim>::reason_of_failure(double scale) const {
-  std::ostringstream text;
-  text << "no convergence in " << m_iteration << " iterations: residual " << m_balance.residual
-       << ", allowed " << allowed(scale) << ", " << m_balance.inconsistent << " inconsistent contact states";
-  if (m_balance.residual > allowed(scale)) {
-    text << reason_of_residual(m_balance, m_body, m_rounding, allowed(scale), scale, m_last_residual);
-  } else if (m_balance.friction > (1 + m_options.tolerance) * m_balance.friction_limit) {
-    text << ": the forces balance with friction that adds up to " << m_balance.friction
-         << " over the contact nodes, whose limits add up to " << m_balance.friction_limit
-         << ": too little to balance a coordinate under force";
-  } else {
-    text << ": the forces balance, but states cycle";
-  }
-  return text.str();
-}
-
 // The iterate goes half way back to the one before.
 template <int Dim> StepStatus Corrector<Dim>::backtrack(Eigen::VectorXd& u) {
   ++m_backtracks;
@@ -191,7 +103,8 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
   const bool consistent = !m_adapt || m_balance.inconsistent == 0;
   if (m_iteration > 0 && res <= allowed(scale) && consistent) {
     m_load_scale = scale;
-    m_tool_load = larger(m_tool_load, m_balance.tool_load);
+    m_tool_load =
+        m_tool_load.size() > 0 ? m_tool_load.cwiseMax(m_balance.tool_load).eval() : m_balance.tool_load;
     return StepStatus::CONVERGED;
   }
   if (m_iteration >= m_options.max_iterations) return give_up(reason_of_failure(scale));
@@ -307,13 +220,6 @@ template <int Dim> Eigen::VectorXd Corrector<Dim>::solve(const Eigen::VectorXd& 
   const CpuTimer timer(m_counts.solve_seconds);
   ++m_counts.solves;
   return m_tangent->solver->solve(b);
-}
-
-template <int Dim> std::string Corrector<Dim>::singular_reason(const WindowSolution<Dim>& solution) const {
-  if (solution.weakest_coordinate >= 0)
-    return "nothing resists " + m_model.coordinate(solution.weakest_coordinate) + " under force control";
-  return m_floating ? "singular contact block: neither supports nor tools constrain the workpiece"
-                    : "singular contact block";
 }
 
 template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
