@@ -87,7 +87,9 @@ bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body,
   input.free_increment = of_nodes<Dim>(problem.free_increment, active);
   if (problem.added_stiffness.size() > 0)
     input.added_stiffness = of_nodes<Dim>(problem.added_stiffness, active);
+  input.test_stability = problem.test_stability;
   const auto block = solve_contact_block(model, prescribed, start.q, input);
+  out.unstable = block.unstable;
   out.singular = block.singular;
   out.weakest_coordinate = block.weakest_coordinate;
   if (block.singular) return false;
@@ -114,7 +116,8 @@ bool test_contact(const ContactModel<Dim>& model, int candidate, const std::vect
   const TangentialLaw<Dim>& law = model.law(candidate, node.tool);
   const ContactPoint<Dim> at = contact_point(model, poses, solved);
   const SurfaceForce<Dim> force = nodal_force(model, candidate, at.surface, F).part;
-  switch (law.test(node.state, force, slip_of(model, solved), at.m, node.tributary_area, options.tolerance)) {
+  switch (law.test(node.state, force, slip_of(model, solved), at.m, node.tributary_area,
+                   options.tolerance_of(node.tool))) {
   case Change::NONE:
     return false;
   case Change::RELEASE:

@@ -9,9 +9,13 @@ namespace burnish {
 /// Tolerances and bounds of the state tests.
 struct ActiveSetOptions {
   ContactTolerance tolerance; ///< of forces and backward slips
+  Eigen::VectorXd tool_force; ///< per tool: its own tolerance of forces [force]; empty: the common one
   double gap = 0;             ///< penetration that does not count [length]
   int max_passes = 12;        ///< passes over the window per iteration
   int max_neutral_trials = 4; ///< a neutral point is looked for that often (stick_at_neutral_point)
+  ContactTolerance tolerance_of(int tool) const {
+    return {tool_force.size() > 0 ? tool_force[tool] : tolerance.force, tolerance.slip};
+  }
 };
 
 /// Where free nodes would stick if they touched now, and how often each was released in this step.
@@ -26,6 +30,7 @@ template <int Dim> struct WindowProblem {
   const std::vector<int>* window = nullptr; ///< candidate numbers (index into ContactModel::candidates)
   ActiveCholesky* flexibility = nullptr;    ///< C over the window, Dim*window square; its selection changes
   Eigen::VectorXd added_stiffness;          ///< see ContactBlockInput, Dim*window, or empty
+  bool test_stability = false;              ///< see ContactBlockInput
   Eigen::VectorXd free_increment;           ///< (K^-1(-R)) on the window [length]
   const Eigen::VectorXd* u = nullptr;       ///< displacement at the linearization point, num_dofs
   const Eigen::VectorXd* R = nullptr;       ///< residual force there, num_dofs
@@ -36,7 +41,7 @@ template <int Dim> struct WindowProblem {
 };
 
 template <int Dim> struct WindowSolution {
-  bool singular = false;
+  bool singular = false, unstable = false; ///< see ContactBlockSolution
   int weakest_coordinate = -1;
   int passes = 0;
   ContactState<Dim> state; ///< states, places moved by the slips, q + dq

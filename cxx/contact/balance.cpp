@@ -1,6 +1,7 @@
 #include "contact/balance.hpp"
 #include "contact/coupling.hpp"
 #include "contact/driving_force.hpp"
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -14,17 +15,45 @@ bool worse(double r, const Balance& result) {
   return !(r <= result.residual) && !std::isnan(result.residual);
 }
 
+constexpr double AROUND =
+    2; // spacings around the contact of a light tool where free nodes are held to its tolerance
+
+// Weights of the residuals of all mesh nodes: beside a light tool that of the tool. Empty: all 1.
+template <int Dim>
+std::vector<double> weights_near_tools(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                       const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                                       const BalanceTolerance& tolerance) {
+  std::vector<double> weights;
+  for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
+    if (tolerance.weight(t) == 1) continue;
+    Eigen::AlignedBox<double, Dim> box;
+    for (std::size_t i = 0; i < state.nodes.size(); ++i)
+      if (in_contact(state.nodes[i].state) && state.nodes[i].tool == t)
+        box.extend(body.position(u, model.candidates[i]));
+    if (box.isEmpty()) continue;
+    const Vector<Dim> margin = Vector<Dim>::Constant(AROUND * body.spacing);
+    box = Eigen::AlignedBox<double, Dim>(box.min() - margin, box.max() + margin);
+    weights.resize(static_cast<std::size_t>(u.size() / Dim), 1);
+    for (std::size_t a = 0; a < weights.size(); ++a)
+      if (box.contains(body.position(u, static_cast<int>(a))))
+        weights[a] = std::max(weights[a], tolerance.weight(t));
+  }
+  return weights;
+}
+
 // Largest unbalanced force of the nodes that are not in contact.
 template <int Dim>
 void free_residual(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-                   const Eigen::VectorXd& R, Balance& result) {
+                   const Eigen::VectorXd& R, const std::vector<double>& weights, Balance& result) {
   std::vector<char> skip = body.fixed;
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
     if (in_contact(state.nodes[i].state))
       for (int c = 0; c < Dim; ++c) skip[Dim * model.candidates[i] + c] = 1;
   for (Eigen::Index d = 0; d < R.size(); ++d)
-    if (!skip[d] && worse(std::abs(R[d]), result)) {
-      result.residual = std::abs(R[d]);
+    if (!skip[d]) {
+      const double r = std::abs(R[d]) * (weights.empty() ? 1 : weights[static_cast<std::size_t>(d / Dim)]);
+      if (!worse(r, result)) continue;
+      result.residual = r;
       result.worst_dof = static_cast<int>(d);
     }
 }
@@ -55,15 +84,16 @@ void contact_node(const ContactModel<Dim>& model, int candidate, const ContactNo
   result.friction += force.T.norm();
   result.friction_limit += law.capacity(force.N, node.tributary_area);
   if (node.state == NodeState::SLIDING) {
-    const double r = law.sliding_residual(force, at.m, node.tributary_area);
+    const double r = tolerance.weight(node.tool) * law.sliding_residual(force, at.m, node.tributary_area);
     if (worse(r, result)) {
       result.residual = r;
       result.worst_dof = result.worst_coordinate = -1;
     }
   }
   const bool off = offset_to(model, candidate, at.surface, x).norm() > tolerance.offset;
-  result.inconsistent += off || law.contradicts(node.state, force, slip_of(model, node), at.m,
-                                                node.tributary_area, {tolerance.force, tolerance.gap});
+  result.inconsistent +=
+      off || law.contradicts(node.state, force, slip_of(model, node), at.m, node.tributary_area,
+                             {tolerance.force_of(node.tool), tolerance.gap});
 }
 
 // Motion of a tool's points with its coordinate k, for one that its drive holds without contact.
@@ -90,10 +120,31 @@ void complete_levers(const ContactModel<Dim>& model, const PrescribedValues& pre
     if (lever[k] == 0 && prescribed.is_held(k)) lever[k] = lever_of_tool(model, poses, static_cast<int>(k));
 }
 
+// Prescribed forces are a load of their tool.
+template <int Dim>
+void add_driving_loads(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                       const DrivingForce& drive, const Eigen::VectorXd& lever, Balance& result) {
+  for (int k = 0; k < static_cast<int>(lever.size()); ++k) {
+    if (prescribed.is_motion[k] || model.coupling_of(k) || !(lever[k] > 0)) continue;
+    double& load = result.tool_load[model.tool_of(k)];
+    load = std::max(load, std::abs(drive.value[k]) / lever[k]);
+  }
+}
+
+// Weight of the row of a coordinate: that of its tool, or of a tool that follows it and carries more.
+template <int Dim>
+double weight_of_row(const ContactModel<Dim>& model, const BalanceTolerance& tolerance, int k) {
+  double weight = tolerance.weight(model.tool_of(k));
+  for (const int follower : model.followers(k))
+    weight = std::min(weight, tolerance.weight(model.tool_of(follower)));
+  return weight;
+}
+
 // Tool rows over their lever arms.
 template <int Dim>
 void tool_residual(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                   const DrivingForce& drive, const Eigen::VectorXd& lever, Balance& result) {
+                   const DrivingForce& drive, const Eigen::VectorXd& lever, const BalanceTolerance& tolerance,
+                   Balance& result) {
   const Eigen::Index nq = result.generalized_force.size();
   result.tool_residual = Eigen::VectorXd::Zero(nq);
   for (Eigen::Index k = 0; k < nq; ++k) {
@@ -101,8 +152,10 @@ void tool_residual(const ContactModel<Dim>& model, const PrescribedValues& presc
     double r = result.generalized_force[k] - drive.value[k];
     if (drive.rounding.size() > 0 && std::abs(r) <= drive.rounding[k]) r = 0;
     result.tool_residual[k] = lever[k] > 0 ? r / lever[k] : (r == 0 ? 0 : result.load + std::abs(r));
-    if (worse(std::abs(result.tool_residual[k]), result)) {
-      result.residual = std::abs(result.tool_residual[k]);
+    const double weighted =
+        weight_of_row(model, tolerance, static_cast<int>(k)) * std::abs(result.tool_residual[k]);
+    if (worse(weighted, result)) {
+      result.residual = weighted;
       result.worst_dof = -1;
       result.worst_coordinate = static_cast<int>(k);
     }
@@ -118,6 +171,7 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
   Balance result;
   const Eigen::Index nq = model.num_coordinates();
   result.generalized_force = Eigen::VectorXd::Zero(nq);
+  result.tool_load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.tools.size()));
   Eigen::VectorXd lever = Eigen::VectorXd::Zero(nq);
   const auto poses = model.poses(state.q);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
@@ -135,6 +189,7 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
     const Vector<Dim> Rn = R.template segment<Dim>(Dim * model.candidates[i]);
     const NodalForce<Dim> force = nodal_force(model, candidate, at.surface, Rn);
     result.load += force.F.norm();
+    result.tool_load[node.tool] += force.F.norm();
     const int first = model.first[node.tool];
     for (Eigen::Index k = 0; k < at.surface.x_q.cols(); ++k) {
       result.generalized_force[first + k] += at.surface.x_q.col(k).dot(force.F);
@@ -146,8 +201,10 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
   complete_levers(model, prescribed, poses, state.q, lever);
   const double others = support_load(model, body, state, R) + tolerance.held;
   if (result.load < LIGHT * others) result.load = others;
-  free_residual(model, body, state, R, result);
-  tool_residual(model, prescribed, driving_force(model, prescribed, state.q), lever, result);
+  free_residual(model, body, state, R, weights_near_tools(model, body, state, u, tolerance), result);
+  const DrivingForce drive = driving_force(model, prescribed, state.q);
+  add_driving_loads(model, prescribed, drive, lever, result);
+  tool_residual(model, prescribed, drive, lever, tolerance, result);
   return result;
 }
 

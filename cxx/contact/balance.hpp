@@ -7,7 +7,9 @@
 namespace burnish {
 
 struct Balance {
-  double residual = 0; ///< largest unbalanced force: free nodes, sliding rows, tool rows over lever [force]
+  /// Largest unbalanced force: free nodes, sliding rows, tool rows over lever. What belongs to a tool with a tolerance
+  /// of its own counts in proportion: times the common tolerance over it [force]
+  double residual = 0;
   double load =
       0; ///< size of the load: sum of contact force norms; where they are none beside those of the supports,
          ///< that of the supports [force]
@@ -17,7 +19,9 @@ struct Balance {
   /// follow with what they hand on, METHOD.md (2.10)
   Eigen::VectorXd generalized_force;
   Eigen::VectorXd tool_residual; ///< generalized_force - Q_k over the lever, zero under motion [force]
-  int inconsistent = 0;          ///< nodes whose state contradicts force, slip or gap
+  /// Per tool: sum of the norms of its contact forces, or its prescribed forces over their levers if that is more [force]
+  Eigen::VectorXd tool_load;
+  int inconsistent = 0;                    ///< nodes whose state contradicts force, slip or gap
   double friction = 0, friction_limit = 0; ///< sums of |T| and of its limit over the contact nodes [force]
   double penetration = 0;                  ///< deepest penetration of a free candidate >= 0 [length]
 };
@@ -28,6 +32,14 @@ struct BalanceTolerance {
   double gap = 0;    ///< of penetration and of backward slip [length]
   double offset = 0; ///< of a contact node from its tool [length]
   double held = 0;   ///< what carries the body beside tools and supports [force]
+  Eigen::VectorXd tool_force =
+      {}; ///< per tool: the same as force for what belongs to it, no larger; empty: force
+  double force_of(int tool) const { return tool_force.size() > 0 ? tool_force[tool] : force; }
+  /// Of a residual that belongs to a tool, beside others: >= 1.
+  double weight(int tool) const {
+    const double own = force_of(tool);
+    return own > 0 && own < force ? force / own : 1;
+  }
 };
 
 /// @param R internal minus external nodal force, num_dofs [force]

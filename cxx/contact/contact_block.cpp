@@ -124,6 +124,25 @@ bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eig
   return z.allFinite();
 }
 
+// Whether the matrix of all that may move (slips, displacements, coordinates under force) has an eigenvalue with a
+// negative real part. Rows and columns are equilibrated; friction makes it unsymmetric.
+template <int Dim>
+bool is_unstable(const ContactModel<Dim>& model, const PrescribedValues& prescribed, Eigen::Index first,
+                 const Eigen::MatrixXd& matrix) {
+  constexpr double least = -1e-10; // eigenvalue of the equilibrated matrix that counts as negative
+  std::vector<Eigen::Index> moving;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const int k = static_cast<int>(i - first);
+    if (i < first || !(prescribed.is_motion[k] || model.coupling_of(k))) moving.push_back(i);
+  }
+  if (moving.empty()) return false;
+  Eigen::MatrixXd part = matrix(moving, moving);
+  const Eigen::VectorXd scale = part.diagonal().cwiseAbs().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  part = (scale.asDiagonal() * part * scale.asDiagonal()).eval();
+  if (!part.allFinite()) return true;
+  return part.eigenvalues().real().minCoeff() < least;
+}
+
 Eigen::VectorXd gathered(const Eigen::VectorXd& all, const std::vector<int>& at) {
   Eigen::VectorXd part(static_cast<Eigen::Index>(at.size()));
   for (std::size_t r = 0; r < at.size(); ++r) part[static_cast<Eigen::Index>(r)] = all[at[r]];
@@ -176,6 +195,7 @@ ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model,
   assemble_block(model, prescribed, q, nodes, c, SA, F0, matrix, rhs);
 
   ContactBlockSolution<Dim> solution;
+  if (input.test_stability) solution.unstable = is_unstable(model, prescribed, c.num_nodal, matrix);
   Eigen::VectorXd z;
   if (!solve_scaled(matrix, rhs, c.num_nodal, z, solution.weakest_coordinate)) {
     solution.singular = true;

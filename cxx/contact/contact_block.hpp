@@ -21,10 +21,12 @@ template <int Dim> struct ContactBlockInput {
   /// `flexibility` and `free_increment` were made, and is taken off again here, exactly: a body that only its
   /// tools support has a singular tangent. Dim*nodes [force/length], or empty: none.
   Eigen::VectorXd added_stiffness;
+  bool test_stability = false; ///< find out whether body and tools are stable together
 };
 
 template <int Dim> struct ContactBlockSolution {
   bool singular = false;
+  bool unstable = false; ///< if tested: the body, its tools where they are, is not stable (METHOD.md 5.6)
   int weakest_coordinate = -1; ///< if singular: coordinate that nothing resists, or -1
   Eigen::MatrixXd slip;        ///< Dim-1 x nodes, in the tangents E (0 for sticking ones) [length]
   Eigen::VectorXd dq;          ///< all coordinates

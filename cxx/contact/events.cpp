@@ -120,13 +120,13 @@ ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<D
   const auto b = forces(model, candidate, poses1, n1, *step.R_end);
   const TangentialLaw<Dim>& law = model.law(candidate, n0.tool);
   const Surface<Dim>& surface = model.tools[n0.tool]->surface();
-  double release = crossing(a.force.N, b.force.N, tolerance.force), change = NEVER;
+  double release = crossing(a.force.N, b.force.N, tolerance.force_of(n0.tool)), change = NEVER;
   EventKind kind = EventKind::STICK_TO_SLIP;
   if (n0.state == NodeState::SLIDING) {
     kind = EventKind::SLIP_TO_STICK;
     if (!law.frictionless()) change = stick_fraction(surface, n0, n1, a.m, step.dt, tolerance.gap);
   } else if (!support && !law.friction().sticks_always()) {
-    change = crossing(a.reserve, b.reserve, tolerance.force);
+    change = crossing(a.reserve, b.reserve, tolerance.force_of(n0.tool));
     if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released
     release = NEVER;
   }

@@ -46,9 +46,11 @@ template <int Dim> struct StepEnds {
 };
 
 struct EventTolerance {
-  double force = 0;       ///< absolute, of N and of mu N - |T| [force]
-  double gap = 0;         ///< absolute [length]
-  double fraction = 1e-3; ///< events this close to the earliest one are taken with it
+  double force = 0;                ///< absolute, of N and of mu N - |T| [force]
+  double gap = 0;                  ///< absolute [length]
+  double fraction = 1e-3;          ///< events this close to the earliest one are taken with it
+  Eigen::VectorXd tool_force = {}; ///< per tool: the same as force for its nodes; empty: force
+  double force_of(int tool) const { return tool_force.size() > 0 ? tool_force[tool] : force; }
 };
 
 /// All events of the step that lie within the tolerance of the earliest; empty if the whole step is free of

@@ -8,7 +8,6 @@
 #include "contact/tributary_area.hpp"
 #include "stepping/approach.hpp"
 #include "stepping/contact_window.hpp"
-#include "stepping/failure_reason.hpp"
 #include "stepping/program_checks.hpp"
 #include <algorithm>
 #include <cmath>
@@ -194,11 +193,14 @@ template <int Dim> StepStatus ContactRun<Dim>::check(Eigen::VectorXd& u, const E
     held += m_corrector.memory().rounding / m_corrector.options().tolerance;
   m_corrector.set_held(held);
   try {
-    return m_corrector.check(u, R);
+    const StepStatus status = m_corrector.check(u, R);
+    const std::string leap = status == StepStatus::CONVERGED ? leaps(u) : "";
+    return leap.empty() ? status : m_corrector.give_up(leap);
   } catch (const FormulaDomainError& error) {
     return m_corrector.give_up(error.what());
   }
 }
+
 template <int Dim> StepStatus ContactRun<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   require_checked("contact.correct");
   try {
@@ -234,7 +236,8 @@ std::vector<ContactEvent<Dim>> ContactRun<Dim>::events(const Eigen::VectorXd& u,
   const auto& options = m_corrector.options();
   const double h = body().spacing, least = std::numeric_limits<double>::min();
   const EventTolerance tolerances{options.tolerance * std::max(m_corrector.load_scale(), least),
-                                  options.gap_tolerance * h, tolerance};
+                                  options.gap_tolerance * h, tolerance,
+                                  m_corrector.tool_tolerance().cwiseMax(least)};
   std::vector<int> supports; // pure rates do not let them go, see support_after_events
   if (m_stepping == Stepping::RATES) supports = sole_supports(model(), m_prescribed, m_accepted.contact);
   auto found = earliest_events(model(), body(), ends(u, R), tolerances, supports);
@@ -303,7 +306,7 @@ template <int Dim> void ContactRun<Dim>::revert() {
     m_corrector.restore(m_accepted.corrector);
     m_corrector.drop_factor();
   } else // an event step only becomes shorter: its factor serves on
-    m_corrector.set_load_scale(m_accepted.corrector.load_scale);
+    m_corrector.set_load_scale(m_accepted.corrector.load_scale, m_accepted.corrector.tool_load);
   m_log.events.clear();
   m_stage = Stage::NONE;
 }
@@ -348,14 +351,6 @@ template <int Dim> void ContactRun<Dim>::cut(Eigen::VectorXd& u, double fraction
   m_prescribed.t = m_t + fraction * m_dt;
   m_prescribed.value = (start + fraction * (m_prescribed.value - start)).eval();
   m_dt *= fraction;
-}
-
-template <int Dim> std::string ContactRun<Dim>::reason() const {
-  const ContactState<Dim>& state = m_accepted.contact;
-  const std::string jump =
-      program_jump(*m_setup, FailedStep<Dim>{&state, &m_prescribed, m_t, m_dt, m_largest_dt});
-  if (m_corrector.reason().empty()) return jump; // the material could not follow: the only reason here
-  return m_corrector.reason() + (jump.empty() ? end_of_tool(*m_setup, state) : jump);
 }
 
 template <int Dim> double ContactRun<Dim>::contact_width() const {

@@ -65,6 +65,8 @@ public:
   /// Puts the force of the hold at u into the residual force R of the step under way, before check.
   void add_hold(const Eigen::VectorXd& u, Eigen::VectorXd& R) const { m_hold.add_force(u, t_end(), R); }
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
+  /// The test of a step of pure rates: FAILED if a tool passed through the body.
+  StepStatus check_rates(const Eigen::VectorXd& u);
   FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
   StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   /// @throws std::invalid_argument "where: ..." unless a step has been begun, or has been checked
@@ -114,6 +116,7 @@ private:
   void take_areas(ContactState<Dim>& state, const Eigen::VectorXd& u) const;
   PrescribedValues start_values() const;
   void take_places();
+  std::string leaps(const Eigen::VectorXd& u) const;
   Prediction<Dim> predicted(const Eigen::VectorXd& u) const;
   void take_events(const std::vector<ContactEvent<Dim>>& events, const Eigen::VectorXd& u,
                    ContactState<Dim>& state) const;

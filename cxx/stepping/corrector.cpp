@@ -13,6 +13,12 @@
 namespace burnish {
 namespace {
 
+constexpr const char* NOT_HELD = "the workpiece is not held: neither supports (fixed=) nor the tools that "
+                                 "touch it take all its rigid motions";
+constexpr const char* TIPS_OVER =
+    "nothing resists a motion of the tools under force control: a tool tips over or rolls away";
+constexpr const char* UNSTABLE = "the tangent is not positive definite: loss of stability or limit load";
+
 // What rounding leaves of the nodal forces in balance: that of places, times the stiffness [force]. Residuals of
 // a light load on a large body come no lower.
 template <int Dim> double rounding_of_forces(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& X) {
@@ -48,6 +54,8 @@ void Corrector<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
   m_adapt = adapt;
   m_iteration = m_backtracks = m_step_factorizations = m_indefinite = 0;
   m_last_residual = -1;
+  m_first_dq.resize(0);
+  m_R.resize(0);
   m_condensed = m_again = false;
   m_passes = m_falls = 0;
   m_refused.assign(m_state.nodes.size(), 0);
@@ -58,58 +66,17 @@ void Corrector<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
 }
 
 template <int Dim> CorrectorMemory<Dim> Corrector<Dim>::memory() const {
-  return {m_load_scale, m_rounding, m_window, m_has_factor ? m_tangent : nullptr, m_factor_age};
+  return {m_load_scale, m_tool_load, m_rounding, m_window, m_has_factor ? m_tangent : nullptr, m_factor_age};
 }
 
 template <int Dim> void Corrector<Dim>::restore(const CorrectorMemory<Dim>& memory) {
   m_load_scale = memory.load_scale;
+  m_tool_load = memory.tool_load;
   m_rounding = memory.rounding;
   m_window = memory.window;
   m_has_factor = memory.tangent != nullptr;
   if (m_has_factor) m_tangent = memory.tangent;
   m_factor_age = memory.factor_age;
-}
-
-// A billionth of what rounding leaves is no load at all: a tool under zero force.
-template <int Dim> double Corrector<Dim>::allowed(double scale) const {
-  const double capped = std::min(m_rounding, StepOptions().tolerance * scale);
-  return std::max({m_options.tolerance * scale, capped, m_options.least_load * m_rounding});
-}
-
-// Sets m_balance; returns the load scale, in which the load of this state counts in its own tolerance.
-template <int Dim> double Corrector<Dim>::balance_at(const Eigen::VectorXd& u, const Eigen::VectorXd& R) {
-  const double h = m_body.spacing;
-  double scale = m_load_scale;
-  for (int pass = 0; pass < 2; ++pass) {
-    m_balance =
-        balance(m_model, m_body, m_state, m_prescribed, u, R,
-                {allowed(scale), m_options.gap_tolerance * h, m_options.offset_tolerance * h, m_held});
-    if (m_balance.load <= scale) break;
-    scale = m_balance.load;
-  }
-  return scale;
-}
-
-template <int Dim> void Corrector<Dim>::measure(const Eigen::VectorXd& u, const Eigen::VectorXd& R) {
-  m_load_scale = balance_at(u, R);
-}
-
-template <int Dim> std::string Corrector<Dim>::reason_of_failure(double scale) const {
-  std::ostringstream text;
-  text << "no convergence in " << m_iteration << " iterations: residual " << m_balance.residual
-       << ", allowed " << allowed(scale) << ", " << m_balance.inconsistent << " inconsistent contact states";
-  if (m_balance.residual > allowed(scale)) {
-    if (m_rounding > allowed(scale))
-      text << ": rounding leaves up to " << m_rounding
-           << ", the mesh is too large or too slender for this load";
-  } else if (m_balance.friction > (1 + m_options.tolerance) * m_balance.friction_limit) {
-    text << ": the forces balance with friction that adds up to " << m_balance.friction
-         << " over the contact nodes, whose limits add up to " << m_balance.friction_limit
-         << ": too little to balance a coordinate under force";
-  } else {
-    text << ": the forces balance, but states cycle";
-  }
-  return text.str();
 }
 
 // The iterate goes half way back to the one before.
@@ -136,6 +103,8 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
   const bool consistent = !m_adapt || m_balance.inconsistent == 0;
   if (m_iteration > 0 && res <= allowed(scale) && consistent) {
     m_load_scale = scale;
+    m_tool_load =
+        m_tool_load.size() > 0 ? m_tool_load.cwiseMax(m_balance.tool_load).eval() : m_balance.tool_load;
     return StepStatus::CONVERGED;
   }
   if (m_iteration >= m_options.max_iterations) return give_up(reason_of_failure(scale));
@@ -144,6 +113,7 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
     return backtrack(u);
   if (m_condensed) choose_blend(res);
   m_last_residual = res;
+  m_R = R;
   const bool fresh = m_iteration == 0 && !m_keep_factor;
   const bool renew = !m_has_factor || fresh || (slow && res > allowed(scale)) || !window_covers(u);
   return renew ? StepStatus::REFACTORIZE : StepStatus::ITERATE;
@@ -173,21 +143,41 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
     const CpuTimer timer(m_counts.factorization_seconds);
     const int analyses = m_tangent->solver->analyses();
     m_has_factor = m_tangent->factorize(m_model, m_body, m_state, K, m_floating) == FactorStatus::OK;
+    if (!m_has_factor && !m_floating && m_indefinite >= m_options.max_indefinite) // no elastic moduli help
+      m_has_factor = factorize_held(K, u) == FactorStatus::OK;
     m_counts.analyses += m_tangent->solver->analyses() - analyses;
   }
   ++m_counts.factorizations;
   m_mixer.clear();
   if (!m_has_factor) {
     ++m_indefinite;
-    if (blend_exhausted()) m_reason = "the tangent is not positive definite: loss of stability or limit load";
+    if (blend_exhausted()) m_reason = UNSTABLE;
     return FactorStatus::NOT_POSITIVE_DEFINITE;
   }
   m_indefinite = 0;
   ++m_step_factorizations;
-  const CpuTimer timer(m_counts.condensation_seconds);
+  if (!m_tangent->flexibility || m_tangent->added_stiffness.size() == 0 || m_floating) {
+    const CpuTimer timer(m_counts.condensation_seconds);
+    m_tangent->condense();
+    m_flexibility.set(m_tangent->flexibility);
+  }
+  return FactorStatus::OK;
+}
+
+// A body that is not stable alone may be so between its tools: the factor is one of the body held at its contact nodes,
+// and the dense block, which lets go of them again, tells (METHOD.md 5.6).
+template <int Dim>
+FactorStatus Corrector<Dim>::factorize_held(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
+  if (m_R.size() != u.size()) return FactorStatus::NOT_POSITIVE_DEFINITE;
+  const FactorStatus status = m_tangent->factorize(m_model, m_body, m_state, K, true);
+  if (status != FactorStatus::OK) return status;
   m_tangent->condense();
   m_flexibility.set(m_tangent->flexibility);
-  return FactorStatus::OK;
+  WindowProblem<Dim> problem = window_problem(u, m_R, m_tangent->solver->solve(-m_R));
+  problem.adapt = false;
+  return solve_window(m_model, m_body, m_prescribed, m_state, problem).unstable
+             ? FactorStatus::NOT_POSITIVE_DEFINITE
+             : FactorStatus::OK;
 }
 
 template <int Dim> double Corrector<Dim>::elastic_blend() const {
@@ -200,6 +190,7 @@ template <int Dim> ActiveSetOptions Corrector<Dim>::active_set_options() const {
   const double gap = m_options.state_gap * m_options.gap_tolerance * m_body.spacing;
   ActiveSetOptions options;
   options.tolerance.force = m_options.state_force * allowed(std::max(m_load_scale, m_balance.load));
+  options.tool_force = m_options.state_force * tool_tolerance();
   options.tolerance.slip = m_options.state_slip * gap;
   options.gap = gap;
   options.max_passes = m_options.max_state_passes;
@@ -221,6 +212,7 @@ WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, cons
   problem.adapt = m_adapt;
   problem.options = active_set_options();
   problem.terms = m_options.terms;
+  problem.test_stability = !m_floating && m_tangent->added_stiffness.size() > 0;
   return problem;
 }
 
@@ -228,13 +220,6 @@ template <int Dim> Eigen::VectorXd Corrector<Dim>::solve(const Eigen::VectorXd& 
   const CpuTimer timer(m_counts.solve_seconds);
   ++m_counts.solves;
   return m_tangent->solver->solve(b);
-}
-
-template <int Dim> std::string Corrector<Dim>::singular_reason(const WindowSolution<Dim>& solution) const {
-  if (solution.weakest_coordinate >= 0)
-    return "nothing resists " + m_model.coordinate(solution.weakest_coordinate) + " under force control";
-  return m_floating ? "singular contact block: neither supports nor tools constrain the workpiece"
-                    : "singular contact block";
 }
 
 template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
@@ -247,7 +232,16 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
     const CpuTimer timer(m_counts.condensation_seconds);
     solution = solve_window(m_model, m_body, m_prescribed, m_state, window_problem(u, R, u0));
   }
-  if (solution.singular) return give_up(singular_reason(solution));
+  if (solution.singular) { // with the tools at rest it would be so only for want of supports
+    PrescribedValues resting = m_prescribed;
+    resting.is_motion.assign(resting.is_motion.size(), 1);
+    resting.value = m_state.q;
+    const bool floats = solve_window(m_model, m_body, resting, m_state, window_problem(u, R, u0)).singular;
+    if (floats && m_floating) return give_up(NOT_HELD);
+    if (!floats && solution.weakest_coordinate < 0) return give_up(TIPS_OVER);
+    return give_up(singular_reason(solution));
+  }
+  if (solution.unstable) return give_up(UNSTABLE);
   const Eigen::VectorXd b = scatter_window(m_model, m_tangent->window, solution.load, R.size()) - R;
   const Eigen::VectorXd du = solve(b);
   const Eigen::Index n = u.size(), nq = m_state.q.size();
@@ -256,6 +250,7 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
   g << du, solution.state.q - m_state.q;
   m_u_before = u;
   m_q_before = m_state.q;
+  if (m_iteration == 1) m_first_dq = solution.state.q - m_state.q;
   const Eigen::VectorXd step = m_mixer.mix(z, g, b);
   m_fresh = solution.fresh;
   m_state.nodes = solution.state.nodes;

@@ -20,7 +20,8 @@ struct CorrectorCounts {
 /// What the iteration carries from step to step.
 template <int Dim> struct CorrectorMemory {
   double load_scale = 0; ///< load of the tolerance: largest contact resultant of the accepted steps [force]
-  double rounding = 0;   ///< residual that rounding leaves, of the last tangent [force]
+  Eigen::VectorXd tool_load; ///< the same of every tool alone; empty: none yet [force]
+  double rounding = 0;       ///< residual that rounding leaves, of the last tangent [force]
   std::vector<int> window;
   std::shared_ptr<FactoredTangent<Dim>> tangent; ///< the factor that serves the next step, or null
   int factor_age = 0;                            ///< steps accepted since it was made
@@ -85,7 +86,14 @@ public:
   int iteration() const { return m_iteration; }
   /// Load scale of the tolerance: largest contact resultant of the accepted steps and of this one [force].
   double load_scale() const { return m_load_scale; }
-  void set_load_scale(double scale) { m_load_scale = scale; }
+  void set_load_scale(double scale, const Eigen::VectorXd& tools) {
+    m_load_scale = scale;
+    m_tool_load = tools;
+  }
+  /// What belongs to a tool is held to this [force], one per tool, no more than the tolerance of all (ALGORITHMS.md 5.1).
+  Eigen::VectorXd tool_tolerance() const;
+  /// Increment of the coordinates by the first iteration of this step; empty before. For the test of jumps.
+  const Eigen::VectorXd& first_increment() const { return m_first_dq; }
   /// What a soft hold carries: a load as supports have it [force].
   void set_held(double force) { m_held = force; }
 
@@ -97,6 +105,8 @@ private:
   /// Largest residual that counts as balance [force]: the tolerance of the load, or what rounding leaves, but of
   /// that no more than the default tolerance of the load, and a billionth of it in any case.
   double allowed(double scale) const;
+  Eigen::VectorXd allowed_of_tools(double scale, const Eigen::VectorXd& tools) const;
+  FactorStatus factorize_held(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
   std::string reason_of_failure(double scale) const; // after the last iteration
   ActiveSetOptions active_set_options() const;
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
@@ -125,7 +135,8 @@ private:
   std::string m_reason;
   double m_rounding = 0, m_load_scale = 0, m_last_residual = -1, m_held = 0;
   int m_factor_age = 0, m_iteration = 0, m_backtracks = 0, m_step_factorizations = 0, m_indefinite = 0;
-  Eigen::VectorXd m_u_before, m_q_before; // iterate before the last iteration, for backtracking
+  Eigen::VectorXd m_u_before, m_q_before;       // iterate before the last iteration, for backtracking
+  Eigen::VectorXd m_tool_load, m_first_dq, m_R; // m_R: of the last check
   std::vector<char> m_fresh;
   // of the condensed iterations
   bool change_states(const typename Condensation<Dim>::Expansion& increment, const Eigen::VectorXd& u);

@@ -31,12 +31,12 @@ NodeBlockMatrix<Dim> stiffened(const ContactModel<Dim>& model, const BodyView<Di
 template <int Dim>
 FactorStatus FactoredTangent<Dim>::factorize(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                              const ContactState<Dim>& state, const NodeBlockMatrix<Dim>& K,
-                                             bool floating) {
+                                             bool stiffen) {
   std::vector<int> nodes;
   for (const int i : window) nodes.push_back(model.candidates[i]);
   solver->analyze(K, body.fixed, nodes);
   added_stiffness.resize(0);
-  return solver->factorize(floating ? stiffened(model, body, state, window, K, added_stiffness) : K);
+  return solver->factorize(stiffen ? stiffened(model, body, state, window, K, added_stiffness) : K);
 }
 
 template <int Dim> void FactoredTangent<Dim>::condense() {

@@ -14,10 +14,11 @@ template <int Dim> struct FactoredTangent {
   Eigen::VectorXd added_stiffness; ///< Dim*window, see ContactBlockInput; empty: none [force/length]
 
   /// Factor of K for this window.
-  /// @param floating the supports leave a rigid motion free: stiffness is added to the diagonal of the contact nodes and
-  ///        of both ends of the window, which the dense block takes off again
+  /// @param stiffen the supports leave a rigid motion free, or the body is not stable without its tools: stiffness is
+  ///        added to the diagonal of the contact nodes and of both ends of the window, which the dense block takes off
+  ///        again
   FactorStatus factorize(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                         const ContactState<Dim>& state, const NodeBlockMatrix<Dim>& K, bool floating);
+                         const ContactState<Dim>& state, const NodeBlockMatrix<Dim>& K, bool stiffen);
   /// Reads the flexibility out of the factor.
   void condense();
 };

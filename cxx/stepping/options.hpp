@@ -17,12 +17,16 @@ struct StepOptions {
   double slow = 2; ///< residual ratio from which the iterate goes back or the tangent is taken anew
   double window_width =
       0.75; ///< candidates kept on the dense block: contact width times this beyond both ends ...
-  double window_nodes = 6;       ///< ... plus this many node spacings
-  double window_cover = 0.3;     ///< part of that margin that must be left, else the window is chosen anew
-  double state_force = 0.1;      ///< tolerance of forces in the state tests over that of the residual
-  double state_gap = 0.5;        ///< tolerance of gaps there over gap_tolerance
-  double state_slip = 0.1;       ///< tolerance of backward slips there over that of gaps
-  double least_load = 1e-9;      ///< a load below this part of what rounding leaves is none
+  double window_nodes = 6;   ///< ... plus this many node spacings
+  double window_cover = 0.3; ///< part of that margin that must be left, else the window is chosen anew
+  double state_force = 0.1;  ///< tolerance of forces in the state tests over that of the residual
+  double state_gap = 0.5;    ///< tolerance of gaps there over gap_tolerance
+  double state_slip = 0.1;   ///< tolerance of backward slips there over that of gaps
+  double least_load = 1e-9;  ///< a load below this part of what rounding leaves is none
+  double least_tool_load =
+      1e-7;             ///< a tool with less than this part of the load has the tolerance of the load
+  double jump_rate = 5; ///< a coordinate under force that moves so many times faster than before jumps ...
+  double jump_length = 0.2;      ///< ... if its tool's points move by more than this many spacings
   double spacing_of_tool = 1e-2; ///< spacing of a single candidate, over the length scale of the first tool
   int max_indefinite = 3;        ///< tangents in a row that may be indefinite
   /// Part of elastic moduli in the tangent after 0, 1, 2, ... factorizations of the step: ends cycles of plastic points

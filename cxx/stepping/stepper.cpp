@@ -81,7 +81,8 @@ template <int Dim> Task Stepper<Dim>::begin_solve(Eigen::VectorXd& u) {
 }
 
 template <int Dim> Task Stepper<Dim>::check(Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  if (m_scheme->solve().stepping == Stepping::RATES) return solved(true, u, R);
+  if (m_scheme->solve().stepping == Stepping::RATES)
+    return solved(m_contact.check_rates(u) == StepStatus::CONVERGED, u, R);
   ++m_iteration;
   switch (m_contact.check(u, R)) {
   case StepStatus::CONVERGED:
@@ -104,7 +105,11 @@ template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorX
 }
 
 template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  if (!converged) m_last_rejection = m_refusal + m_contact.reason();
+  if (!converged) {
+    const std::string cause = m_contact.reason(); // of the contact: why the body was asked for too much
+    const bool both = !cause.empty() && !m_refusal.empty();
+    m_last_rejection = both ? cause + " (" + m_refusal + ")" : cause + m_refusal;
+  }
   m_refused = false;
   m_refusal.clear();
   switch (m_scheme->solved(converged, u, R)) {

@@ -72,6 +72,36 @@ TEST(Balance, FreeNodesAndFixedOnes) {
   EXPECT_NEAR(scene.test().residual, 0, 1e-14);
 }
 
+// A tolerance of the tool's own makes its rows count more, and those of free nodes within two spacings of its contact.
+TEST(Balance, LightToolIsHeldToItsOwnTolerance) {
+  Scene scene(0.2);
+  scene.tolerance.force = 1e-2;
+  scene.tolerance.tool_force = Eigen::VectorXd::Constant(1, 1e-3);
+  scene.R[7] = -0.3;
+  EXPECT_DOUBLE_EQ(scene.test().residual, 0.3); // one length away
+  scene.body.X[7] = -0.5;
+  EXPECT_DOUBLE_EQ(scene.test().residual, 3);
+  scene.R[7] = 0;
+  scene.prescribed.is_motion[1] = 0;
+  const double force = scene.test().generalized_force[1];
+  scene.prescribed.value[1] = force - 0.05;
+  const Balance result = scene.test();
+  EXPECT_NEAR(std::abs(result.tool_residual[1]), 0.05, 1e-12);
+  EXPECT_NEAR(result.residual, 0.5, 1e-11);
+  EXPECT_EQ(result.worst_coordinate, 1);
+  EXPECT_DOUBLE_EQ(result.tool_load[0], std::abs(scene.prescribed.value[1])); // more than its contact forces
+  scene.tolerance.tool_force[0] = 1; // never less than the common one
+  EXPECT_NEAR(scene.test().residual, 0.05, 1e-12);
+}
+
+// Before anything is in contact the prescribed force is the load of a tool.
+TEST(Balance, PrescribedForceIsALoad) {
+  Scene scene(0.2);
+  scene.prescribed.is_motion[1] = 0;
+  scene.prescribed.value[1] = -400;
+  EXPECT_DOUBLE_EQ(scene.test().tool_load[0], 400);
+}
+
 TEST(Balance, SlidingRow) {
   Scene scene(0.2);
   scene.set_force(2, 5, -0.8); // mu N = 1

@@ -1,0 +1,80 @@
+// Why a step has not converged, in words.
+#include "stepping/corrector.hpp"
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace burnish {
+namespace {
+
+// What a residual that stays too large comes from.
+template <int Dim>
+std::string reason_of_residual(const Balance& balance, const BodyView<Dim>& body, double rounding,
+                               double allowed, double load, double last_residual) {
+  constexpr double nothing = 1e-8;   // depth of the load under the largest stiffness, over the spacing
+  constexpr double falls = 0.5;      // ratio of the last residuals
+  constexpr double exhausted = 1e-3; // part of the friction that is left
+  std::ostringstream text;
+  if (rounding > allowed) {
+    const double place = 4 * std::numeric_limits<double>::epsilon() * body.X.cwiseAbs().maxCoeff();
+    const double depth = load / rounding * place;
+    text << ": rounding leaves up to " << rounding;
+    if (depth < nothing * body.spacing)
+      text << ", the load of " << load << " is next to nothing: look at its size and units";
+    else
+      text << ", the mesh is too large or too slender for this load";
+  } else if (last_residual >= 0 && balance.residual < falls * last_residual) {
+    text << ": the residual still falls, allow more iterations (maxiterations=)";
+  } else if (balance.worst_coordinate >= 0 && balance.friction_limit > 0 &&
+             balance.friction > (1 - exhausted) * balance.friction_limit) {
+    text << ": all friction is used up, nothing is left for a coordinate under force";
+  }
+  return text.str();
+}
+
+// Whether a coordinate under force still moves by a good part of its first increment.
+bool moves_on(const PrescribedValues& prescribed, const Eigen::VectorXd& last, const Eigen::VectorXd& first) {
+  constexpr double part = 0.1;
+  if (first.size() != last.size()) return false;
+  for (Eigen::Index k = 0; k < last.size(); ++k)
+    if (!prescribed.is_motion[k] && std::abs(last[k]) > part * std::abs(first[k])) return true;
+  return false;
+}
+
+} // namespace
+
+template <int Dim> std::string Corrector<Dim>::reason_of_failure(double scale) const {
+  std::ostringstream text;
+  text << "no convergence in " << m_iteration << " iterations: residual " << m_balance.residual
+       << ", allowed " << allowed(scale) << ", " << m_balance.inconsistent << " inconsistent contact states";
+  if (m_balance.residual > allowed(scale)) {
+    const std::string why =
+        reason_of_residual(m_balance, m_body, m_rounding, allowed(scale), scale, m_last_residual);
+    const bool goes_on =
+        m_q_before.size() == m_state.q.size() && moves_on(m_prescribed, m_state.q - m_q_before, m_first_dq);
+    text << why;
+    if (goes_on && m_rounding <= allowed(scale))
+      text << (why.empty() ? ": " : "; ") << "the tool goes on moving under its force, a limit load";
+  } else if (m_balance.friction > (1 + m_options.tolerance) * m_balance.friction_limit) {
+    text << ": the forces balance with friction that adds up to " << m_balance.friction
+         << " over the contact nodes, whose limits add up to " << m_balance.friction_limit
+         << ": too little to balance a coordinate under force";
+  } else {
+    text << ": the forces balance, but states cycle";
+  }
+  return text.str();
+}
+
+template <int Dim> std::string Corrector<Dim>::singular_reason(const WindowSolution<Dim>& solution) const {
+  if (solution.weakest_coordinate >= 0)
+    return "nothing resists " + m_model.coordinate(solution.weakest_coordinate) + " under force control";
+  return m_floating ? "singular contact block: neither supports nor tools constrain the workpiece"
+                    : "singular contact block";
+}
+
+template std::string Corrector<2>::reason_of_failure(double) const;
+template std::string Corrector<3>::reason_of_failure(double) const;
+template std::string Corrector<2>::singular_reason(const WindowSolution<2>&) const;
+template std::string Corrector<3>::singular_reason(const WindowSolution<3>&) const;
+
+} // namespace burnish

@@ -1,0 +1,32 @@
+#pragma once
+// Equilibria that a step has no way to: a tool that has passed the body, a jump beyond a limit load. A shorter step finds the
+// way, or shows that there is none (ALGORITHMS.md 5.10).
+#include "stepping/contact_setup.hpp"
+
+namespace burnish {
+
+/// Both ends of a step.
+template <int Dim> struct SteppedPath {
+  const ContactState<Dim>*start, *end;
+  const Eigen::VectorXd *u_start, *u_end;
+};
+
+/// Lengths and coordinates of a step and of the one before.
+struct StepRates {
+  double dt, last_dt;              ///< last_dt 0: there was none
+  const Eigen::VectorXd& last_dq;  ///< of the last step
+  const Eigen::VectorXd& first_dq; ///< by the first iteration of this step; empty: unknown
+};
+
+/// A node or a place between two of them that is outside of a tool at both ends of the step and inside on the way. Only
+/// where tool and body move against one another by more than the tool's size. @returns what to say of it, or ""
+template <int Dim> std::string tool_passage(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path);
+
+/// A coordinate under force that moves much faster than in the step before, and than the coordinates under motion: by
+/// StepOptions::jump_rate and jump_length. @returns what to say of it, or ""
+template <int Dim>
+std::string sudden_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path,
+                        const PrescribedValues& prescribed, const StepRates& rates,
+                        const StepOptions& options);
+
+} // namespace burnish
