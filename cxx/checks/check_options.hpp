@@ -7,12 +7,11 @@ struct CheckOptions {
   bool on = true;
   double imbalance = 1e-2;          ///< forces and moments out of balance over the load: untrusted above ...
   double imbalance_tolerances = 20; ///< ... or above so many tolerances of the residual, whichever is more
-  double tension = 0.02;            ///< tension of a tool's nodes over the tool's own load: untrusted
+  double tension = 0.02; ///< tension of a tool's nodes over the largest load of the tool: untrusted
   double friction_excess =
-      0.02; ///< friction beyond its limit, or along the slip, over the tool's own load: untrusted
-  double slip_back = 0.01; ///< slip of a step against its direction over the spacing: untrusted
+      0.02; ///< friction beyond its limit, or along the slip, over the largest load of the tool: untrusted
   double few_nodes = 3;    ///< a contact that carries load on so many nodes or fewer: warning
-  double edge_depth = 0.2; ///< depth of the tool between two nodes over that of the contact: warning
+  double edge_depth = 0.1; ///< depth of a tool between two contact nodes over their distance: warning ...
   double edge_sunk = 0.5;  ///< ... untrusted
   double overlap = 0.05;   ///< depth of a tool in an edge that it does not touch, over the edge: untrusted
   double yield_distance = 1e-2;  ///< stress beyond the yield surface over the yield stress: warning ...

@@ -21,13 +21,21 @@ struct EnergyState {
   Eigen::VectorXd plastic_strain_eq, friction_force; ///< per point [-]; per candidate, along the slip [force]
 };
 
-/// How wide the contact of a tool was where it carried most.
+/// A force or a slip that contradicts the contact, the largest of the run.
+struct ViolationState {
+  double value = 0; ///< [force, length]
+  std::vector<double> place;
+  double t = 0, first = 0;
+  long count = 0; ///< steps beyond the bound, over the load of then
+};
+
+/// How wide the contact of a tool was where it carried most, and what contradicted it.
 struct WidthState {
-  double load = 0;  ///< largest of the run [force]
-  int nodes = 0;    ///< in contact there
-  double depth = 0; ///< of the tool between two nodes over that of the contact, there; < 0: unknown
+  double load = 0; ///< largest of the run [force]
+  int nodes = 0;   ///< in contact there
   std::vector<double> place;
   double t = 0;
+  ViolationState tension, friction;
   long narrow = 0, steps = 0; ///< steps with few nodes, and all with contact
 };
 
@@ -38,7 +46,8 @@ struct CheckState {
   std::vector<WidthState> width; ///< per tool
   /// Worst number of every check so far, by name, within its bounds or not.
   std::map<std::string, double> measured;
-  std::string stop; ///< why the run cannot go on; "": it can
+  bool distorted = false; ///< an element is near its bound: all are looked at in every step
+  std::string stop;       ///< why the run cannot go on; "": it can
   /// Notes a number of which the largest is the worst.
   void largest(const std::string& name, double value);
   void smallest(const std::string& name, double value);

@@ -5,7 +5,7 @@
 namespace burnish {
 namespace {
 
-// The worst violation of a tool's nodes, over its own load.
+// The largest violation among a tool's nodes in a step.
 struct Violation {
   double value = 0;
   int node = -1;
@@ -17,18 +17,30 @@ struct Violation {
 };
 
 template <int Dim>
-void report(const AcceptedStep<Dim>& step, const char* check, int tool, const Violation& worst, double bound,
-            const std::string& what, CheckState& state, FindingList& findings) {
-  state.largest(check, worst.value);
-  if (!(worst.value > bound)) return;
-  Finding* finding = findings.report(check, step.tool_name(tool), Severity::UNTRUSTED, worst.value, step.t);
-  if (!finding) return;
-  const Vector<Dim>& x = step.touching[worst.node].x;
-  finding->value = worst.value;
+void keep(const AcceptedStep<Dim>& step, const Violation& found, double bound, ViolationState& known) {
+  if (found.value > bound && known.count++ == 0) known.first = step.t;
+  if (!(found.value > known.value)) return;
+  known.value = found.value;
+  known.place = step.place_of(step.touching[found.node].x);
+  known.t = step.t;
+}
+
+// Of the whole run, over the largest load of the tool.
+void report(const std::string& tool, const char* check, const ViolationState& worst, double load,
+            double bound, const std::string& what, CheckState& state, FindingList& findings) {
+  const double value = worst.value / load;
+  state.largest(check, value);
+  findings.withdraw(check, tool);
+  if (!(value > bound)) return;
+  Finding* finding = findings.report(check, tool, Severity::UNTRUSTED, value, worst.t);
+  finding->value = value;
   finding->bound = bound;
-  finding->place = step.place_of(x);
+  finding->place = worst.place;
+  finding->first = worst.first;
+  finding->count = worst.count;
   std::ostringstream text;
-  text << "tool \"" << step.tool_name(tool) << "\": " << what << worst.value << step.at(x);
+  text << "tool \"" << tool << "\": " << what << value << " of its largest load, at "
+       << place_text(worst.place) << ", t = " << worst.t;
   finding->text = text.str();
 }
 
@@ -56,35 +68,32 @@ template <int Dim> std::vector<Run> runs_of(const AcceptedStep<Dim>& step, int t
 
 } // namespace
 
+// Judged at the end: while a tool has hardly touched, what the residual leaves may be more than it carries.
 template <int Dim>
 void ContactCheck<Dim>::look_at_forces(const AcceptedStep<Dim>& step, const CheckOptions& options,
                                        CheckState& state, FindingList& findings) const {
   for (int tool = 0; tool < static_cast<int>(step.model.tools.size()); ++tool) {
+    WidthState& known = state.width[tool];
+    Violation tension, friction;
     double load = 0;
-    Violation tension, friction, back;
-    for (const auto& node : step.touching)
-      if (step.contact.nodes[node.candidate].tool == tool) load += node.force.F.norm();
-    // what the residual leaves of the whole load is no load of this tool
-    load = std::max(load, step.tolerance * step.load);
-    if (!(load > 0)) continue;
     for (int i = 0; i < static_cast<int>(step.touching.size()); ++i) {
       const CheckedNode<Dim>& node = step.touching[i];
       const ContactNode<Dim>& contact = step.contact.nodes[node.candidate];
       if (contact.tool != tool) continue;
-      const TangentialLaw<Dim>& law = step.model.law(node.candidate, tool);
       const SurfaceForce<Dim>& force = node.force.part;
-      tension.take(-force.N / load, i);
-      friction.take(-law.reserve(force, contact.tributary_area) / load, i);
-      if (contact.state != NodeState::SLIDING) continue;
-      friction.take(node.at.m.dot(force.T) / load, i);
-      back.take(-slip_of(step.model, contact).dot(node.at.m) / step.body.spacing, i);
+      load += node.force.F.norm();
+      tension.take(-force.N, i);
+      friction.take(-step.model.law(node.candidate, tool).reserve(force, contact.tributary_area), i);
+      if (contact.state == NodeState::SLIDING) friction.take(node.at.m.dot(force.T), i);
     }
-    report(step, "tension", tool, tension, options.tension,
-           "it pulls at a node, by this part of its load: ", state, findings);
-    report(step, "friction", tool, friction, options.friction_excess,
-           "friction beyond its limit, or along the slip, by this part of its load: ", state, findings);
-    report(step, "slip", tool, back, options.slip_back,
-           "a node slips along its friction force, by this part of the spacing: ", state, findings);
+    known.load = std::max(known.load, load);
+    if (tension.node >= 0) keep(step, tension, options.tension * load, known.tension);
+    if (friction.node >= 0) keep(step, friction, options.friction_excess * load, known.friction);
+    if (!step.last || !(known.load > 0)) continue;
+    report(step.tool_name(tool), "tension", known.tension, known.load, options.tension,
+           "it pulls at a node, by ", state, findings);
+    report(step.tool_name(tool), "friction", known.friction, known.load, options.friction_excess,
+           "friction beyond its limit, or along the slip, by ", state, findings);
   }
 }
 
@@ -94,7 +103,6 @@ void ContactCheck<Dim>::look_at_width(const AcceptedStep<Dim>& step, const Check
                                       CheckState& state, FindingList& findings) const {
   constexpr double carries = 0.1;    // a part of the contact that carries this part of the load counts
   constexpr double at_the_end = 0.5; // of the largest load: the last step counts too
-  state.width.resize(step.model.tools.size());
   for (int tool = 0; tool < static_cast<int>(step.model.tools.size()); ++tool) {
     double load = 0;
     const std::vector<Run> runs = runs_of(step, tool);
@@ -107,12 +115,11 @@ void ContactCheck<Dim>::look_at_width(const AcceptedStep<Dim>& step, const Check
     if (!few) continue;
     ++width.steps;
     width.narrow += few->nodes <= options.few_nodes;
-    if (load > width.load || (step.last && load > at_the_end * width.load && few->nodes < width.nodes)) {
+    if (load >= width.load || (step.last && load > at_the_end * width.load && few->nodes < width.nodes)) {
       width.nodes = few->nodes;
       width.place = few->place;
       width.t = step.t;
     }
-    width.load = std::max(width.load, load);
     state.measured["contact nodes " + step.tool_name(tool)] = width.nodes;
     findings.withdraw("contact width", step.tool_name(tool));
     if (width.nodes > options.few_nodes) continue;
@@ -133,6 +140,7 @@ void ContactCheck<Dim>::look_at_width(const AcceptedStep<Dim>& step, const Check
 template <int Dim>
 void ContactCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions& options, CheckState& state,
                              FindingList& findings) {
+  state.width.resize(step.model.tools.size());
   look_at_forces(step, options, state, findings);
   look_at_width(step, options, state, findings);
 }

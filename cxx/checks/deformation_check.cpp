@@ -85,6 +85,7 @@ void DeformationCheck<Dim>::look_at_elements(const AcceptedStep<Dim>& step, cons
   const auto before = [&](int node) { return step.mesh.node(node); };
   double smallest = std::numeric_limits<double>::infinity();
   int worst = -1, vertex = 0;
+  constexpr double near = 2;
   const int nodes = step.mesh.nodes_per_element;
   for (int e = 0; e < step.mesh.num_elements; ++e)
     for (int v = 0; v <= (nodes == Dim + 1 ? 0 : Dim); ++v) {
@@ -96,6 +97,7 @@ void DeformationCheck<Dim>::look_at_elements(const AcceptedStep<Dim>& step, cons
       vertex = v;
     }
   state.smallest("determinant", smallest);
+  state.distorted = smallest < near * options.determinant;
   if (!(smallest < options.determinant)) return;
   Severity severity = Severity::WARNING;
   if (smallest < options.determinant_low) severity = Severity::UNTRUSTED;
@@ -149,9 +151,10 @@ void DeformationCheck<Dim>::look_at_shapes(const AcceptedStep<Dim>& step, const 
 template <int Dim>
 void DeformationCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions& options,
                                  CheckState& state, FindingList& findings) {
+  const bool all = step.last || state.steps % options.seldom == 0;
   look_at_strain(step, options, state, findings);
-  look_at_elements(step, options, state, findings);
-  look_at_shapes(step, options, state, findings);
+  if (all || state.distorted) look_at_elements(step, options, state, findings);
+  if (all) look_at_shapes(step, options, state, findings);
 }
 
 template class DeformationCheck<2>;
