@@ -101,6 +101,8 @@ void ContactCheck<Dim>::look_at_forces(const AcceptedStep<Dim>& step, const Chec
 template <int Dim>
 void ContactCheck<Dim>::look_at_width(const AcceptedStep<Dim>& step, const CheckOptions& options,
                                       CheckState& state, FindingList& findings) const {
+  const int per_edge = step.mesh.nodes_per_element == Dim + 1 ? 1 : 2;
+  const double few_nodes = per_edge * options.few_edges + 1;
   constexpr double carries = 0.1;    // a part of the contact that carries this part of the load counts
   constexpr double at_the_end = 0.5; // of the largest load: the last step counts too
   for (int tool = 0; tool < static_cast<int>(step.model.tools.size()); ++tool) {
@@ -114,7 +116,7 @@ void ContactCheck<Dim>::look_at_width(const AcceptedStep<Dim>& step, const Check
       if (run.load >= carries * load && (!few || run.nodes < few->nodes)) few = &run;
     if (!few) continue;
     ++width.steps;
-    width.narrow += few->nodes <= options.few_nodes;
+    width.narrow += few->nodes <= few_nodes;
     if (load >= width.load || (step.last && load > at_the_end * width.load && few->nodes < width.nodes)) {
       width.nodes = few->nodes;
       width.place = few->place;
@@ -122,17 +124,17 @@ void ContactCheck<Dim>::look_at_width(const AcceptedStep<Dim>& step, const Check
     }
     state.measured["contact nodes " + step.tool_name(tool)] = width.nodes;
     findings.withdraw("contact width", step.tool_name(tool));
-    if (width.nodes > options.few_nodes) continue;
+    if (width.nodes > few_nodes) continue;
     Finding* finding = findings.report("contact width", step.tool_name(tool), Severity::WARNING, 0, width.t);
     finding->value = width.nodes;
-    finding->bound = options.few_nodes;
+    finding->bound = few_nodes;
     finding->place = width.place;
     finding->count = width.narrow;
     std::ostringstream text;
-    text << "the contact of tool \"" << step.tool_name(tool) << "\" is " << width.nodes
-         << (width.nodes == 1 ? " node" : " nodes") << " wide where it carries most, at "
-         << place_text(width.place) << ", t = " << width.t << ", and " << options.few_nodes << " or fewer in "
-         << width.narrow << " of " << width.steps << " steps: refine the contact surface";
+    text << "tool \"" << step.tool_name(tool) << "\" touches only " << width.nodes
+         << (width.nodes == 1 ? " node" : " nodes in a row") << " where it carries most, at "
+         << place_text(width.place) << ", t = " << width.t << ", and " << few_nodes << " or fewer in "
+         << width.narrow << " of " << width.steps << " steps: refine the surface there";
     finding->text = text.str();
   }
 }
