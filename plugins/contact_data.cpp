@@ -117,8 +117,9 @@ double seconds(const Method<H, SecondsTag>& m, string* const& phase) {
     if (*phase == "factorization") return counts.factorization_seconds;
     if (*phase == "solve") return counts.solve_seconds;
     if (*phase == "events") return contact.event_seconds;
+    if (*phase == "checks") return contact.check_seconds;
     fail("contact.seconds",
-         "unknown phase \"" + *phase + "\", expected condensation, factorization, solve or events");
+         "unknown phase \"" + *phase + "\", expected condensation, factorization, solve, events or checks");
   });
 }
 

@@ -145,7 +145,8 @@ string* warnings(Stack stack, ContactHandle* const& h) {
   return guarded([&] {
     std::string text;
     if (!h->get().started()) return new_string(stack, "");
-    for (const auto& warning : h->get().run().accepted().warnings.list()) text += warning.text + "\n";
+    for (const Finding& finding : h->get().run().accepted().warnings.list())
+      if (finding.severity == Severity::WARNING) text += finding.text + "\n";
     const std::string hold = h->get().run().hold().warning();
     if (!hold.empty()) text += hold + "\n";
     return new_string(stack, text);

@@ -59,6 +59,7 @@ static void init() {
   register_contact_data();
   register_contact_tools();
   register_contact_forces();
+  register_contact_findings();
   register_contact_supports();
   register_solver();
   register_geo_mesh();

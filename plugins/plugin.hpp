@@ -124,6 +124,7 @@ void register_contact_matrix();
 void register_contact_data();
 void register_contact_tools();
 void register_contact_forces();
+void register_contact_findings();
 void register_contact_supports();
 void register_solver();
 void register_geo_mesh();

@@ -14,6 +14,8 @@
 //     S.scheme("event")  another scheme from the next step on
 //     S.refuse(text)  the task cannot be done: the step is tried shorter;   S.stop(text)  ends the run at the accepted state
 //     S.count("steps" | "rejected" | "pieces" | "pileups" | "atonce" | "blind"), S.excess (article: largest q/sigma_y - 1)
+//     S.checks(false)  no self-checks (contact_findings.cpp);   S.halted: one of them ended the run
+//     S.measures, S.measured(name)  names of the numbers that they measured, "a,b,"; the worst of each
 //     S.purerates: the present piece is one of scheme "article"
 //     S.crawls, S.lastrejection, S.rejecteddt: steps far below dtmax after a failure; why the last step was rejected
 //   A user-defined loop:   S.propose(width, speed), S.accepted(), S.rejected() (false: below the floor), S.cut(f)
@@ -30,6 +32,7 @@ struct ControlObject {
   static constexpr const char* TYPE = "stepcontrol";
   std::unique_ptr<StepControl> control;
   StepperOptions options;
+  CheckOptions checks;
   std::shared_ptr<ContactObject> contact; // of the run
   std::shared_ptr<MaterialObject> material;
   std::unique_ptr<Stepper<2>> stepper;
@@ -110,6 +113,7 @@ bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, Material
     object.material = material->share();
     object.stepper = std::make_unique<Stepper<2>>(object.contact->run(), *object.material->body,
                                                   *object.control, object.options);
+    object.stepper->checks().options() = object.checks;
     return true;
   });
 }
@@ -123,7 +127,11 @@ long next(Stack, const Method<H, NextTag>& m, const KN_<double>& u, const KN_<do
     const long n = object.contact->setup->mesh().num_dofs();
     Eigen::VectorXd v = to_dofs(u, n, "stepcontrol.next", "u"),
                     force = to_dofs(R, n, "stepcontrol.next", "R");
+    const double before = stepper.checks().seconds();
     const Task task = called("contact.begin", [&] { return stepper.next(v, force); });
+    const double checked = stepper.checks().seconds() - before;
+    object.contact->check_seconds += checked;
+    object.contact->event_seconds -= checked;
     to_array(v, u, "stepcontrol.next");
     to_array(force, R, "stepcontrol.next");
     *object.control = stepper.control();
@@ -156,6 +164,35 @@ bool set_condensed(const Method<H, CondensedTag>& m, const bool& condensed) {
     object.options.condensed = condensed;
     if (object.stepper) object.stepper->set_condensed(condensed);
     return condensed;
+  });
+}
+
+struct ChecksTag {};
+bool set_checks(const Method<H, ChecksTag>& m, const bool& on) {
+  return guarded([&] {
+    ControlObject& object = m->get();
+    object.checks.on = on;
+    if (object.stepper) object.stepper->checks().options().on = on;
+    return on;
+  });
+}
+bool halted(H* const& h) { return h->get().stepper && !h->get().stepper->checks().stop().empty(); }
+string* measures(Stack stack, H* const& h) {
+  return guarded([&] {
+    std::string names;
+    if (h->get().stepper)
+      for (const auto& [name, value] : h->get().stepper->checks().state().measured) names += name + ",";
+    return new_string(stack, names);
+  });
+}
+struct MeasuredTag {};
+double measured(const Method<H, MeasuredTag>& m, string* const& name) {
+  return guarded([&] {
+    const auto& measured = m->get().running("stepcontrol.measured").checks().state().measured;
+    const auto found = measured.find(*name);
+    if (found == measured.end())
+      fail("stepcontrol.measured", "no check has measured \"" + *name + "\", see S.measures");
+    return found->second;
   });
 }
 
@@ -251,6 +288,8 @@ void register_values() {
   Add<H*>("atoutput", ".", new OneOperator1_<bool, H*>(at_output));
   Add<H*>("atfloor", ".", new OneOperator1_<bool, H*>(at_floor));
   Add<H*>("purerates", ".", new OneOperator1_<bool, H*>(pure_rates));
+  Add<H*>("halted", ".", new OneOperator1_<bool, H*>(halted));
+  Add<H*>("measures", ".", new OneOperator1s_<string*, H*>(measures));
   Add<H*>("crawls", ".", new OneOperator1_<bool, H*>(crawls));
   Add<H*>("reason", ".", new OneOperator1s_<string*, H*>(reason));
   Add<H*>("lastrejection", ".", new OneOperator1s_<string*, H*>(last_rejection));
@@ -276,6 +315,10 @@ void register_step_control() {
   add_method<H, StopTag>("stop", [] { return new OneOperator2_<bool, Method<H, StopTag>, string*>(stop); });
   add_method<H, CountTag>("count",
                           [] { return new OneOperator2_<long, Method<H, CountTag>, string*>(count); });
+  add_method<H, ChecksTag>("checks",
+                           [] { return new OneOperator2_<bool, Method<H, ChecksTag>, bool>(set_checks); });
+  add_method<H, MeasuredTag>(
+      "measured", [] { return new OneOperator2_<double, Method<H, MeasuredTag>, string*>(measured); });
   register_values();
   register_own_loop();
   long number = 0;

@@ -33,10 +33,10 @@ struct ContactObject {
   std::shared_ptr<const FrictionLaw> friction; // default of add()
   std::map<std::string, double> parameters;    // numbers by name for formulas of friction
   TripletReader<2> reader;
-  std::vector<ContactEvent<2>> pending;           // found by events(), applied by accept() or acceptevents()
-  std::vector<double> rhs;                        // of the last condensed matrix
-  const CondensedSystem* condensed = nullptr;     // the last one, the run's
-  double event_seconds = 0, condense_seconds = 0; // CPU
+  std::vector<ContactEvent<2>> pending;       // found by events(), applied by accept() or acceptevents()
+  std::vector<double> rhs;                    // of the last condensed matrix
+  const CondensedSystem* condensed = nullptr; // the last one, the run's
+  double event_seconds = 0, condense_seconds = 0, check_seconds = 0; // CPU
   /// The run, begun by the first call: the setup is closed then.
   ContactRun<2>& run();
   bool started() const { return m_run != nullptr; }

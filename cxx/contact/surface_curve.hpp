@@ -1,6 +1,6 @@
 #pragma once
 // Where the mid nodes of a quadratic contact surface lie: on the curve that its vertices were taken from, not on the chords
-// between them (METHOD.md 3.17).
+// between them (METHOD.md 3.18).
 #include "mesh/mesh.hpp"
 #include <Eigen/Core>
 

@@ -45,6 +45,8 @@ public:
   ContactRunState<Dim> state() const;
   void set_state(const ContactRunState<Dim>& state);
   const ContactRunState<Dim>& accepted() const { return m_accepted; }
+  /// What has been found of the accepted steps, for those who look for more.
+  FindingList& findings() { return m_accepted.warnings.findings(); }
 
   /// Moves one coordinate until the tool just touches the body and puts the touching nodes in contact.
   /// @returns the coordinate's value. @throws std::invalid_argument if it cannot touch by this coordinate

@@ -5,10 +5,13 @@
 
 namespace burnish {
 
-template <int Dim> void ContactWarnings<Dim>::add(const std::string& subject, const std::string& text) {
-  for (const Warning& known : m_list)
-    if (known.subject == subject) return;
-  m_list.push_back({subject, text});
+template <int Dim>
+void ContactWarnings<Dim>::add(const std::string& subject, const std::string& text, double t,
+                               const std::vector<double>& place) {
+  Finding* finding = m_findings.report("contact", subject, Severity::WARNING, 0, t);
+  if (!finding) return;
+  finding->text = text;
+  finding->place = place;
 }
 
 template <int Dim> void ContactWarnings<Dim>::check_curvature(const ContactSetup<Dim>& setup) {
@@ -46,7 +49,7 @@ void ContactWarnings<Dim>::check_conflicts(const ContactSetup<Dim>& setup, const
       text << "tools \"" << a << "\" and \"" << b << "\" reach for the same node " << mesh_node << " at "
            << x.transpose().format(PLACE_FORMAT) << ", t = " << t << ": it stays with \"" << a << "\", and \""
            << b << "\" overlaps it by " << -gap << "; a node touches at most one tool";
-      add("node " + a + " " + b, text.str());
+      add("node " + a + " " + b, text.str(), t, {x.data(), x.data() + Dim});
     }
   }
   check_elements(setup, touched, u, t);
@@ -71,7 +74,7 @@ void ContactWarnings<Dim>::check_elements(const ContactSetup<Dim>& setup,
       text << "an element lies between tools \"" << low << "\" and \"" << high << "\" (element " << e
            << " at " << setup.body().position(u, node).transpose().format(PLACE_FORMAT) << ", t = " << t
            << "): refine the workpiece there";
-      add("element " + low + " " + high, text.str());
+      add("element " + low + " " + high, text.str(), t);
     }
   }
 }
@@ -102,7 +105,7 @@ void ContactWarnings<Dim>::check_ends(const ContactSetup<Dim>& setup, const Cont
       text << "the contact has reached the end of tool \"" << setup.tools()[tool]->name() << "\" at "
            << end.transpose().format(PLACE_FORMAT) << ", t = " << t
            << ": the tool is sharp there; let its profile go on, with a fillet";
-      add("end " + setup.tools()[tool]->name(), text.str());
+      add("end " + setup.tools()[tool]->name(), text.str(), t, {end.data(), end.data() + Dim});
     }
   }
 }

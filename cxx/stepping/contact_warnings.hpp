@@ -1,15 +1,16 @@
 #pragma once
 // What a scene asks for beyond what it can give: reported once each, the run goes on.
+#include "base/findings.hpp"
 #include "stepping/contact_setup.hpp"
 
 namespace burnish {
 
 template <int Dim> class ContactWarnings {
 public:
-  struct Warning {
-    std::string subject, text;
-  };
-  const std::vector<Warning>& list() const { return m_list; }
+  /// All findings of the run: those of this class, severity WARNING, and those of its self-checks (cxx/checks).
+  FindingList& findings() { return m_findings; }
+  const FindingList& findings() const { return m_findings; }
+  const std::vector<Finding>& list() const { return m_findings.list(); }
 
   /// Tools curved tighter than the spacing of the candidates.
   void check_curvature(const ContactSetup<Dim>& setup);
@@ -21,10 +22,11 @@ public:
                   double t);
 
 private:
-  void add(const std::string& subject, const std::string& text);
+  void add(const std::string& subject, const std::string& text, double t = Finding::NONE,
+           const std::vector<double>& place = {});
   void check_elements(const ContactSetup<Dim>& setup, const std::vector<int>& tool_of_node,
                       const Eigen::VectorXd& u, double t);
-  std::vector<Warning> m_list;
+  FindingList m_findings;
 };
 
 } // namespace burnish

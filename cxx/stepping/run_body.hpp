@@ -42,6 +42,9 @@ public:
   virtual double find_earliest_user(double overshoot, double least) = 0;
   virtual std::vector<ElementEvent<Dim>> user_events() const = 0; ///< all of the step
 
+  /// The workpiece itself, for the self-checks of a run; null if there is none.
+  virtual const Workpiece<Dim>* checked() const { return nullptr; }
+
   /// Largest q/sigma_y - 1 of the points: how far the stress has left the yield surface.
   virtual double largest_yield_distance() const = 0;
 };
@@ -74,6 +77,7 @@ public:
   double find_earliest_user(double overshoot, double least) override;
   std::vector<ElementEvent<Dim>> user_events() const override;
   double largest_yield_distance() const override;
+  const Workpiece<Dim>* checked() const override { return m_workpiece.get(); }
 
 private:
   std::unique_ptr<Workpiece<Dim>> m_workpiece;

@@ -51,6 +51,8 @@ template <int Dim> void Stepper<Dim>::stop(const std::string& reason) {
 
 template <int Dim> Task Stepper<Dim>::begin_step() {
   if (m_control.finished()) return ask(Task::FINISHED, Phase::ENDED);
+  const Workpiece<Dim>* workpiece = m_body.checked();
+  if (workpiece && m_checks.options().on && !m_checks.begun()) m_checks.begin(accepted_step(*workpiece));
   const double narrow = m_options.width_steps * m_options.nodes_per_step * m_contact.body().spacing;
   m_control.stop_at(m_contact.hold().state().until);
   m_control.propose(std::max(m_contact.contact_width(), narrow), m_contact.contact_speed());
@@ -132,7 +134,32 @@ template <int Dim> Task Stepper<Dim>::accepted() {
   m_counts.scheme.pileups += m_options.scheme == Scheme::EVENT && m_tries >= m_options.max_tries;
   ++m_counts.steps;
   m_body.set_step_length(0);
+  look(m_control.time() - t);
   return ask(Task::RECORD, Phase::RECORD);
+}
+
+template <int Dim> AcceptedStep<Dim> Stepper<Dim>::accepted_step(const Workpiece<Dim>& workpiece) const {
+  const ContactSetup<Dim>& setup = m_contact.setup();
+  const ContactRunState<Dim>& state = m_contact.accepted();
+  AcceptedStep<Dim> step{workpiece,     setup.mesh(), setup.surface(), setup.model(),          setup.body(),
+                         state.contact, state.u,      state.R,         state.generalized_force};
+  const Hold<Dim>& hold = m_contact.hold();
+  if (hold.state().factor > 0) step.hold = hold.force(state.u, hold.state().factor);
+  step.load = m_contact.corrector().load_scale();
+  step.tolerance = m_contact.corrector().options().tolerance;
+  step.t = m_control.time();
+  step.last = m_control.finished();
+  return step;
+}
+
+// Self-checks of the accepted state; the run may end with it, once it is recorded.
+template <int Dim> void Stepper<Dim>::look(double dt) {
+  const Workpiece<Dim>* workpiece = m_body.checked();
+  if (!workpiece || !m_checks.options().on || !m_checks.begun()) return;
+  AcceptedStep<Dim> step = accepted_step(*workpiece);
+  step.dt = dt;
+  m_checks.look(std::move(step), m_contact.findings());
+  if (!m_checks.stop().empty()) stop(m_checks.stop());
 }
 
 template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::VectorXd& R) {
@@ -161,7 +188,7 @@ template <int Dim> Task Stepper<Dim>::end(Eigen::VectorXd& u, Eigen::VectorXd& R
 }
 
 template <int Dim> RunState<Dim> Stepper<Dim>::state() const {
-  return {m_body.state(), m_contact.state(), m_control.state(), m_counts};
+  return {m_body.state(), m_contact.state(), m_control.state(), m_counts, m_checks.state()};
 }
 
 template <int Dim>
@@ -170,6 +197,7 @@ void Stepper<Dim>::set_state(const RunState<Dim>& state, Eigen::VectorXd& u, Eig
   m_contact.set_state(state.contact);
   m_control.set_state(state.control);
   m_counts = state.counts;
+  m_checks.set_state(state.checks);
   u = state.contact.u;
   R = state.contact.R;
   m_phase = Phase::STEP;

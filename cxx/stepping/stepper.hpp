@@ -1,6 +1,7 @@
 #pragma once
 // The loop over the steps of a run, turned inside out: it says what has to be done next, and its caller, a script or a
 // test, does it. One loop for all; every decision about steps is here, in StepControl and in the schemes.
+#include "checks/run_checks.hpp"
 #include "stepping/step_control.hpp"
 #include "stepping/step_scheme.hpp"
 
@@ -41,6 +42,7 @@ template <int Dim> struct RunState {
   ContactRunState<Dim> contact;
   StepControlState control;
   StepperCounts counts;
+  CheckState checks;
 };
 
 template <int Dim> class Stepper {
@@ -61,6 +63,10 @@ public:
 
   /// Whose solver takes the iterations from the next one on, see StepperOptions::condensed.
   void set_condensed(bool condensed) { m_options.condensed = condensed; }
+
+  /// Self-checks of the accepted steps; they add to the findings of the contact (ContactRun::findings).
+  RunChecks<Dim>& checks() { return m_checks; }
+  const RunChecks<Dim>& checks() const { return m_checks; }
 
   double target() const { return m_scheme->solve().from + m_scheme->solve().dt; } ///< PROGRAM
   double dt() const { return m_scheme->solve().dt; } ///< FORCES: length of the piece
@@ -89,6 +95,8 @@ private:
   Task correct(Eigen::VectorXd& u, Eigen::VectorXd& R);
   Task solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R);
   Task accepted();
+  AcceptedStep<Dim> accepted_step(const Workpiece<Dim>& workpiece) const;
+  void look(double dt);
   Task rejected(Eigen::VectorXd& u, Eigen::VectorXd& R);
   Task end(Eigen::VectorXd& u, Eigen::VectorXd& R);
 
@@ -101,6 +109,7 @@ private:
   EventScheme<Dim> m_event;
   ArticleScheme<Dim> m_article;
   StepScheme<Dim>* m_scheme; // of the present try
+  RunChecks<Dim> m_checks;
   Phase m_phase = Phase::STEP;
   int m_tries = 0, m_iteration = 0;
   bool m_refused = false, m_stopped = false, m_at_floor = false;

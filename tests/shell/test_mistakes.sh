@@ -35,7 +35,7 @@ wrong forgotten '/force("angle", 0)/d' 20 "$early|coordinate \"angle\" of tool \
 wrong apart '/^C.approach/d' 20 "$early|is under force but the tool touches nothing"
 wrong pulling 's/-4e5\*t/4e5*t/' 3 "$early|step below its floor"
 wrong free 's/ fixed=held,//' 3 "$early"
-wrong overload 's/-4e5\*t/-4e10*t/' 3 "$early|step below its floor"
+wrong overload 's/-4e5\*t/-4e10*t/' 3 "$early|stopped by a self-check: an element is inverted"
 wrong infinite 's|-4e5\*t|1/0.*t|' 20 "Div by 0|$early|an error of the script or of FreeFEM, reported above"
 wrong nodes 's/^func int record(real t) {/& if (t > 0.5) rcCheck(false, "enough");/' 20 "$early|error: enough"
 
@@ -43,7 +43,7 @@ wrong nodes 's/^func int record(real t) {/& if (t > 0.5) rcCheck(false, "enough"
 made further 's/-4e5\*t/-4e10*t/; s/^rcRun(.*/rcKeepGoing = true;\n&\ncout << "went on, status " << rcStatus << endl;/'
 (cd "$SCRATCH" && exec "$BURNISH" further.edp >further.log 2>&1 </dev/null)
 status=$?
-judge further 0 "$early|went on, status 1"
+judge further 0 "$early|went on, status 5"
 
 # Ctrl-C
 made interrupted 's/dtmax=0.05/dtmax=1e-4/'
@@ -57,6 +57,18 @@ kill -s INT "$process" $(pgrep -P "$process") 2>/dev/null
 wait "$process"
 status=$?
 judge interrupted 130 "$early|interrupted"
+
+# a run that violates a self-check ends with its own status; the script goes on to its last line and writes its files
+made overlap 's/"x", -1e-3)/"x", 26e-3)/; s/"y", 16e-3/"y", -5e-3/; /^C.approach/d; s/force("y", -4e5\*t)/move("y", -5e-3)/
+  s/-1e-3 + 2e-3\*t/26e-3 - 2e-3*t/; s/force("angle", 0)/move("angle", 0)/; s/dtmax=0.05/dtmax=0.2/'
+echo 'rcSummaryWrite(C, M, S, "overlap.json"); cout << "went on" << endl;' >>"$SCRATCH/overlap.edp"
+(cd "$SCRATCH" && exec "$BURNISH" overlap.edp >overlap.log 2>&1 </dev/null)
+status=$?
+judge overlap 4 'burnish: finished, not to be trusted: overlap: tool "roller" overlaps the workpiece|went on'
+for word in '"status": "finished, not to be trusted"' '{"check": "overlap", "severity": "untrusted"' '"measured": {"' '"checks": '; do
+  grep -qF "$word" "$SCRATCH/overlap.json" || report "overlap: the summary lacks $word"
+done
+"$PYTHON" -m json.tool "$SCRATCH/overlap.json" >/dev/null || report "overlap: the summary is no JSON"
 
 # warnings come with rcQuiet too, and into the summary: a roller tighter than the mesh
 made quiet 's/circle=15e-3/circle=1e-4/; s/"y", 16e-3/"y", 1e-3/; s/force("y", -4e5\*t)/move("y", 1e-4 - 1e-6*t)/

@@ -1,0 +1,45 @@
+#include "checks/accepted_step.hpp"
+#include "base/findings.hpp"
+#include <sstream>
+
+namespace burnish {
+
+template <int Dim> Vector<Dim> AcceptedStep<Dim>::point(int p) const {
+  const Discretization<Dim>& space = workpiece.discretization();
+  const int* nodes = mesh.element(p / space.points_per_element);
+  Vector<Dim> x = Vector<Dim>::Zero();
+  for (int a = 0; a < mesh.nodes_per_element; ++a) x += space.shapes(p)[a] * body.position(u, nodes[a]);
+  return x;
+}
+
+template <int Dim> std::string AcceptedStep<Dim>::at(const Vector<Dim>& x) const {
+  std::ostringstream text;
+  text << " at " << place_text(place_of(x)) << ", t = " << t;
+  return text.str();
+}
+
+template <int Dim> void prepare(AcceptedStep<Dim>& step) {
+  step.poses = step.model.poses(step.contact.q);
+  step.touching.clear();
+  for (std::size_t i = 0; i < step.contact.nodes.size(); ++i) {
+    const ContactNode<Dim>& node = step.contact.nodes[i];
+    if (!in_contact(node.state)) continue;
+    CheckedNode<Dim> touching;
+    touching.candidate = static_cast<int>(i);
+    touching.at = contact_point(step.model, step.poses, node);
+    const int mesh_node = step.model.candidates[i];
+    const Vector<Dim> R = step.R.template segment<Dim>(Dim * mesh_node);
+    touching.force = nodal_force(step.model, touching.candidate, touching.at.surface, R);
+    touching.x = step.body.position(step.u, mesh_node);
+    step.touching.push_back(std::move(touching));
+  }
+  step.internal = step.workpiece.internal_force();
+}
+
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template struct AcceptedStep<Dim>;                                                                         \
+  template void prepare<Dim>(AcceptedStep<Dim>&);
+BURNISH_INSTANTIATE(2)
+BURNISH_INSTANTIATE(3)
+
+} // namespace burnish

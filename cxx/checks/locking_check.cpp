@@ -1,0 +1,74 @@
+#include "checks/locking_check.hpp"
+#include "checks/known_law.hpp"
+#include "material/stress_algebra.hpp"
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace burnish {
+
+template <int Dim> void LockingCheck<Dim>::find_neighbors(const Mesh<Dim>& mesh) {
+  std::map<std::array<int, Dim>, int> first;
+  m_neighbor.assign(static_cast<std::size_t>(mesh.num_elements) * (Dim + 1), -1);
+  for (int e = 0; e < mesh.num_elements; ++e)
+    for (int v = 0; v <= Dim; ++v) {
+      std::array<int, Dim> face;
+      for (int w = 0, k = 0; w <= Dim; ++w)
+        if (w != v) face[k++] = mesh.element(e)[w];
+      std::sort(face.begin(), face.end());
+      const int slot = e * (Dim + 1) + v;
+      const auto [entry, fresh] = first.emplace(face, slot);
+      if (fresh) continue;
+      m_neighbor[slot] = entry->second / (Dim + 1);
+      m_neighbor[entry->second] = e;
+    }
+}
+
+template <int Dim>
+void LockingCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions& options, CheckState& state,
+                             FindingList& findings) {
+  constexpr double nearly_incompressible = 10; // K over G, nu = 0.45
+  if (step.mesh.nodes_per_element != Dim + 1) return;
+  if (state.steps % options.seldom != 0 && !step.last) return;
+  const MaterialLaw<Dim>* law = known_law(step.workpiece);
+  if (!law) return;
+  if (m_neighbor.empty()) find_neighbors(step.mesh);
+  const auto moduli = law->moduli();
+  const bool everywhere = moduli.at("K") > nearly_incompressible * moduli.at("G");
+  const WorkpieceState<Dim>& body = step.workpiece.state_old();
+  const Discretization<Dim>& space = step.workpiece.discretization();
+  double jumps = 0, shear = 0;
+  for (int e = 0; e < step.mesh.num_elements; ++e) {
+    if (!everywhere && !body.plastic[e]) continue;
+    const Stress<Dim> tau = step.workpiece.point_old(e).stress, s = deviator<Dim>(tau);
+    double around = 0, number = 0;
+    for (int v = 0; v <= Dim; ++v) {
+      const int other = m_neighbor[e * (Dim + 1) + v];
+      if (other < 0 || !(everywhere || body.plastic[other])) continue;
+      around += mean<Dim>(Stress<Dim>(step.workpiece.point_old(other).stress));
+      ++number;
+    }
+    if (number < Dim) continue;
+    const double jump = mean<Dim>(tau) - around / number;
+    jumps += space.weight[e] * jump * jump;
+    shear += space.weight[e] * squared_equivalent<Dim>(s);
+  }
+  if (!(shear > 0)) return;
+  const double value = std::sqrt(jumps / shear);
+  state.largest("locking", value);
+  if (!(value > options.locking)) return;
+  Finding* finding = findings.report("locking", "", Severity::WARNING, value, step.t);
+  if (!finding) return;
+  finding->value = value;
+  finding->bound = options.locking;
+  std::ostringstream text;
+  text << "P1 locks here: the mean stress alternates from element to element, by " << value
+       << " of the von Mises stress, t = " << step.t << ": take P2";
+  finding->text = text.str();
+}
+
+template class LockingCheck<2>;
+template class LockingCheck<3>;
+
+} // namespace burnish

@@ -1,0 +1,113 @@
+#include "checks/overlap_check.hpp"
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace burnish {
+namespace {
+
+// Worst of the edges of one kind.
+struct Worst {
+  double ratio = 0, depth = 0;
+  ToolDepth at;
+};
+
+void report(const AcceptedStep<2>& step, const std::string& check, int tool, Severity severity, double bound,
+            const Worst& worst, const std::string& what, FindingList& findings) {
+  Finding* finding = findings.report(check, step.tool_name(tool), severity, worst.ratio, step.t);
+  if (!finding) return;
+  finding->value = worst.ratio;
+  finding->bound = bound;
+  finding->place = step.place_of(worst.at.x);
+  std::ostringstream text;
+  text << "tool \"" << step.tool_name(tool) << "\" " << what << " by " << worst.depth << ", " << worst.ratio
+       << " of the edge there" << step.at(worst.at.x);
+  finding->text = text.str();
+}
+
+} // namespace
+
+template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<2>& step) {
+  constexpr int samples = 64;
+  m_edges = boundary_edges(step.mesh);
+  m_candidate = step.model.candidate_of_node(step.mesh.num_nodes);
+  for (std::size_t tool = 0; tool < step.model.tools.size(); ++tool) {
+    Watched watched;
+    watched.origin = step.poses[tool].origin;
+    watched.R = step.poses[tool].R;
+    for (const SurfacePlace<2>& place : step.model.tools[tool]->surface().samples(samples))
+      watched.reach = std::max(watched.reach, place.y.norm());
+    watched.distance.resize(static_cast<std::size_t>(step.mesh.num_nodes));
+    m_tools.push_back(std::move(watched));
+  }
+}
+
+template <int Dim> void OverlapCheck<Dim>::move(const AcceptedStep<2>& step, int tool) {
+  Watched& watched = m_tools[tool];
+  const Pose<2>& pose = step.poses[tool];
+  watched.moved += (pose.origin - watched.origin).norm() + (pose.R - watched.R).norm() * watched.reach;
+  watched.origin = pose.origin;
+  watched.R = pose.R;
+}
+
+// Of a node from a tool's surface, or less.
+template <int Dim> double OverlapCheck<Dim>::distance(const AcceptedStep<2>& step, int tool, int node) {
+  Watched& watched = m_tools[tool];
+  Distance& last = watched.distance[node];
+  const Vector<2> x = step.body.position(step.u, node);
+  if (last.known >= 0) {
+    const double left = last.known - (x - last.x).norm() - (watched.moved - last.moved);
+    if (left > 0.5 * last.known) return left;
+  }
+  const SurfaceFoot<2> foot = step.model.tools[tool]->foot(step.poses[tool], x, last.hint);
+  last = {std::abs(foot.gap), x, watched.moved, foot.place.hint};
+  return last.known;
+}
+
+template <int Dim>
+void OverlapCheck<Dim>::look_at_tool(const AcceptedStep<2>& step, const CheckOptions& options,
+                                     CheckState& state, FindingList& findings, int tool) {
+  Worst between, overlap;
+  for (const BoundaryEdge& edge : m_edges) {
+    const Vector<2> a = step.body.position(step.u, edge.a), b = step.body.position(step.u, edge.b);
+    const double length = (b - a).norm();
+    if (std::min(distance(step, tool, edge.a), distance(step, tool, edge.b)) > length) continue;
+    const ToolDepth depth =
+        tool_depth(*step.model.tools[tool], step.poses[tool], a, b, m_tools[tool].distance[edge.a].hint);
+    const Vector<2> outward(b[1] - a[1], a[0] - b[0]);
+    // a face of the body behind an open tool, or beyond its end, is no overlap
+    if (!(depth.depth > 0) || depth.on_end || depth.n.dot(outward) >= 0) continue;
+    const int i = m_candidate[edge.a], j = m_candidate[edge.b];
+    const bool may = i >= 0 && j >= 0 && step.model.may_touch(i, tool) && step.model.may_touch(j, tool);
+    Worst& worst = may ? between : overlap;
+    if (depth.depth / length > worst.ratio) worst = {depth.depth / length, depth.depth, depth};
+  }
+  state.largest("edge depth", between.ratio);
+  state.largest("overlap", overlap.ratio);
+  if (between.ratio > options.edge_depth) {
+    const bool far = between.ratio > options.edge_sunk;
+    report(step, "edge depth", tool, far ? Severity::UNTRUSTED : Severity::WARNING,
+           far ? options.edge_sunk : options.edge_depth, between,
+           "reaches into the workpiece between two contact nodes", findings);
+  }
+  if (overlap.ratio > options.overlap)
+    report(step, "overlap", tool, Severity::UNTRUSTED, options.overlap, overlap,
+           "overlaps the workpiece where it may not touch it (no contact label, or held nodes)", findings);
+}
+
+template <int Dim>
+void OverlapCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions& options, CheckState& state,
+                             FindingList& findings) {
+  if constexpr (Dim == 2) {
+    if (m_tools.empty()) start(step);
+    for (int tool = 0; tool < static_cast<int>(m_tools.size()); ++tool) {
+      move(step, tool);
+      look_at_tool(step, options, state, findings, tool);
+    }
+  }
+}
+
+template class OverlapCheck<2>;
+template class OverlapCheck<3>;
+
+} // namespace burnish
