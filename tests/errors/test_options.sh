@@ -31,7 +31,7 @@ rolling 20 'option -mu has the value "-outer"|expected a number' -mu -outer 30
 rolling 20 'option -inner has the value "4.5"|expected a whole number' -inner 4.5
 rolling 20 'option -element is "P3"|expected P1 or P2' -element P3
 rolling 20 'option -scheme is "magic"|expected implicit, event or article' -scheme magic
-rolling 20 'option -steps is 0|expected 1 to 1000000' -steps 0
+rolling 20 'option -steps is 0|expected 1 to 1e+06' -steps 0
 rolling 20 'option -inner is 1|expected 2 to' -inner 1
 [ ! -e "$SCRATCH/r" ] || { echo "FAILED: a refused run made its output folder"; failures=$((failures + 1)); }
 small=(-element P1 -inner 4 -outer 20 -sides 4 -pictures 0)
