@@ -180,7 +180,7 @@ void ContactObject::require_same_mesh(MaterialObject& material, const char* wher
 }
 
 const NodeBlockMatrix<2>& ContactObject::blocks(const TripletView& K, const char* where) {
-  const NodeBlockMatrix<2>& read = reader.read(K);
+  const auto& read = called(where, [&]() -> const NodeBlockMatrix<2>& { return reader.read(K); });
   matrices.require_of(setup->mesh(), read, where);
   return read;
 }

@@ -171,7 +171,10 @@ bool drop_events(const Method<MaterialHandle, DropTag>& m) {
   return guarded([&] { return m->get().body->drop_events(), true; });
 }
 bool keep_plastic(const Method<MaterialHandle, KeepTag>& m, const double& noise) {
-  return guarded([&] { return m->get().body->keep_plastic(noise), true; });
+  return guarded([&] {
+    called("material.keepplastic", [&] { m->get().body->keep_plastic(noise); });
+    return true;
+  });
 }
 long accept_events(const Method<MaterialHandle, AcceptEventsTag>& m) {
   return guarded([&] { return m->get().body->accept_events(); });
@@ -190,8 +193,10 @@ struct Tangent {
   static basicAC_F0::name_and_type names[n];
   static newpMatrice_Creuse<double> call(const Named& a, Method<MaterialHandle, TangentTag> m) {
     MaterialObject& object = m->get();
-    object.workpiece().tangent(object.tangent, tangent_kind(a.text("kind", "consistent")),
-                               a.real("blend", 0));
+    called("material.tangent", [&] {
+      object.workpiece().tangent(object.tangent, tangent_kind(a.text("kind", "consistent")),
+                                 a.real("blend", 0));
+    });
     note_tangent(object.tangent, object.fingerprint, object.workpiece().discretization().axisymmetric);
     return to_freefem(a.stack(), object.tangent);
   }

@@ -122,5 +122,24 @@ END
 [ -e "$odd/block.msh" ] && [ "$(grep -c '^refused' "$SCRATCH/odd.log")" = 2 ] || { report odd; tail "$SCRATCH/odd.log"; }
 [ ! -e "$SCRATCH/PWNED" ] && [ ! -e PWNED ] || report "a name was run as a command"
 
+# 8. a .geo file writes no file and starts no program, not by a name that is put together either
+printf 'Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Line(1) = {1, 2};\n' >"$SCRATCH/line.geo"
+number=0
+while IFS= read -r command; do
+  number=$((number + 1))
+  { cat "$SCRATCH/line.geo"; echo "$command"; } >"$SCRATCH/evil$number.geo"
+  echo 'load "burnish" tool t(cad="'"$SCRATCH/evil$number.geo"'");' >"$SCRATCH/evil.edp"
+  "$BURNISH" "$SCRATCH/evil.edp" >"$SCRATCH/evil$number.log" 2>&1
+  status=$?
+  [ "$number" -gt 3 ] || finish "evil$number" 20 "evil$number.geo\", line 2: "
+  [ ! -e "$SCRATCH/PWNED" ] || { report "evil: $command was run"; rm -f "$SCRATCH/PWNED"; }
+done <<END
+Printf("written") > "$SCRATCH/PWNED";
+Save "$SCRATCH/PWNED";
+SystemCall "touch $SCRATCH/PWNED";
+If (1) SystemCall "touch $SCRATCH/PWNED"; EndIf
+a = "touch $SCRATCH/PWNED"; For i In {1:2} SystemCall a; EndFor
+END
+
 echo "$failures failed"
 [ "$failures" = 0 ]
