@@ -102,7 +102,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
 .PHONY: build run run-fine figures tables sweep stability test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
-.PHONY: compile programs
+.PHONY: compile programs sanitize sanitized fuzz
 .DELETE_ON_ERROR:
 .SUFFIXES:
 
@@ -145,6 +145,26 @@ $(SUITES:%=test-%): test-%: packages
 	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
 	@$(TEST) $(call suite,$*)
 
+# FreeFEM itself is not instrumented: the run-time libraries come before it. What it leaks, how it pairs new with free and
+# what it defines twice is not ours.
+SANITIZED   = $(BUILD)/sanitize
+SANITIZERS  = -fsanitize=address,undefined -fno-sanitize-recover=undefined
+SANITIZER_LIBRARIES = $(shell $(CXX) -print-file-name=libasan.so):$(shell $(CXX) -print-file-name=libubsan.so)
+export ASAN_OPTIONS  ?= detect_leaks=0:alloc_dealloc_mismatch=0:detect_odr_violation=0
+export UBSAN_OPTIONS ?= print_stacktrace=1
+sanitize: packages ## unit, verification and plugin tests and one case with the sanitizers of addresses and undefined behavior (two hours)
+	+@$(MAKE) -s --no-print-directory BUILD='$(SANITIZED)' PACKAGES=true LDFLAGS='$(LDFLAGS) $(SANITIZERS)' \
+	  OPTIMIZE='-O1 -g -fno-omit-frame-pointer $(SANITIZERS)' TEST_OPTIMIZE='-O1' \
+	  FREEFEM='env LD_PRELOAD=$(SANITIZER_LIBRARIES) $(FREEFEM)' sanitized
+
+sanitized: compile programs
+	@TIMEOUT=3000 $(TEST) $(call suite,unit verification plugin) tests/regression/hertz.sh
+
+fuzz: build ## ten minutes of mutated scripts, formulas, CAD files: FUZZ_SECONDS=480 SEED=1
+	$(COMPILE) $(call program,long)
+	@$(call program,long) --gtest_brief=1 --gtest_filter='*uzz*'
+	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/fuzz/fuzz.py $(or $(FUZZ_SECONDS),480) $(SEED)
+
 bench: ## time the core's kernels (Google Benchmark, tests/benchmark); nothing passes or fails
 	@$(PACKAGES) bench
 	$(COMPILE) $(or $(call program,benchmark),$(error no programs in tests/benchmark))
@@ -169,6 +189,7 @@ help: ## this list
 
 # --- rules of compilation ----------------------------------------------------------------------------------------
 compile: $(CORE) $(WRAPPER) $(PLUGIN) $(GMSH)
+programs: $(call program,unit) $(call program,verification)
 
 # $(call keep,TEXT): write TEXT to the target only if it changed, so that only real changes rebuild
 keep = @mkdir -p $(@D) && { [ -f $@ ] && printf '%s\n' "$(1)" | cmp -s - $@ || printf '%s\n' "$(1)" >$@; }

@@ -37,6 +37,22 @@ void take(const Named& named, const Parameter& parameter, Arguments& arguments) 
 
 } // namespace
 
+void refuse_unknown(const basicAC_F0& args, const basicAC_F0::name_and_type* names, int n) {
+  if (!args.named_parameter) return;
+  for (const auto& given : *args.named_parameter) {
+    const std::string name = given.first;
+    std::string list;
+    bool known = false;
+    for (int i = 0; i < n; ++i) {
+      known = known || name == names[i].name;
+      list += std::string(i ? ", " : "") + names[i].name;
+    }
+    if (known) continue;
+    throw PluginError("unknown named parameter " + name + "=, expected " +
+                      (n > 0 ? "one of " + list : std::string("none")));
+  }
+}
+
 std::vector<basicAC_F0::name_and_type> names_of(const std::vector<Parameter>& list,
                                                 const std::vector<basicAC_F0::name_and_type>& more) {
   std::vector<basicAC_F0::name_and_type> names;

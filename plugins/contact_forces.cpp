@@ -32,8 +32,11 @@ struct Reaction {
     ContactObject& contact = m->get();
     std::vector<long> labels;
     if (a.has("label")) labels.push_back(a.integer("label", 0));
-    if (a.has("labels"))
-      for (const double label : a.numbers("labels")) labels.push_back(std::lround(label));
+    if (a.has("labels")) {
+      const std::vector<double> list = a.numbers("labels");
+      require(!list.empty(), "contact.reaction", "size of labels", 0, ">= 1, or no labels= at all");
+      for (const double label : list) labels.push_back(std::lround(label));
+    }
     std::vector<int> nodes;
     for (const long label : labels) facets_with(contact.setup->mesh(), {label}, "contact.reaction");
     if (!labels.empty()) nodes = nodes_along(facets_with(contact.setup->mesh(), labels, "contact.reaction"));
@@ -62,6 +65,7 @@ struct External {
   static constexpr basicAC_F0::name_and_type* names = nullptr;
   static Array call(const Named& a, Method<H, ExternalTag> m, MaterialHandle* material, double x0,
                     double y0) {
+    m->get().require_same_mesh(material->get(), "contact.externalforce");
     const Eigen::VectorXd internal = material->get().workpiece().internal_force();
     return three(a.stack(), m->get(), "contact.externalforce", x0, y0,
                  [&](const auto& forces) { return forces.external_force(internal); });
@@ -81,6 +85,7 @@ struct HoldForce {
 struct ImbalanceTag {};
 double imbalance(const Method<H, ImbalanceTag>& m, MaterialHandle* const& material) {
   return guarded([&] {
+    m->get().require_same_mesh(material->get(), "contact.imbalance");
     if (!m->get().started()) return 0.;
     const Eigen::VectorXd internal = material->get().workpiece().internal_force();
     return called("contact.imbalance", [&] {

@@ -15,6 +15,7 @@
 #include "matrix.hpp"
 #include "named.hpp"
 #include "solver/asymmetry.hpp"
+#include "solver/block_symmetry.hpp"
 #include "types.hpp"
 
 namespace burnish {
@@ -34,7 +35,8 @@ struct Condense {
         fail("contact.condense", "solver \"" + solver + "\" needs symmetric=true");
     const long n = contact.setup->mesh().num_dofs();
     const CpuTimer timer(contact.condense_seconds);
-    const auto& blocks = contact.reader.read(view_of(K, n, "contact.condense"));
+    const auto& blocks = contact.blocks(view_of(K, n, "contact.condense"), "contact.condense");
+    if (symmetric) require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.condense");
     const auto right = a.boolean("rates", false) ? RightHandSide::RATES : RightHandSide::TOTAL;
     const auto& system = called("contact.condense", [&]() -> const CondensedSystem& {
       return contact.run().condense(blocks, to_dofs(u, n, "contact.condense", "u"),

@@ -8,7 +8,8 @@
 //   real f = C.events(u[], R);           earliest fraction of the step, 2 if it has no event; tolerance=1e-3, until=1
 //   int n = C.acceptevents();            changes states at the accepted state without moving
 //   int n = C.logevents(M);              appends the element events that M.events found in this step
-//   C.accept(u[], R);  C.revert();       the only two ways between the states
+//   C.accept(u[], R);  C.revert();       the only two ways between the states; accept takes the u of the last check, which
+//                                        must have returned rcConverged
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
@@ -24,8 +25,6 @@ Eigen::VectorXd dofs(const ContactObject& contact, const KN_<double>& a, const c
   return to_dofs(a, contact.setup->mesh().num_dofs(), where, name);
 }
 
-constexpr double LARGEST_ASYMMETRY = 1e-6; // of a script's tangent, over its largest entry
-
 struct BeginTag {};
 struct Begin {
   static const int n = 2;
@@ -39,7 +38,9 @@ struct Begin {
     require(std::isfinite(t), "contact.begin", "t", t, "a finite number");
     Eigen::VectorXd v = dofs(contact, u, "contact.begin", "u");
     contact.pending.clear();
+    contact.step = {};
     called("contact.begin", [&] { contact.run().begin(v, t, dt, stepping(a)); });
+    contact.step.rates = stepping(a) == Stepping::RATES;
     to_array(v, u, "contact.begin");
     return true;
   }
@@ -52,9 +53,13 @@ long step_verb(ContactHandle* handle, const KN_<double>& u, const KN_<double>& R
                Verb verb) {
   return guarded([&] {
     ContactObject& contact = handle->get();
+    if (contact.step.rates)
+      fail(where, "a step of pure rates is solved once: condense(..., rates=true) and expand, then accept");
     Eigen::VectorXd v = dofs(contact, u, where, "u");
     const auto status = verb(contact.run(), v, dofs(contact, R, where, "R"));
     to_array(v, u, where);
+    contact.step.converged = status == StepStatus::CONVERGED;
+    if (contact.step.converged) contact.step.u = std::move(v);
     return static_cast<long>(status);
   });
 }
@@ -75,6 +80,7 @@ bool factorize_material(const Method<ContactHandle, FactorizeTag>& m, MaterialHa
                         const KN_<double>& u) {
   return guarded([&] {
     MaterialObject& object = material->get();
+    m->get().require_same_mesh(object, "contact.factorize");
     return factorize_tangent(m->get().run(), object.workpiece(), object.tangent,
                              dofs(m->get(), u, "contact.factorize", "u"));
   });
@@ -83,8 +89,8 @@ bool factorize_matrix(const Method<ContactHandle, FactorizeTag>& m, Matrice_Creu
                       const KN_<double>& u) {
   return guarded([&] {
     ContactObject& contact = m->get();
-    const auto& blocks =
-        contact.reader.read(view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"));
+    const auto& blocks = contact.blocks(view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"),
+                                        "contact.factorize");
     contact.run().require_begun("contact.factorize");
     require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.factorize");
     return contact.run().factorize(blocks, dofs(contact, u, "contact.factorize", "u")) == FactorStatus::OK;
@@ -131,13 +137,29 @@ long accept_events(const Method<ContactHandle, AcceptEventsTag>& m) {
 
 struct AcceptTag {};
 struct RevertTag {};
+// A step of pure rates is solved, not iterated; the core refuses to accept what has not been checked.
+void require_converged(ContactObject& contact, const Eigen::VectorXd& u) {
+  contact.run().require_checked("contact.accept");
+  const StepSeen& step = contact.step;
+  if (step.rates) return;
+  if (!step.converged)
+    fail("contact.accept", "the step has not converged: the last check did not return rcConverged");
+  for (Eigen::Index d = 0; d < u.size(); ++d)
+    if (u[d] != step.u[d]) {
+      std::ostringstream text;
+      text << "u[" << d << "] = " << u[d] << ", expected " << step.u[d] << ", where the step has converged";
+      fail("contact.accept", text.str());
+    }
+}
 bool accept(Stack, const Method<ContactHandle, AcceptTag>& m, const KN_<double>& u, const KN_<double>& R) {
   return guarded([&] {
     ContactObject& contact = m->get();
     const CpuTimer timer(contact.event_seconds);
-    contact.run().accept(dofs(contact, u, "contact.accept", "u"), dofs(contact, R, "contact.accept", "R"),
-                         contact.pending);
+    const Eigen::VectorXd v = dofs(contact, u, "contact.accept", "u");
+    require_converged(contact, v);
+    contact.run().accept(v, dofs(contact, R, "contact.accept", "R"), contact.pending);
     contact.pending.clear();
+    contact.step = {};
     return true;
   });
 }
@@ -145,6 +167,7 @@ bool revert(const Method<ContactHandle, RevertTag>& m) {
   return guarded([&] {
     if (m->get().started()) m->get().run().revert();
     m->get().pending.clear();
+    m->get().step = {};
     return true;
   });
 }

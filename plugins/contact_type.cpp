@@ -3,7 +3,7 @@
 //     label= or labels=   boundary labels of the surface
 //     fixed=              real[int], nonzero where the displacement is given
 //     friction=           Coulomb coefficient for all tools added without their own
-//     tolerance=          residual over the load, 1e-4
+//     tolerance=          residual over the load, 1e-4; above 1e-2 only with loose=true
 //     gaptolerance=       gap and slip over the spacing of the nodes, 1e-6
 //     maxiterations=, memory= (Anderson), terms="complete" | "article" | "none"
 //     axisymmetric=true   x is the radius (as in rcMaterial)
@@ -20,6 +20,7 @@
 #include "base/error.hpp"
 #include "base/formula.hpp"
 #include "contact/friction_laws.hpp"
+#include "mesh/mesh_match.hpp"
 #include "named.hpp"
 #include "types.hpp"
 #include <algorithm>
@@ -28,21 +29,24 @@
 namespace burnish {
 namespace {
 
-std::vector<long> labels_of(const Named& a) {
+std::vector<long> labels_of(const Named& a, const char* where) {
   std::vector<long> labels;
   if (a.has("label")) labels.push_back(a.integer("label", 0));
   if (a.has("labels")) {
     const KN_<long> list = a.integers("labels");
+    require(list.N() > 0, where, "size of labels", list.N(), ">= 1, or no labels= at all");
     for (long i = 0; i < list.N(); ++i) labels.push_back(list[i]);
   }
   return labels;
 }
 
+constexpr double LOOSE = 1e-2; // largest tolerance that nobody has to confirm
+
 struct Construct {
-  static const int n = 12;
+  static const int n = 13;
   static basicAC_F0::name_and_type names[n];
   static Made<ContactObject> call(const Named& a, pfes* space) {
-    const std::vector<long> labels = labels_of(a);
+    const std::vector<long> labels = labels_of(a, "contact");
     if (labels.empty()) fail("contact", "the contact surface is missing: label=... or labels=...");
     auto mesh = mesh_of(space, "contact", a.boolean("axisymmetric", false));
     std::vector<char> fixed(mesh.num_dofs(), 0);
@@ -55,13 +59,16 @@ struct Construct {
     options.tolerance = a.real("tolerance", options.tolerance);
     require(options.tolerance > 0 && options.tolerance < 1, "contact", "tolerance", options.tolerance,
             "0 < tolerance < 1");
+    require(options.tolerance <= LOOSE || a.boolean("loose", false), "contact", "tolerance",
+            options.tolerance,
+            "<= 1e-2: beyond it the result may be wrong many times over; loose=true takes it all the same");
     options.gap_tolerance = a.real("gaptolerance", options.gap_tolerance);
     require(options.gap_tolerance > 0 && options.gap_tolerance < 1, "contact", "gaptolerance",
             options.gap_tolerance, "0 < gaptolerance < 1");
-    options.max_iterations = static_cast<int>(a.integer("maxiterations", options.max_iterations));
-    require(options.max_iterations > 0, "contact", "maxiterations", options.max_iterations, "> 0");
-    options.anderson_memory = static_cast<int>(a.integer("memory", options.anderson_memory));
-    require(options.anderson_memory >= 0, "contact", "memory", options.anderson_memory, ">= 0");
+    options.max_iterations =
+        static_cast<int>(a.integer("maxiterations", options.max_iterations, 1, 1000000, "contact"));
+    options.anderson_memory =
+        static_cast<int>(a.integer("memory", options.anderson_memory, 0, 1000, "contact"));
     options.terms = terms_of(a.text("terms", "complete"));
     auto object = std::make_shared<ContactObject>();
     object->friction = called("rcContact", [&] { return make_coulomb(a.real("friction", 0)); });
@@ -77,7 +84,7 @@ struct Construct {
     if (a.has("surfaceplaces"))
       object->setup->place_surface(
           to_dofs(a.array("surfaceplaces"), object->setup->mesh().num_dofs(), "contact", "surfaceplaces"));
-    return made(std::move(object));
+    return made(a.stack(), std::move(object));
   }
 };
 basicAC_F0::name_and_type Construct::names[] = {{"label", &typeid(long)},
@@ -91,11 +98,12 @@ basicAC_F0::name_and_type Construct::names[] = {{"label", &typeid(long)},
                                                 {"terms", &typeid(string*)},
                                                 {"axisymmetric", &typeid(bool)},
                                                 {"surfaceplaces", &typeid(KN_<double>)},
-                                                {"straight", &typeid(bool)}};
+                                                {"straight", &typeid(bool)},
+                                                {"loose", &typeid(bool)}};
 
 // Edges of the labels that a tool may touch; empty: all.
 std::vector<Facet<2>> reach_of(const Named& a, const ContactObject& contact) {
-  const std::vector<long> labels = labels_of(a);
+  const std::vector<long> labels = labels_of(a, "contact.add");
   const auto& surface = contact.setup->surface();
   std::vector<Facet<2>> reach;
   for (const long label : labels) {
@@ -165,6 +173,8 @@ struct ApproachTag {};
 double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& tool,
                 string* const& coordinate, const KN_<double>& u) {
   return guarded([&] {
+    if (m->get().under_way)
+      fail("contact.approach", "a run is under way: approach before it, or between two runs");
     const auto& tools = m->get().setup->tools();
     const auto at = std::find(tools.begin(), tools.end(), tool->get().tool);
     if (at == tools.end())
@@ -180,6 +190,17 @@ double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& 
 ContactRun<2>& ContactObject::run() {
   if (!m_run) m_run = std::make_unique<ContactRun<2>>(setup);
   return *m_run;
+}
+
+void ContactObject::require_same_mesh(MaterialObject& material, const char* where) {
+  burnish::require_same_mesh<2>(material.workpiece().discretization(), "the material", setup->mesh(),
+                                "the contact", where);
+}
+
+const NodeBlockMatrix<2>& ContactObject::blocks(const TripletView& K, const char* where) {
+  const auto& read = called(where, [&]() -> const NodeBlockMatrix<2>& { return reader.read(K); });
+  matrices.require_of(setup->mesh(), read, where);
+  return read;
 }
 
 const ContactRun<2>& ContactObject::running(const char* where) const {

@@ -23,7 +23,7 @@ struct DamageTag {};
 struct HealTag {};
 
 constexpr double LEAST_INTEGRITY = 1e-3;
-constexpr long STEPS = 5;
+constexpr long STEPS = 5, MOST_STEPS = 1000000;
 
 struct Damage {
   static const int n = 2;
@@ -32,7 +32,7 @@ struct Damage {
     WorkpieceBody<2>& body = *m->get().body;
     called("material.damage", [&] {
       body.damage().damage(body.workpiece(), body.user(), *event, a.real("integrity", LEAST_INTEGRITY),
-                           static_cast<int>(a.integer("steps", STEPS)));
+                           static_cast<int>(a.integer("steps", STEPS, 1, MOST_STEPS, "material.damage")));
     });
     return true;
   }
@@ -44,8 +44,10 @@ struct Heal {
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& a, Method<M, HealTag> m, string* event) {
     WorkpieceBody<2>& body = *m->get().body;
-    called("material.heal",
-           [&] { body.damage().heal(body.user(), *event, static_cast<int>(a.integer("steps", STEPS))); });
+    called("material.heal", [&] {
+      body.damage().heal(body.user(), *event,
+                         static_cast<int>(a.integer("steps", STEPS, 1, MOST_STEPS, "material.heal")));
+    });
     return true;
   }
 };
@@ -56,7 +58,8 @@ struct HealAll {
   static basicAC_F0::name_and_type names[n];
   static long call(const Named& a, Method<M, HealTag> m) {
     return called("material.heal", [&] {
-      return heal_all(m->get().workpiece(), static_cast<int>(a.integer("steps", STEPS)));
+      return heal_all(m->get().workpiece(),
+                      static_cast<int>(a.integer("steps", STEPS, 1, MOST_STEPS, "material.heal")));
     });
   }
 };

@@ -6,7 +6,7 @@
 //   M.internalvariables names of what the law keeps at a point: plastic_strain_eq, backstress
 //   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
 //   M.displacement(i)   x, y over the nodes [length];  M.degree 1 or 2 of the elements;  M.Th their mesh
-//   M.axisymmetric      1 or 0
+//   M.axisymmetric      1 or 0;  M.warnings  text, one line for each number that no known material has
 #include "base/error.hpp"
 #include "types.hpp"
 #include "workpiece/nodal_average.hpp"
@@ -56,6 +56,10 @@ long number_of_points(MaterialHandle* const& h) {
   return guarded([&] { return static_cast<long>(h->get().workpiece().discretization().num_points()); });
 }
 
+string* material_warnings(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] { return new_string(stack, h->get().warnings); });
+}
+
 } // namespace
 
 void register_material_data() {
@@ -69,6 +73,7 @@ void register_material_data() {
   add_method<H, DisplacementTag>("displacement", [] {
     return new OneOperator2s_<KN_<double>, Method<H, DisplacementTag>, long>(displacement);
   });
+  Add<H*>("warnings", ".", new OneOperator1s_<string*, H*>(material_warnings));
   Add<H*>("degree", ".", new OneOperator1_<long, H*>(degree));
   Add<H*>("axisymmetric", ".", new OneOperator1_<long, H*>(axisymmetric));
   Add<H*>("Th", ".", new OneOperator1_<pmesh, H*>(mesh_of_material));

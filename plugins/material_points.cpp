@@ -59,6 +59,10 @@ Eigen::VectorXd values_of(const Array& a) {
   for (long i = 0; i < a.N(); ++i) v[i] = a[i];
   return v;
 }
+int component_index(long i, const char* where) {
+  require(i >= 0 && i < 1000, where, "component", i, "0 or more, see the list of components");
+  return static_cast<int>(i);
+}
 template <class Give> bool give(H* handle, const Give& f) {
   return guarded([&] {
     const CpuTimer timer(handle->get().update_seconds);
@@ -73,8 +77,9 @@ Array stress(Stack stack, const Method<H, StressTag>& m, const long& i) {
       [&] { return component(stack, stress_field(m->get().workpiece()), i, STRESS, "material.stress"); });
 }
 bool give_stress(const Method<H, StressTag>& m, const long& i, const Array& a) {
-  return give(m.object,
-              [&](auto& body) { body.give_stress(static_cast<int>(i), values_of(a), "material.stress"); });
+  return give(m.object, [&](auto& body) {
+    body.give_stress(component_index(i, "material.stress"), values_of(a), "material.stress");
+  });
 }
 Array gradient(Stack stack, const Method<H, GradientTag>& m, const long& i) {
   return guarded([&] { return component(stack, m->get().workpiece().state().F, i, GRADIENT, "material.F"); });
@@ -84,8 +89,9 @@ Array piola(Stack stack, const Method<H, PiolaTag>& m, const long& i) {
       [&] { return component(stack, piola_field(m->get().workpiece()), i, GRADIENT, "material.piola"); });
 }
 bool give_piola(const Method<H, PiolaTag>& m, const long& i, const Array& a) {
-  return give(m.object,
-              [&](auto& body) { body.give_piola(static_cast<int>(i), values_of(a), "material.piola"); });
+  return give(m.object, [&](auto& body) {
+    body.give_piola(component_index(i, "material.piola"), values_of(a), "material.piola");
+  });
 }
 // All moduli are made at once: a script reads one component after the other.
 const std::vector<double>& all_moduli(MaterialObject& object, double blend) {

@@ -25,8 +25,10 @@
 //   int n = M.acceptevents();         after accept or revert: their points yield or unload;  M.dropevents();
 #include "base/error.hpp"
 #include "material/make_law.hpp"
+#include "material/unit_warnings.hpp"
 #include "material/user_law.hpp"
 #include "matrix.hpp"
+#include "mesh/mesh_match.hpp"
 #include "named.hpp"
 #include "types.hpp"
 
@@ -89,9 +91,12 @@ struct Construct {
         std::move(law), options);
     if (user) workpiece->set_user_defined(true);
     object->mesh = shared_mesh(space, "material");
+    object->fingerprint = mesh_fingerprint<2>(workpiece->discretization());
+    if (!user) object->warnings = unit_warnings(input.numbers, "rcMaterial");
+    if (!object->warnings.empty()) cout << "burnish: warning: " << object->warnings << std::flush;
     object->tangent = workpiece->pattern();
     object->body = std::make_unique<WorkpieceBody<2>>(std::move(workpiece));
-    return made(std::move(object));
+    return made(a.stack(), std::move(object));
   }
 };
 std::vector<basicAC_F0::name_and_type> Construct::list = Construct::all_names();
@@ -166,7 +171,10 @@ bool drop_events(const Method<MaterialHandle, DropTag>& m) {
   return guarded([&] { return m->get().body->drop_events(), true; });
 }
 bool keep_plastic(const Method<MaterialHandle, KeepTag>& m, const double& noise) {
-  return guarded([&] { return m->get().body->keep_plastic(noise), true; });
+  return guarded([&] {
+    called("material.keepplastic", [&] { m->get().body->keep_plastic(noise); });
+    return true;
+  });
 }
 long accept_events(const Method<MaterialHandle, AcceptEventsTag>& m) {
   return guarded([&] { return m->get().body->accept_events(); });
@@ -185,8 +193,11 @@ struct Tangent {
   static basicAC_F0::name_and_type names[n];
   static newpMatrice_Creuse<double> call(const Named& a, Method<MaterialHandle, TangentTag> m) {
     MaterialObject& object = m->get();
-    object.workpiece().tangent(object.tangent, tangent_kind(a.text("kind", "consistent")),
-                               a.real("blend", 0));
+    called("material.tangent", [&] {
+      object.workpiece().tangent(object.tangent, tangent_kind(a.text("kind", "consistent")),
+                                 a.real("blend", 0));
+    });
+    note_tangent(object.tangent, object.fingerprint, object.workpiece().discretization().axisymmetric);
     return to_freefem(a.stack(), object.tangent);
   }
 };

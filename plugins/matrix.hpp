@@ -7,6 +7,8 @@
 namespace burnish {
 
 TangentKind tangent_kind(const std::string& name);
+/// Largest asymmetry of a script's tangent where a symmetric one is needed, over its largest entry.
+constexpr double LARGEST_ASYMMETRY = 1e-6;
 /// View of an n x n FreeFEM matrix. @throws std::invalid_argument if it is empty, not square or of another
 /// size
 TripletView view_of(Matrice_Creuse<double>* matrix, long n, const char* where);

@@ -1,5 +1,6 @@
 #pragma once
 // Operators with named parameters in few lines: positional arguments by type, named ones through an accessor.
+#include "base/error.hpp"
 #include "number_list.hpp"
 
 namespace burnish {
@@ -27,6 +28,13 @@ public:
     return e ? *GetAny<string*>((*e)(m_stack)) : otherwise;
   }
   KN_<double> array(const char* name) const { return GetAny<KN_<double>>((*find(name))(m_stack)); }
+  /// The number if it is among least to most. @throws std::invalid_argument "where: ..." otherwise
+  long integer(const char* name, long otherwise, long least, long most, const char* where) const {
+    const long value = integer(name, otherwise);
+    require(value >= least && value <= most, where, name, value,
+            (std::to_string(least) + " to " + std::to_string(most)).c_str());
+    return value;
+  }
   KN_<long> integers(const char* name) const { return GetAny<KN_<long>>((*find(name))(m_stack)); }
   /// Numbers of an inline array, real[int] or int[int]; declared as NumberList*.
   std::vector<double> numbers(const char* name) const {
@@ -54,6 +62,9 @@ private:
   int m_n;
 };
 
+/// @throws PluginError naming a named parameter that is none of these; FreeFEM's own message does not
+void refuse_unknown(const basicAC_F0& args, const basicAC_F0::name_and_type* names, int n);
+
 /// OneOperator with positional argument types Args... and the named parameters of Spec:
 ///   struct Spec { static const int n; static basicAC_F0::name_and_type names[];  (or a pointer to n of them)
 ///                 static Result call(const Named&, Args...); };
@@ -64,6 +75,7 @@ public:
     std::vector<Expression> nargs;
     Expression positional[sizeof...(Args)];
     Op(const basicAC_F0& args, aType* types) : nargs(static_cast<std::size_t>(Spec::n), nullptr) {
+      refuse_unknown(args, Spec::names, Spec::n);
       args.SetNameParam(Spec::n, Spec::names, nargs.data());
       for (std::size_t i = 0; i < sizeof...(Args); ++i)
         positional[i] = types[i]->CastTo(args[static_cast<int>(i)]);

@@ -1,6 +1,7 @@
 // Options of a script, -name value after its name on the command line; read all of them in one block.
 //   real R = rcReal("-R", 15e-3, "m", "radius of the roller");      default, unit and meaning for the help; or without them
 //   int n = rcInt("-n", 10);  string e = rcText("-element", "P2");
+//   rcRange("-n -nx", 1, 1000);  rcPositive("-R -E");   refuse values outside 1 to 1000; not > 0
 //   rcOptionsEnd(0);                refuses unknown options; with -h the help is printed and the script ends there,
 //                                   with -options list all options with their values, as one line of JSON
 //   rcOptionsJson(0)                the values used, "R": 0.015, ...;  rcScriptFolder(0) folder of the script
@@ -64,6 +65,12 @@ bool options_end(const long&) {
     return true;
   });
 }
+bool range(string* const& names, const double& least, const double& most) {
+  return guarded([&] { return script_options().range(*names, least, most), true; });
+}
+bool positive(string* const& names) {
+  return guarded([&] { return script_options().positive(*names), true; });
+}
 string* options_json(Stack stack, const long&) { return new_string(stack, script_options().json()); }
 string* script_folder(Stack stack, const long&) { return new_string(stack, script_options().folder()); }
 double number(string* const& name, string* const& text) {
@@ -83,6 +90,8 @@ void register_options() {
   Global.Add("rcInt", "(", new OneOperator4_<long, string*, long, string*, string*>(int_with_help));
   Global.Add("rcText", "(", new OneOperator2s_<string*, string*, string*>(text_option));
   Global.Add("rcText", "(", new OneOperator4s_<string*, string*, string*, string*, string*>(text_with_help));
+  Global.Add("rcRange", "(", new OneOperator3_<bool, string*, double, double>(range));
+  Global.Add("rcPositive", "(", new OneOperator1_<bool, string*>(positive));
   Global.Add("rcOptionsEnd", "(", new OneOperator1_<bool, long>(options_end));
   Global.Add("rcOptionsJson", "(", new OneOperator1s_<string*, long>(options_json));
   Global.Add("rcScriptFolder", "(", new OneOperator1s_<string*, long>(script_folder));

@@ -65,6 +65,7 @@ static void init() {
   register_geo_mesh();
   register_tools_of_the_trade();
   register_options();
+  register_files();
   register_pictures();
   register_step_control();
 }

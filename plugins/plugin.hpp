@@ -1,5 +1,6 @@
 #pragma once
 // What every entry of the plugin shares: handles for script variables, the error frame, argument checks.
+#include "base/file_error.hpp"
 #include <Eigen/Dense>
 
 #include "ff++.hpp"
@@ -16,12 +17,17 @@ namespace burnish {
 
 /// Text of the last error, until rcLastError() takes it.
 std::string& last_error();
-/// Error that the script sees once, with its line; exit code 20; text kept for rcLastError().
+constexpr int BAD_INPUT = 20, NOT_WRITTEN = 5; // exit status
+/// Error that the script sees once, with its line; exit code 20 unless another is given; text kept for rcLastError().
 struct PluginError : Error {
-  explicit PluginError(const std::string& message) : Error(NONE, "burnish: ", message.c_str()) {
+  explicit PluginError(const std::string& message, int status = BAD_INPUT)
+      : Error(NONE, "burnish: ", message.c_str()), m_status(status) {
     last_error() = message;
   }
-  int errcode() const override { return 20; }
+  int errcode() const override { return m_status; }
+
+private:
+  int m_status;
 };
 
 /// Runs f; turns every std::exception into a PluginError.
@@ -30,6 +36,8 @@ template <class F> auto guarded(F&& f) -> decltype(f()) {
     return f();
   } catch (const Error&) {
     throw;
+  } catch (const FileError& e) {
+    throw PluginError(e.what(), NOT_WRITTEN);
   } catch (const std::exception& e) {
     throw PluginError(e.what());
   }
@@ -48,16 +56,26 @@ template <class F> auto called(const char* where, F&& f) -> decltype(f()) {
   }
 }
 
-/// Script variables are one-word handles on shared objects.
+/// Script variables are handles on shared objects.
 template <class T> struct Handle {
   std::shared_ptr<T>* p;
-  void init() { p = nullptr; }
+  bool destroyed; // by the end of a function that took it by value: FreeFEM hands over the caller's own
+  void init() {
+    p = nullptr;
+    destroyed = false;
+  }
   void destroy() {
+    destroyed = p != nullptr;
     delete p;
     p = nullptr;
   }
   T& get() const {
-    if (!p) throw PluginError(std::string(T::TYPE) + " used before its construction");
+    const std::string type = T::TYPE;
+    if (!p && destroyed)
+      throw PluginError("this " + type +
+                        " was destroyed by a function that took it by value; declare its parameter as " +
+                        type + " & with a name");
+    if (!p) throw PluginError(type + " used before its construction");
     return **p;
   }
   std::shared_ptr<T> share() const {
@@ -68,13 +86,14 @@ template <class T> struct Handle {
 };
 
 /// What a maker function returns (`contact C = rcContact(Vh, ...)`: FreeFEM's grammar has no fespace among
-/// the arguments of a declaration); the declaration takes the object over.
+/// the arguments of a declaration); the declaration shares the object, FreeFEM frees this one after the statement.
 template <class T> struct Made { std::shared_ptr<T>* p; };
-template <class T> Made<T> made(std::shared_ptr<T> object) {
-  return {new std::shared_ptr<T>(std::move(object))};
+template <class T> Made<T> made(Stack stack, std::shared_ptr<T> object) {
+  return {Add2StackOfPtr2Free(stack, new std::shared_ptr<T>(std::move(object)))};
 }
 template <class T> Handle<T>* take_over(Handle<T>* const& handle, const Made<T>& object) {
-  handle->p = object.p;
+  handle->init();
+  handle->set(*object.p);
   return handle;
 }
 
@@ -130,6 +149,7 @@ void register_solver();
 void register_geo_mesh();
 void register_tools_of_the_trade();
 void register_options();
+void register_files();
 void register_pictures();
 void register_step_control();
 

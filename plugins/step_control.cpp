@@ -36,6 +36,16 @@ struct ControlObject {
   std::shared_ptr<ContactObject> contact; // of the run
   std::shared_ptr<MaterialObject> material;
   std::unique_ptr<Stepper<2>> stepper;
+  Eigen::VectorXd u; // as the last task left it
+  Task task = Task::STOPPED;
+  bool stopping = false; // the script has ended the run
+  bool under_way() const { return stepper && task != Task::FINISHED && task != Task::STOPPED; }
+  ControlObject() = default;
+  ControlObject(const ControlObject&) = delete;
+  ControlObject& operator=(const ControlObject&) = delete;
+  ~ControlObject() {
+    if (contact) contact->under_way = false;
+  }
   const StepControl& now() const { return stepper ? stepper->control() : *control; }
   Stepper<2>& running(const char* where) const {
     if (!stepper) fail(where, "no run has been started, call start first");
@@ -109,6 +119,10 @@ bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, Material
   return guarded([&] {
     ControlObject& object = m->get();
     object.stepper.reset();
+    object.task = Task::STOPPED;
+    object.stopping = false;
+    if (object.contact) object.contact->under_way = false;
+    contact->get().require_same_mesh(material->get(), "stepcontrol.start");
     object.contact = contact->share();
     object.material = material->share();
     object.stepper = std::make_unique<Stepper<2>>(object.contact->run(), *object.material->body,
@@ -116,6 +130,23 @@ bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, Material
     object.stepper->checks().options() = object.checks;
     return true;
   });
+}
+
+// Only rcSolve moves u. What a script has written there is taken back, so that the run can end at its accepted state.
+void require_untouched(const ControlObject& object, const Eigen::VectorXd& now, const KN_<double>& u) {
+  if (!object.under_way() || object.stopping || object.task == Task::SOLVE) return;
+  for (Eigen::Index d = 0; d < now.size(); ++d) {
+    if (now[d] == object.u[d]) continue;
+    to_array(object.u, u, "stepcontrol.next");
+    const bool record = object.task == Task::RECORD;
+    std::ostringstream text;
+    text << "u[" << d << "] = " << now[d] << ", expected " << object.u[d]
+         << ": the run's displacement was changed by "
+         << (record                         ? "record"
+             : object.task == Task::PROGRAM ? "program"
+                                            : "the forces or the tangent");
+    fail("stepcontrol.next", text.str());
+  }
 }
 
 struct NextTag {};
@@ -127,12 +158,16 @@ long next(Stack, const Method<H, NextTag>& m, const KN_<double>& u, const KN_<do
     const long n = object.contact->setup->mesh().num_dofs();
     Eigen::VectorXd v = to_dofs(u, n, "stepcontrol.next", "u"),
                     force = to_dofs(R, n, "stepcontrol.next", "R");
+    require_untouched(object, v, u);
     const double before = stepper.checks().seconds();
     const Task task = called("contact.begin", [&] { return stepper.next(v, force); });
     const double checked = stepper.checks().seconds() - before;
     object.contact->check_seconds += checked;
     object.contact->event_seconds -= checked;
     to_array(v, u, "stepcontrol.next");
+    object.task = task;
+    object.contact->under_way = object.under_way();
+    object.u = std::move(v);
     to_array(force, R, "stepcontrol.next");
     *object.control = stepper.control();
     return static_cast<long>(task);
@@ -144,7 +179,11 @@ bool refuse(const Method<H, RefuseTag>& m, string* const& reason) {
   return guarded([&] { return m->get().running("stepcontrol.refuse").refuse(*reason), true; });
 }
 bool stop(const Method<H, StopTag>& m, string* const& reason) {
-  return guarded([&] { return m->get().running("stepcontrol.stop").stop(*reason), true; });
+  return guarded([&] {
+    m->get().running("stepcontrol.stop").stop(*reason);
+    m->get().stopping = true;
+    return true;
+  });
 }
 
 struct SchemeTag {};
@@ -243,13 +282,21 @@ struct ProposeTag {};
 struct AcceptedTag {};
 struct RejectedTag {};
 struct CutTag {};
+void require_idle(H* handle, const char* where) {
+  if (handle->get().under_way())
+    fail(where, "a run is under way; this verb is for a loop of the script's own");
+}
 StepControl& proposed(H* handle, const char* where) {
+  require_idle(handle, where);
   StepControl& control = *handle->get().control;
   if (control.dt() <= 0) fail(where, "there is no step yet, call propose first");
   return control;
 }
 double propose(const Method<H, ProposeTag>& m, const double& width, const double& speed) {
-  return guarded([&] { return m->get().control->propose(width, speed); });
+  return guarded([&] {
+    require_idle(m.object, "stepcontrol.propose");
+    return m->get().control->propose(width, speed);
+  });
 }
 bool accepted(const Method<H, AcceptedTag>& m) {
   return guarded([&] { return proposed(m.object, "stepcontrol.accepted").accepted(), true; });

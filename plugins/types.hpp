@@ -1,6 +1,7 @@
 #pragma once
 // The script types and what they hold.
 #include "base/cpu_time.hpp"
+#include "contact/matrix_check.hpp"
 #include "kinematics/driven_tool.hpp"
 #include "plugin.hpp"
 #include "stepping/contact_run.hpp"
@@ -25,7 +26,14 @@ struct MaterialObject {
   double moduli_blend = -1;                        // -1: they are out of date
   long moduli_acceptances = 0, moduli_reversions = 0;
   std::shared_ptr<const ::Mesh> mesh; // FreeFEM's
+  std::uint64_t fingerprint = 0;      // of the mesh
+  std::string warnings;               // of its numbers, one line each
   Workpiece<2>& workpiece() { return body->workpiece(); }
+};
+/// What the verbs of a step have seen of it.
+struct StepSeen {
+  bool rates = false, converged = false;
+  Eigen::VectorXd u; // where it converged
 };
 struct ContactObject {
   static constexpr const char* TYPE = "contact";
@@ -37,6 +45,13 @@ struct ContactObject {
   std::vector<double> rhs;                    // of the last condensed matrix
   const CondensedSystem* condensed = nullptr; // the last one, the run's
   double event_seconds = 0, condense_seconds = 0, check_seconds = 0; // CPU
+  StepSeen step;
+  bool under_way = false; // a run of a stepcontrol goes on
+  MatrixCheck matrices;
+  /// @throws std::invalid_argument "where: ..." unless the material is on the contact's mesh
+  void require_same_mesh(MaterialObject& material, const char* where);
+  /// The same for a matrix of a script, which is returned by node blocks.
+  const NodeBlockMatrix<2>& blocks(const TripletView& K, const char* where);
   /// The run, begun by the first call: the setup is closed then.
   ContactRun<2>& run();
   bool started() const { return m_run != nullptr; }

@@ -1,21 +1,21 @@
 // Small things that a script needs from the machine.
 //   rcLastError(0)        text of the last error, once;  rcFail(text) ends the script with it, unless caught
-//   rcCatchInterrupt(0): Ctrl-C only sets rcInterrupted(0), until rcReleaseInterrupt(0)
+//   rcFail(text, status)  the same with another exit status than 20
+//   rcCaughtStatus(0), rcCaughtExit(0)   in a catch block: the exit status that the error would have had, whether it is
+//                         exit(n) of the script
+//   rcCatchInterrupt(0): Ctrl-C, SIGTERM, SIGHUP only set rcInterrupted(0), until rcReleaseInterrupt(0)
 //   rcWallTime(0), rcBlas(0), rcReferenceBlas(0), rcVersions(0)
-//   rcMakeFolder(path)    makes it and checks that it can be written;  rcTerminal(0) whether output goes to a terminal
+//   rcTerminal(0) whether output goes to a terminal
 //   rcErasedLine(0)       what erases the line of a terminal
 //   rcLeave(status)       ends the script with this exit status and no more words
 //   rcOwe(status)         the exit status if the script ends by itself, 0 to take it back
-#include "base/error.hpp"
 #include "base/version.hpp"
 #include "leave.hpp"
 #include "named.hpp"
 #include "solver/blas_info.hpp"
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
-#include <filesystem>
+#include <exception>
 #include <unistd.h>
 #include <utility>
 
@@ -32,19 +32,44 @@ void note_signal(int) {
 string* last_error_text(Stack stack, const long&) {
   return new_string(stack, std::exchange(last_error(), std::string()));
 }
-bool fail_with(string* const& message) { throw PluginError(*message); }
+bool fail_with_status(string* const& message, const long& status) {
+  throw PluginError(message->empty() ? "rcFail without a text" : *message, static_cast<int>(status));
+}
+bool fail_with(string* const& message) { return fail_with_status(message, BAD_INPUT); }
+// FreeFEM runs a script's catch block while the exception is there.
+long caught_status(const long&) {
+  try {
+    if (const auto caught = std::current_exception()) std::rethrow_exception(caught);
+  } catch (const PluginError& error) {
+    return error.errcode();
+  } catch (const ErrorExit& error) {
+    return error.errcode();
+  } catch (...) {
+  }
+  return BAD_INPUT;
+}
+bool caught_exit(const long&) {
+  try {
+    if (const auto caught = std::current_exception()) std::rethrow_exception(caught);
+  } catch (const ErrorExit&) {
+    return true;
+  } catch (...) {
+  }
+  return false;
+}
 double wall_time(const long&) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
-constexpr int SIGNALS[] = {SIGINT, SIGTERM};
-void (*handlers[])(int) = {SIG_DFL, SIG_DFL};
+constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGHUP}, NUM_SIGNALS = 3;
+void (*handlers[])(int) = {SIG_DFL, SIG_DFL, SIG_DFL};
 bool catch_interrupt(const long&) {
   interrupted = 0;
-  for (int k = 0; k < 2; ++k) handlers[k] = std::signal(SIGNALS[k], note_signal);
+  for (int k = 0; k < NUM_SIGNALS; ++k) handlers[k] = std::signal(SIGNALS[k], note_signal);
+  if (handlers[NUM_SIGNALS - 1] == SIG_IGN) std::signal(SIGHUP, SIG_IGN); // nohup
   return true;
 }
 bool release_interrupt(const long&) {
-  for (int k = 0; k < 2; ++k) std::signal(SIGNALS[k], handlers[k]);
+  for (int k = 0; k < NUM_SIGNALS; ++k) std::signal(SIGNALS[k], handlers[k]);
   return true;
 }
 bool was_interrupted(const long&) { return interrupted != 0; }
@@ -59,26 +84,6 @@ string* versions(Stack stack, const long&) {
   return new_string(stack, text.str());
 }
 bool reference_blas(const long&) { return is_reference_blas(); }
-bool make_folder(string* const& path) {
-  return guarded([&] {
-    std::error_code code;
-    std::filesystem::create_directories(*path, code);
-    const std::string probe = *path + "/.writable";
-    bool ok = false;
-    int reason = 0;
-    std::FILE* f = std::fopen(probe.c_str(), "w");
-    if (!f) reason = errno;
-    if (f) {
-      std::fclose(f);
-      std::filesystem::remove(probe, code);
-      ok = true;
-    }
-    if (!ok)
-      fail("rcMakeFolder", "the output folder \"" + *path + "\" cannot be written: " + std::strerror(reason));
-    return true;
-  });
-}
-
 bool leave_script(const long& status) { leave(static_cast<int>(status)); }
 bool owe_status(const long& status) {
   owe(static_cast<int>(status));
@@ -93,6 +98,9 @@ bool is_terminal(const long&) { return isatty(STDOUT_FILENO) != 0; }
 void register_tools_of_the_trade() {
   Global.Add("rcLastError", "(", new OneOperator1s_<string*, long>(last_error_text));
   Global.Add("rcFail", "(", new OneOperator1_<bool, string*>(fail_with));
+  Global.Add("rcFail", "(", new OneOperator2_<bool, string*, long>(fail_with_status));
+  Global.Add("rcCaughtStatus", "(", new OneOperator1_<long, long>(caught_status));
+  Global.Add("rcCaughtExit", "(", new OneOperator1_<bool, long>(caught_exit));
   Global.Add("rcWallTime", "(", new OneOperator1_<double, long>(wall_time));
   Global.Add("rcCatchInterrupt", "(", new OneOperator1_<bool, long>(catch_interrupt));
   Global.Add("rcReleaseInterrupt", "(", new OneOperator1_<bool, long>(release_interrupt));
@@ -100,7 +108,6 @@ void register_tools_of_the_trade() {
   Global.Add("rcBlas", "(", new OneOperator1s_<string*, long>(blas));
   Global.Add("rcVersions", "(", new OneOperator1s_<string*, long>(versions));
   Global.Add("rcReferenceBlas", "(", new OneOperator1_<bool, long>(reference_blas));
-  Global.Add("rcMakeFolder", "(", new OneOperator1_<bool, string*>(make_folder));
   Global.Add("rcLeave", "(", new OneOperator1_<bool, long>(leave_script));
   Global.Add("rcOwe", "(", new OneOperator1_<bool, long>(owe_status));
   Global.Add("rcErasedLine", "(", new OneOperator1s_<string*, long>(erased_line));

@@ -1,8 +1,21 @@
 #pragma once
-// Files for a moment, removed whatever happens.
+// Files for a moment, removed whatever happens: a process that only waits for the end of this one removes them.
 #include <string>
 
 namespace burnish {
+
+/// A process that removes a file or folder as soon as this one ends, however it ends, or closes it.
+class Remover {
+public:
+  void watch(const std::string& path);
+  /// Removes it now.
+  void remove();
+
+private:
+  std::string m_path;
+  int m_end = -1; // of a pipe: the other process reads until it is closed
+  int m_process = -1;
+};
 
 /// A file with a text, in the system's folder for temporary files.
 class TemporaryFile {
@@ -17,6 +30,7 @@ public:
 
 private:
   std::string m_path;
+  Remover m_remover;
 };
 
 /// An empty folder there; removed with all that is in it.
@@ -31,6 +45,7 @@ public:
 
 private:
   std::string m_path;
+  Remover m_remover;
 };
 
 /// All bytes of a file; "" if it cannot be read.

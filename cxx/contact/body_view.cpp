@@ -7,7 +7,7 @@ namespace burnish {
 
 template <int Dim> double candidate_spacing(const Eigen::VectorXd& X, const std::vector<int>& candidates) {
   std::vector<Vector<Dim>> places;
-  for (const int node : candidates) places.push_back(X.segment<Dim>(Dim * node));
+  for (const int node : candidates) places.push_back(X.segment<Dim>(Eigen::Index{Dim} * node));
   const PointTree<Dim> tree(places);
   std::vector<double> nearest;
   for (std::size_t i = 0; i < places.size(); ++i) {

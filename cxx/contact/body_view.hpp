@@ -6,9 +6,9 @@
 namespace burnish {
 
 template <int Dim> struct BodyView {
-  Eigen::VectorXd X;                                ///< reference places of the nodes, those of the surface on its curve [length]
-  std::vector<char> fixed;                          ///< per dof: displacement given (zero increment)
-  double spacing = 0;                               ///< typical distance of neighboring candidates [length]
+  Eigen::VectorXd X;       ///< reference places of the nodes, those of the surface on its curve [length]
+  std::vector<char> fixed; ///< per dof: displacement given (zero increment)
+  double spacing = 0;      ///< typical distance of neighboring candidates [length]
   std::shared_ptr<const FacetMeasure<Dim>> measure; ///< for tributary areas and reports
   Vector<Dim> position(const Eigen::VectorXd& u, int node) const {
     return X.segment<Dim>(Dim * node) + u.segment<Dim>(Dim * node);

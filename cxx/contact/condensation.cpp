@@ -158,10 +158,11 @@ void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const
   for (int k = 0; k < nq; ++k) m_full.rhs[ndof + k] = m_drive.value[k] - (total ? 0 : step.start->value[k]);
   for (int m = 0; m < K.num_nodes; ++m) {
     const Map row = map_of(m);
-    const Vector<Dim> f = force.template segment<Dim>(Dim * m);
-    m_full.rhs.template segment<Dim>(Dim * m) = row.W.transpose() * f;
+    const Vector<Dim> f = force.template segment<Dim>(Eigen::Index{Dim} * m);
+    m_full.rhs.template segment<Dim>(Eigen::Index{Dim} * m) = row.W.transpose() * f;
     if (!row.node) continue;
-    if (row.node->sliding && total) m_full.rhs.template segment<Dim - 1>(Dim * m) -= row.node->constant;
+    if (row.node->sliding && total)
+      m_full.rhs.template segment<Dim - 1>(Eigen::Index{Dim} * m) -= row.node->constant;
     const Eigen::VectorXd generalized = row.node->x_q.transpose() * f;
     for (std::size_t k = 0; k < row.node->at.size(); ++k)
       m_full.rhs[ndof + row.node->at[k]] += generalized[static_cast<Eigen::Index>(k)];

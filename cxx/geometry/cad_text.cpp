@@ -88,12 +88,22 @@ void gather(const std::string& path, const std::string& text, GeoText& all) {
   }
 }
 
+// Printf(...) > "file"; nothing else has a quotation mark after this sign.
+bool redirects(const std::string& line) {
+  for (std::size_t at = line.find('>'); at != std::string::npos; at = line.find('>', at + 1)) {
+    const std::size_t next = line.find_first_not_of(" \t", at + 1);
+    if (next != std::string::npos && line[next] == '"') return true;
+  }
+  return false;
+}
+
 void check_geo(const std::string& path, const std::string& text) {
   const std::string last = text.substr(text.find_last_of('\n') + 1), quoted = "\"" + path + "\"";
   if (std::count(last.begin(), last.end(), ';') > 1)
     fail(WHERE, quoted + " does not end with a new line: gmsh would read only one command of its last line");
   std::istringstream lines(text);
   const std::regex runs("(^|[;})/])\\s*((NonBlocking)?SystemCall|System|OnelabRun)\\b(?!\\s*=)");
+  const std::regex writes("(^|[;})/])\\s*(Save|Print|CreateDir|CreateFolder)\\b(?!\\s*[=.])");
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
@@ -102,6 +112,9 @@ void check_geo(const std::string& path, const std::string& text) {
     if (std::regex_search(line, found, runs))
       fail(WHERE, quoted + ", line " + std::to_string(number) + ": " + found[2].str() +
                       " would run another program; take it out");
+    if (std::regex_search(line, found, writes) || redirects(line))
+      fail(WHERE, quoted + ", line " + std::to_string(number) + ": " +
+                      (found.empty() ? "Printf" : found[2].str()) + " would write a file; take it out");
   }
 }
 

@@ -14,6 +14,8 @@ const std::vector<std::string> FREEFEM{"-f",    "-v",     "-nw",  "-ng",        
                                        "-glut", "-fglut", "-gff", "-check_plugin", "-?"};
 const std::vector<std::string> FREEFEM_WITH_VALUE{"-f", "-v", "-glut", "-fglut", "-gff", "-check_plugin"};
 
+constexpr double LARGEST = 1e15; // of a length, a force, a modulus in any unit
+
 bool among(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
@@ -62,8 +64,9 @@ const std::string* ScriptOptions::find(const std::string& name) const {
   return value;
 }
 
-void ScriptOptions::note(const std::string& name, const std::string& value, const std::string& json,
-                         const std::string& unit, const std::string& meaning) {
+ScriptOptions::Option& ScriptOptions::note(const std::string& name, const std::string& value,
+                                           const std::string& json, const std::string& unit,
+                                           const std::string& meaning) {
   require(name.size() > 1 && name[0] == '-', "option", "name", "\"" + name + "\"",
           "a dash and a word, such as -R");
   if (among(FREEFEM, name) || name == "-h" || name == "--help")
@@ -72,10 +75,34 @@ void ScriptOptions::note(const std::string& name, const std::string& value, cons
   const auto known =
       std::find_if(m_options.begin(), m_options.end(), [&](const Option& o) { return o.name == name; });
   const Option option{name, value, json, unit, meaning};
-  if (known == m_options.end())
-    m_options.push_back(option);
-  else
-    *known = option;
+  if (known == m_options.end()) return m_options.emplace_back(option);
+  return *known = option;
+}
+
+double ScriptOptions::number(const std::string& name) const {
+  for (const Option& option : m_options)
+    if (option.name == name && option.number) return *option.number;
+  fail("option " + name, "it has not been read as a number, its range cannot be checked");
+}
+
+void ScriptOptions::range(const std::string& names, double least, double most) const {
+  std::istringstream list(names);
+  for (std::string name; list >> name;) {
+    const double value = number(name);
+    if (value >= least && value <= most) continue;
+    throw std::invalid_argument("option " + name + " is " + json_number(value) + ", expected " +
+                                json_number(least) + " to " + json_number(most));
+  }
+}
+
+void ScriptOptions::positive(const std::string& names) const {
+  std::istringstream list(names);
+  for (std::string name; list >> name;) {
+    const double value = number(name);
+    if (value > 0 && value <= LARGEST) continue;
+    throw std::invalid_argument("option " + name + " is " + json_number(value) + ", expected > 0" +
+                                (value > 0 ? " and at most " + json_number(LARGEST) : ""));
+  }
 }
 
 double ScriptOptions::real(const std::string& name, double otherwise, const std::string& unit,
@@ -84,7 +111,7 @@ double ScriptOptions::real(const std::string& name, double otherwise, const std:
   const double value =
       given ? parse_number(*given, "option " + name + " has the value \"" + *given + "\", expected a number")
             : otherwise;
-  note(name, json_number(value), json_number(value), unit, meaning);
+  note(name, json_number(value), json_number(value), unit, meaning).number = value;
   return value;
 }
 
@@ -97,7 +124,7 @@ long ScriptOptions::integer(const std::string& name, long otherwise, const std::
     if (number != std::rint(number) || std::abs(number) > 1e15) throw std::invalid_argument(wrong);
     value = static_cast<long>(number);
   }
-  note(name, std::to_string(value), std::to_string(value), unit, meaning);
+  note(name, std::to_string(value), std::to_string(value), unit, meaning).number = static_cast<double>(value);
   return value;
 }
 

@@ -21,6 +21,12 @@ public:
   std::string text(const std::string& name, const std::string& otherwise, const std::string& unit,
                    const std::string& meaning);
 
+  /// @param names of numbers that were read, "-R -a -E"; @param least, most the values allowed, both included
+  /// @throws std::invalid_argument for a value outside, and a name that is none of a number
+  void range(const std::string& names, double least, double most) const;
+  /// The same, > 0 and at most 1e15.
+  void positive(const std::string& names) const;
+
   /// @throws std::invalid_argument naming a word that is no option that was asked for, and those that are
   void refuse_unknown() const;
   bool wants_help() const { return m_help; } ///< -h or --help is among the words
@@ -36,10 +42,12 @@ private:
   };
   struct Option {
     std::string name, value, json, unit, meaning;
+    std::optional<double> number = {};
   };
   const std::string* find(const std::string& name) const;
-  void note(const std::string& name, const std::string& value, const std::string& json,
-            const std::string& unit, const std::string& meaning);
+  Option& note(const std::string& name, const std::string& value, const std::string& json,
+               const std::string& unit, const std::string& meaning);
+  double number(const std::string& name) const;
 
   std::string m_script;
   std::vector<Given> m_given;    // words of the script in pairs, without FreeFEM's own

@@ -38,12 +38,13 @@ void add_force(const Discretization<Dim>& mesh, int point, const Gradient<Dim>& 
   const double* gradient = mesh.gradients(point);
   const Tensor<Dim> in_mesh = mesh.weight[point] * mesh_part<Dim>(P);
   for (int a = 0; a < mesh.nodes_per_element; ++a)
-    Eigen::Map<Vector<Dim>>(force.data() + Dim * node[a]).noalias() +=
+    Eigen::Map<Vector<Dim>>(force.data() + Eigen::Index{Dim} * node[a]).noalias() +=
         in_mesh * Eigen::Map<const Vector<Dim>>(gradient + Dim * a);
   if constexpr (PointTraits<Dim>::has_hoop) {
     if (!mesh.axisymmetric) return;
     const double hoop = mesh.weight[point] * P[ZZ] * mesh.inverse_radius(point);
-    for (int a = 0; a < mesh.nodes_per_element; ++a) force[Dim * node[a]] += hoop * mesh.shapes(point)[a];
+    for (int a = 0; a < mesh.nodes_per_element; ++a)
+      force[Eigen::Index{Dim} * node[a]] += hoop * mesh.shapes(point)[a];
   }
 }
 

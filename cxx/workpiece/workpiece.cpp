@@ -49,14 +49,15 @@ Gradient<Dim> deformation_gradient(const Discretization<Dim>& mesh, int element,
   const double* gradient = mesh.gradients(point);
   RowMajorTensor<Dim> in_mesh = RowMajorTensor<Dim>::Identity();
   for (int a = 0; a < mesh.nodes_per_element; ++a)
-    in_mesh.noalias() += Eigen::Map<const Vector<Dim>>(u.data() + Dim * node[a]) *
+    in_mesh.noalias() += Eigen::Map<const Vector<Dim>>(u.data() + Eigen::Index{Dim} * node[a]) *
                          Eigen::Map<const Vector<Dim>>(gradient + Dim * a).transpose();
   Gradient<Dim> F = undeformed<Dim>();
   mesh_part<Dim>(F) = in_mesh;
   if constexpr (PointTraits<Dim>::has_hoop) {
     if (!mesh.axisymmetric) return F;
     double radial = 0;
-    for (int a = 0; a < mesh.nodes_per_element; ++a) radial += mesh.shapes(point)[a] * u[Dim * node[a]];
+    for (int a = 0; a < mesh.nodes_per_element; ++a)
+      radial += mesh.shapes(point)[a] * u[Eigen::Index{Dim} * node[a]];
     F[ZZ] += radial * mesh.inverse_radius(point);
   }
   return F;

@@ -31,8 +31,8 @@ rolling 20 'option -mu has the value "-outer"|expected a number' -mu -outer 30
 rolling 20 'option -inner has the value "4.5"|expected a whole number' -inner 4.5
 rolling 20 'option -element is "P3"|expected P1 or P2' -element P3
 rolling 20 'option -scheme is "magic"|expected implicit, event or article' -scheme magic
-rolling 20 'option -steps is 0|expected >= 1' -steps 0
-rolling 20 'at least 2 divisions' -inner 1
+rolling 20 'option -steps is 0|expected 1 to 1e+06' -steps 0
+rolling 20 'option -inner is 1|expected 2 to' -inner 1
 [ ! -e "$SCRATCH/r" ] || { echo "FAILED: a refused run made its output folder"; failures=$((failures + 1)); }
 small=(-element P1 -inner 4 -outer 20 -sides 4 -pictures 0)
 rolling 20 'nu = 0.5|-1 < nu < 0.5' "${small[@]}" -nu 0.5
@@ -40,8 +40,10 @@ rolling 20 'sigY = -1|> 0' "${small[@]}" -sigY -1
 rolling 20 'sigY = 0|> 0' "${small[@]}" -sigY 0
 rolling 20 'mu = -0.2|mu >= 0' "${small[@]}" -mu -0.2
 rolling 20 'unknown update "best"' "${small[@]}" -update best
-rolling 20 'tolerance = 0|0 < tolerance < 1' "${small[@]}" -tolerance 0
-rolling 20 'radius = -1|> 0' "${small[@]}" -R -1
+rolling 20 'option -tolerance is 0|> 0' -tolerance 0
+rolling 20 'option -tolerance is 0.1|0 to 0.01' -tolerance 0.1
+rolling 20 'unknown option -muu|expected one of' -muu 0.9 -foo x.edp
+rolling 20 'option -R is -1|> 0' "${small[@]}" -R -1
 rolling 20 'the output folder "/dev/null/x" cannot be written|Not a directory' "${small[@]}" -out /dev/null/x
 touch "$SCRATCH/file"
 rolling 20 'the output folder "'"$SCRATCH"'/file" cannot be written|Not a directory' "${small[@]}" -out "$SCRATCH/file"
@@ -61,7 +63,7 @@ cat >"$SCRATCH/named.edp" <<'END'
 include "burnish.idp"
 tool t(circle=1, shade=2);
 END
-refuse 1 'shade' "$BURNISH" "$SCRATCH/named.edp"
+refuse 20 'unknown named parameter shade=|expected one of' "$BURNISH" "$SCRATCH/named.edp"
 cat >"$SCRATCH/solid.edp" <<'END'
 include "burnish.idp"
 load "msh3"

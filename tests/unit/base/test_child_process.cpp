@@ -33,6 +33,18 @@ TEST(ChildProcess, HandsBackWhatTheFunctionReturns) {
   }
 }
 
+// Neither system nor what it would start; a file that is read may name programs.
+TEST(ChildProcess, StartsNoProgram) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/made";
+  const ChildEnd end = run([&] { return std::to_string(std::system(("touch " + file).c_str())); });
+  EXPECT_TRUE(end.returned);
+  EXPECT_NE(end.result, "0");
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_EQ(std::system(("touch " + file).c_str()), 0); // here it can
+  EXPECT_TRUE(std::filesystem::exists(file));
+}
+
 TEST(ChildProcess, TellsHowItBrokeDown) {
   EXPECT_EQ(run([]() -> std::string { return std::to_string(std::raise(SIGSEGV)); }).signal, SIGSEGV);
   EXPECT_EQ(run([]() -> std::string { std::abort(); }).signal, SIGABRT);

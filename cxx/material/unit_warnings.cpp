@@ -1,0 +1,36 @@
+#include "material/unit_warnings.hpp"
+#include <cmath>
+#include <sstream>
+
+namespace burnish {
+
+namespace {
+
+constexpr double LEAST_YIELD = 1e-6, MOST_HARDENING = 1; // over Young's modulus
+
+double number(const LawNumbers& numbers, const char* name) {
+  const auto found = numbers.find(name);
+  return found == numbers.end() ? 0 : found->second;
+}
+
+std::string line(const char* where, const char* name, double value, double E, const char* known) {
+  std::ostringstream text;
+  text << where << ": " << name << " = " << value << " is " << value / E << " of E = " << E
+       << ", known materials have " << known << ": are the units mixed?\n";
+  return text.str();
+}
+
+} // namespace
+
+std::string unit_warnings(const LawNumbers& numbers, const char* where) {
+  double E = number(numbers, "E");
+  if (E == 0) E = 2 * number(numbers, "G") * (1 + number(numbers, "nu"));
+  const double sigY = number(numbers, "sigY"), H = number(numbers, "H");
+  std::string text;
+  if (!(E > 0)) return text;
+  if (sigY > 0 && sigY < LEAST_YIELD * E) text += line(where, "sigY", sigY, E, "more than 1e-6");
+  if (H > MOST_HARDENING * E) text += line(where, "H", H, E, "at most 1");
+  return text;
+}
+
+} // namespace burnish

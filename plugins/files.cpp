@@ -1,0 +1,47 @@
+// Files that are whole or not there. What cannot be written ends the script with exit status 5, unless caught; f is closed.
+//   rcMakeFolder(path)                         makes it and checks that it can be written
+//   { ofstream f(rcNewName(file)); f << ...; rcReplaced(f, file); }    a new content takes the place of the file's
+//   savevtk(rcNewName(file), ...); rcReplacedVtu(file);                the same of a .vtu file
+//   { ofstream f(file, append); f << ...; rcAppended(f, file); }       whole lines at the end of a file
+#include "base/whole_file.hpp"
+#include "plugin.hpp"
+#include <csignal>
+#include <fstream>
+
+namespace burnish {
+namespace {
+
+bool make_folder(string* const& path) {
+  return guarded([&] { return make_writable_folder(*path, "rcMakeFolder"), true; });
+}
+string* name_of_new(Stack stack, string* const& path) { return new_string(stack, new_name(*path)); }
+
+// Whether all that was written has arrived.
+bool closed_well(std::ostream** const& stream) {
+  auto* file = dynamic_cast<std::ofstream*>(*stream);
+  if (!file) return false;
+  file->close();
+  return file->good();
+}
+bool replaced(std::ostream** const& stream, string* const& path) {
+  return guarded([&] { return replace_file(*path, closed_well(stream)), true; });
+}
+bool appended(std::ostream** const& stream, string* const& path) {
+  return guarded([&] { return keep_whole_lines(*path, closed_well(stream)), true; });
+}
+bool replaced_vtu(string* const& path) {
+  return guarded([&] { return replace_file(*path, ends_with(new_name(*path), "</VTKFile>")), true; });
+}
+
+} // namespace
+
+void register_files() {
+  std::signal(SIGXFSZ, SIG_IGN); // a file at the limit of its size is an error of writing it
+  Global.Add("rcMakeFolder", "(", new OneOperator1_<bool, string*>(make_folder));
+  Global.Add("rcNewName", "(", new OneOperator1s_<string*, string*>(name_of_new));
+  Global.Add("rcReplaced", "(", new OneOperator2_<bool, std::ostream**, string*>(replaced));
+  Global.Add("rcAppended", "(", new OneOperator2_<bool, std::ostream**, string*>(appended));
+  Global.Add("rcReplacedVtu", "(", new OneOperator1_<bool, string*>(replaced_vtu));
+}
+
+} // namespace burnish
