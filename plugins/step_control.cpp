@@ -1,5 +1,6 @@
 // Script type `stepcontrol`: the length of the steps, and the loop over them turned inside out (edp/rcRun.idp).
 //   stepcontrol S(tend, dtmax=0.05);         also named: dtmin, stepsperwidth=14, output=times hit exactly,
+//     accuracy=0.01 chooses the steps by that error (S.error); without it they are fixed by dtmax and the contact width;
 //     scheme="implicit" | "event" | "article"; elementevents="none" | "log" | "cut": yield and unloading of points
 //     ("log": located in every accepted step and logged; "cut": the step is cut at them and at user-defined events);
 //     eventtolerance=1e-3 events this close to the earliest one are taken with it, fraction of the step;
@@ -16,6 +17,8 @@
 //     S.count("steps" | "rejected" | "pieces" | "pileups" | "atonce" | "blind"), S.excess (article: largest q/sigma_y - 1)
 //     S.purerates: the present piece is one of scheme "article"
 //     S.crawls, S.lastrejection, S.rejecteddt: steps far below dtmax after a failure; why the last step was rejected
+//     S.error: estimated relative error that the length of the steps makes in the plastic strain increments, -1: none
+//     S.nodesrolled: node spacings that the contact rolls in a step, mean; 0: it does not roll
 //   A user-defined loop:   S.propose(width, speed), S.accepted(), S.rejected() (false: below the floor), S.cut(f)
 //   S.t, S.dt, S.tend, S.finished, S.atoutput
 #include "base/error.hpp"
@@ -56,7 +59,7 @@ ElementEvents elements_of(const std::string& name, Scheme scheme) {
 }
 
 struct Construct {
-  static const int n = 12;
+  static const int n = 13;
   static basicAC_F0::name_and_type names[n];
   static double positive(const Named& a, const char* name, double otherwise) {
     if (!a.has(name)) return otherwise;
@@ -76,6 +79,7 @@ struct Construct {
     control.dt_max = positive(a, "dtmax", control.dt_max);
     control.dt_min = positive(a, "dtmin", control.dt_min);
     control.steps_per_width = a.real("stepsperwidth", control.steps_per_width);
+    control.accuracy = positive(a, "accuracy", control.accuracy);
     if (a.has("output")) {
       const Eigen::VectorXd times = to_vector(a.array("output"), "stepcontrol", "output");
       control.output_times.assign(times.data(), times.data() + times.size());
@@ -96,6 +100,7 @@ struct Construct {
   }
 };
 basicAC_F0::name_and_type Construct::names[] = {
+    {"accuracy", &typeid(double)},
     {"dtmax", &typeid(double)},          {"dtmin", &typeid(double)},      {"stepsperwidth", &typeid(double)},
     {"output", &typeid(KN_<double>)},    {"scheme", &typeid(string*)},    {"elementevents", &typeid(string*)},
     {"eventtolerance", &typeid(double)}, {"eventnoise", &typeid(double)}, {"nodesperstep", &typeid(double)},
@@ -181,6 +186,10 @@ double target(const ControlObject& o) { return o.running("stepcontrol.target").t
 double piece(const ControlObject& o) { return o.running("stepcontrol.piece").dt(); }
 double excess(const ControlObject& o) { return o.running("stepcontrol.excess").counts().scheme.excess; }
 double rejected_dt(const ControlObject& o) { return o.stepper ? o.stepper->rejected_dt() : 0; }
+double error_of(const ControlObject& o) { return o.stepper ? o.stepper->error() : -1; }
+double nodes_per_step(const ControlObject& o) {
+  return o.stepper ? o.stepper->counts().nodes_per_step() : 0;
+}
 double time_of(const ControlObject& o) { return o.now().time(); }
 double dt_of(const ControlObject& o) { return o.now().dt(); }
 double end_of(const ControlObject& o) { return o.now().options().t_end; }
@@ -246,6 +255,8 @@ void register_values() {
   Add<H*>("piece", ".", new OneOperator1_<double, H*>(number<piece>));
   Add<H*>("excess", ".", new OneOperator1_<double, H*>(number<excess>));
   Add<H*>("rejecteddt", ".", new OneOperator1_<double, H*>(number<rejected_dt>));
+  Add<H*>("error", ".", new OneOperator1_<double, H*>(number<error_of>));
+  Add<H*>("nodesrolled", ".", new OneOperator1_<double, H*>(number<nodes_per_step>));
   Add<H*>("iteration", ".", new OneOperator1_<long, H*>(iteration));
   Add<H*>("finished", ".", new OneOperator1_<bool, H*>(finished));
   Add<H*>("atoutput", ".", new OneOperator1_<bool, H*>(at_output));
