@@ -13,6 +13,7 @@
 //     rcFinished  rcStopped: S.reason tells why, S.atfloor whether no step is short enough
 //     S.condensed(true)  every iteration is an rcSolve: the condensed matrix for a solver of the script
 //     S.scheme("event")  another scheme from the next step on
+//     S.accuracy(0.01)  as the name in brackets, before S.start
 //     S.refuse(text)  the task cannot be done: the step is tried shorter;   S.stop(text)  ends the run at the accepted state
 //     S.count("steps" | "rejected" | "pieces" | "pileups" | "atonce" | "blind"), S.excess (article: largest q/sigma_y - 1)
 //     S.purerates: the present piece is one of scheme "article"
@@ -105,6 +106,21 @@ basicAC_F0::name_and_type Construct::names[] = {
     {"output", &typeid(KN_<double>)},    {"scheme", &typeid(string*)},    {"elementevents", &typeid(string*)},
     {"eventtolerance", &typeid(double)}, {"eventnoise", &typeid(double)}, {"nodesperstep", &typeid(double)},
     {"widthsteps", &typeid(double)},     {"maxpieces", &typeid(long)},    {"maxretries", &typeid(long)}};
+
+// Before start: the control is made anew.
+struct AccuracyTag {};
+bool set_accuracy(const Method<H, AccuracyTag>& m, const double& accuracy) {
+  return guarded([&] {
+    ControlObject& object = m->get();
+    if (object.stepper) fail("stepcontrol.accuracy", "the run has been started, state an accuracy before");
+    require(std::isfinite(accuracy) && accuracy > 0, "stepcontrol.accuracy", "accuracy", accuracy,
+            "a finite number > 0");
+    StepControlOptions options = object.control->options();
+    options.accuracy = accuracy;
+    object.control = std::make_unique<StepControl>(0, options);
+    return true;
+  });
+}
 
 struct StartTag {};
 bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, MaterialHandle* const& material) {
@@ -282,6 +298,8 @@ void register_step_control() {
                            [] { return new OneOperator2_<bool, Method<H, RefuseTag>, string*>(refuse); });
   add_method<H, SchemeTag>("scheme",
                            [] { return new OneOperator2_<bool, Method<H, SchemeTag>, string*>(set_scheme); });
+  add_method<H, AccuracyTag>(
+      "accuracy", [] { return new OneOperator2_<bool, Method<H, AccuracyTag>, double>(set_accuracy); });
   add_method<H, CondensedTag>(
       "condensed", [] { return new OneOperator2_<bool, Method<H, CondensedTag>, bool>(set_condensed); });
   add_method<H, StopTag>("stop", [] { return new OneOperator2_<bool, Method<H, StopTag>, string*>(stop); });

@@ -12,7 +12,7 @@ struct StepErrorState {
   /// Relative error of the plastic strain increments: the constant of ALGORITHMS.md (2.6) times the mean of eta [-]; < 0: not
   /// estimated, since nothing flowed or the law gives no estimate.
   double estimate() const { return strain > 0 ? STEP_ERROR_PER_ETA * weighted / strain : -1; }
-  static constexpr double STEP_ERROR_PER_ETA = 1;
+  static constexpr double STEP_ERROR_PER_ETA = 4;
 };
 
 /// Adds the step of the last update, before it is accepted. Nothing is added for user-defined laws, laws without
