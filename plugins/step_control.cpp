@@ -1,5 +1,6 @@
 // Script type `stepcontrol`: the length of the steps, and the loop over them turned inside out (edp/rcRun.idp).
 //   stepcontrol S(tend, dtmax=0.05);         also named: dtmin, stepsperwidth=14, output=times hit exactly,
+//     accuracy=0.01 chooses the steps by that error (S.error); without it they are fixed by dtmax and the contact width;
 //     scheme="implicit" | "event" | "article"; elementevents="none" | "log" | "cut": yield and unloading of points
 //     ("log": located in every accepted step and logged; "cut": the step is cut at them and at user-defined events);
 //     eventtolerance=1e-3 events this close to the earliest one are taken with it, fraction of the step;
@@ -12,12 +13,15 @@
 //     rcFinished  rcStopped: S.reason tells why, S.atfloor whether no step is short enough
 //     S.condensed(true)  every iteration is an rcSolve: the condensed matrix for a solver of the script
 //     S.scheme("event")  another scheme from the next step on
+//     S.accuracy(0.01)  as the name in brackets, before S.start
 //     S.refuse(text)  the task cannot be done: the step is tried shorter;   S.stop(text)  ends the run at the accepted state
 //     S.count("steps" | "rejected" | "pieces" | "pileups" | "atonce" | "blind"), S.excess (article: largest q/sigma_y - 1)
 //     S.checks(false)  no self-checks (contact_findings.cpp);   S.halted: one of them ended the run
 //     S.measures, S.measured(name)  names of the numbers that they measured, "a,b,"; the worst of each
 //     S.purerates: the present piece is one of scheme "article"
 //     S.crawls, S.lastrejection, S.rejecteddt: steps far below dtmax after a failure; why the last step was rejected
+//     S.error: estimated relative error that the length of the steps makes in the plastic strain increments, -1: none
+//     S.nodesrolled: node spacings that the contact rolls in a step, mean; 0: it does not roll
 //   A user-defined loop:   S.propose(width, speed), S.accepted(), S.rejected() (false: below the floor), S.cut(f)
 //   S.t, S.dt, S.tend, S.finished, S.atoutput
 #include "base/error.hpp"
@@ -69,7 +73,7 @@ ElementEvents elements_of(const std::string& name, Scheme scheme) {
 }
 
 struct Construct {
-  static const int n = 12;
+  static const int n = 13;
   static basicAC_F0::name_and_type names[n];
   static double positive(const Named& a, const char* name, double otherwise) {
     if (!a.has(name)) return otherwise;
@@ -89,6 +93,7 @@ struct Construct {
     control.dt_max = positive(a, "dtmax", control.dt_max);
     control.dt_min = positive(a, "dtmin", control.dt_min);
     control.steps_per_width = a.real("stepsperwidth", control.steps_per_width);
+    control.accuracy = positive(a, "accuracy", control.accuracy);
     if (a.has("output")) {
       const Eigen::VectorXd times = to_vector(a.array("output"), "stepcontrol", "output");
       control.output_times.assign(times.data(), times.data() + times.size());
@@ -109,10 +114,26 @@ struct Construct {
   }
 };
 basicAC_F0::name_and_type Construct::names[] = {
-    {"dtmax", &typeid(double)},          {"dtmin", &typeid(double)},      {"stepsperwidth", &typeid(double)},
-    {"output", &typeid(KN_<double>)},    {"scheme", &typeid(string*)},    {"elementevents", &typeid(string*)},
-    {"eventtolerance", &typeid(double)}, {"eventnoise", &typeid(double)}, {"nodesperstep", &typeid(double)},
-    {"widthsteps", &typeid(double)},     {"maxpieces", &typeid(long)},    {"maxretries", &typeid(long)}};
+    {"accuracy", &typeid(double)},       {"dtmax", &typeid(double)},          {"dtmin", &typeid(double)},
+    {"stepsperwidth", &typeid(double)},  {"output", &typeid(KN_<double>)},    {"scheme", &typeid(string*)},
+    {"elementevents", &typeid(string*)}, {"eventtolerance", &typeid(double)}, {"eventnoise", &typeid(double)},
+    {"nodesperstep", &typeid(double)},   {"widthsteps", &typeid(double)},     {"maxpieces", &typeid(long)},
+    {"maxretries", &typeid(long)}};
+
+// Before start: the control is made anew.
+struct AccuracyTag {};
+bool set_accuracy(const Method<H, AccuracyTag>& m, const double& accuracy) {
+  return guarded([&] {
+    ControlObject& object = m->get();
+    if (object.stepper) fail("stepcontrol.accuracy", "the run has been started, state an accuracy before");
+    require(std::isfinite(accuracy) && accuracy > 0, "stepcontrol.accuracy", "accuracy", accuracy,
+            "a finite number > 0");
+    StepControlOptions options = object.control->options();
+    options.accuracy = accuracy;
+    object.control = std::make_unique<StepControl>(0, options);
+    return true;
+  });
+}
 
 struct StartTag {};
 bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, MaterialHandle* const& material) {
@@ -257,6 +278,8 @@ double target(const ControlObject& o) { return o.running("stepcontrol.target").t
 double piece(const ControlObject& o) { return o.running("stepcontrol.piece").dt(); }
 double excess(const ControlObject& o) { return o.running("stepcontrol.excess").counts().scheme.excess; }
 double rejected_dt(const ControlObject& o) { return o.stepper ? o.stepper->rejected_dt() : 0; }
+double error_of(const ControlObject& o) { return o.stepper ? o.stepper->error() : -1; }
+double nodes_per_step(const ControlObject& o) { return o.stepper ? o.stepper->counts().nodes_per_step() : 0; }
 double time_of(const ControlObject& o) { return o.now().time(); }
 double dt_of(const ControlObject& o) { return o.now().dt(); }
 double end_of(const ControlObject& o) { return o.now().options().t_end; }
@@ -330,6 +353,8 @@ void register_values() {
   Add<H*>("piece", ".", new OneOperator1_<double, H*>(number<piece>));
   Add<H*>("excess", ".", new OneOperator1_<double, H*>(number<excess>));
   Add<H*>("rejecteddt", ".", new OneOperator1_<double, H*>(number<rejected_dt>));
+  Add<H*>("error", ".", new OneOperator1_<double, H*>(number<error_of>));
+  Add<H*>("nodesrolled", ".", new OneOperator1_<double, H*>(number<nodes_per_step>));
   Add<H*>("iteration", ".", new OneOperator1_<long, H*>(iteration));
   Add<H*>("finished", ".", new OneOperator1_<bool, H*>(finished));
   Add<H*>("atoutput", ".", new OneOperator1_<bool, H*>(at_output));
@@ -357,6 +382,8 @@ void register_step_control() {
                            [] { return new OneOperator2_<bool, Method<H, RefuseTag>, string*>(refuse); });
   add_method<H, SchemeTag>("scheme",
                            [] { return new OneOperator2_<bool, Method<H, SchemeTag>, string*>(set_scheme); });
+  add_method<H, AccuracyTag>(
+      "accuracy", [] { return new OneOperator2_<bool, Method<H, AccuracyTag>, double>(set_accuracy); });
   add_method<H, CondensedTag>(
       "condensed", [] { return new OneOperator2_<bool, Method<H, CondensedTag>, bool>(set_condensed); });
   add_method<H, StopTag>("stop", [] { return new OneOperator2_<bool, Method<H, StopTag>, string*>(stop); });

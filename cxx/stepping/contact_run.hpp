@@ -108,6 +108,8 @@ public:
   std::string reason() const;
   /// Coordinates left out so far, in the step under way too, since nothing resists them.
   std::vector<std::string> left_out() const;
+  /// Reports a warning of a subject, once. The accepted state keeps it.
+  void warn(const std::string& subject, const std::string& text) { m_accepted.warnings.add(subject, text); }
   double t_end() const { return m_t + m_dt; } ///< of the step under way
   /// Contact width and speed of the contact along the body in the last step, for the step control; 0 if
   /// unknown.

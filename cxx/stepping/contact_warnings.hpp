@@ -20,10 +20,11 @@ public:
   /// Contact at an end of an open tool, beyond which the surface of the body goes on: a sharp edge.
   void check_ends(const ContactSetup<Dim>& setup, const ContactState<Dim>& state, const Eigen::VectorXd& u,
                   double t);
-
-private:
+  /// @param subject of which one warning is enough
   void add(const std::string& subject, const std::string& text, double t = Finding::NONE,
            const std::vector<double>& place = {});
+
+private:
   void check_elements(const ContactSetup<Dim>& setup, const std::vector<int>& tool_of_node,
                       const Eigen::VectorXd& u, double t);
   FindingList m_findings;

@@ -31,6 +31,11 @@ template <int Dim> double rounding_of_forces(const NodeBlockMatrix<Dim>& K, cons
   return roundings * std::numeric_limits<double>::epsilon() * stiffness * X.cwiseAbs().maxCoeff();
 }
 
+// Iterations that a tolerance takes, over those of the default one.
+double more_digits(double tolerance) {
+  return std::max(1., std::log(tolerance) / std::log(StepOptions().tolerance));
+}
+
 } // namespace
 
 template <int Dim>
@@ -60,6 +65,7 @@ void Corrector<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
   m_passes = m_falls = 0;
   m_refused.assign(m_state.nodes.size(), 0);
   m_mixer = AndersonMixer(m_options.anderson_memory);
+  m_rate = ConvergenceRate(m_options.rate_window, m_options.rate_bound);
   m_fresh.assign(m_state.nodes.size(), 0);
   m_reason.clear();
   if (m_has_factor) m_flexibility.set(m_tangent->flexibility); // nothing of the last step but its state
@@ -107,15 +113,18 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
         m_tool_load.size() > 0 ? m_tool_load.cwiseMax(m_balance.tool_load).eval() : m_balance.tool_load;
     return StepStatus::CONVERGED;
   }
-  if (m_iteration >= m_options.max_iterations) return give_up(reason_of_failure(scale));
+  const bool lags = m_rate.slow(res, allowed(scale));
+  const double bound = more_digits(m_options.tolerance) * m_options.max_iterations;
+  if (m_iteration >= 2 * bound || (m_iteration >= bound && lags)) return give_up(reason_of_failure(scale));
   const bool slow = m_last_residual >= 0 && res > m_options.slow * m_last_residual;
   if (slow && m_iteration >= 2 && m_backtracks < m_options.max_backtracks && m_u_before.size() == u.size())
     return backtrack(u);
   if (m_condensed) choose_blend(res);
+  if (lags && m_rate.fall() < m_options.rate_fall) m_step_factorizations = 0; // it converges: nothing cycles
   m_last_residual = res;
   m_R = R;
   const bool fresh = m_iteration == 0 && !m_keep_factor;
-  const bool renew = !m_has_factor || fresh || (slow && res > allowed(scale)) || !window_covers(u);
+  const bool renew = !m_has_factor || fresh || (slow && res > allowed(scale)) || lags || !window_covers(u);
   return renew ? StepStatus::REFACTORIZE : StepStatus::ITERATE;
 }
 
@@ -149,6 +158,7 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
   }
   ++m_counts.factorizations;
   m_mixer.clear();
+  m_rate.clear();
   if (!m_has_factor) {
     ++m_indefinite;
     if (blend_exhausted()) m_reason = UNSTABLE;

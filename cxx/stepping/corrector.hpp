@@ -5,6 +5,7 @@
 #include "contact/balance.hpp"
 #include "contact/condensation.hpp"
 #include "stepping/anderson.hpp"
+#include "stepping/convergence_rate.hpp"
 #include "stepping/factored_tangent.hpp"
 #include "stepping/options.hpp"
 
@@ -130,6 +131,7 @@ private:
   std::vector<int> m_window;
 
   AndersonMixer m_mixer;
+  ConvergenceRate m_rate;
   Balance m_balance;
   CorrectorCounts m_counts;
   std::string m_reason;

@@ -12,11 +12,13 @@ template <int Dim> void WorkpieceBody<Dim>::set_state(const BodyState<Dim>& stat
     m_user.set_state(before);
     throw;
   }
+  m_step_error = state.step_error;
   m_pending.clear();
   ++m_acceptances;
 }
 
 template <int Dim> void WorkpieceBody<Dim>::accept() {
+  add_step_error(*m_workpiece, m_step_error);
   std::vector<ElementEvent<Dim>> acting;
   if (!m_damage.empty()) acting = m_user.find(*m_workpiece);
   m_user.accept(*m_workpiece);

@@ -3,6 +3,7 @@
 // asked of whoever owns the law: a Workpiece, or the forms of a script.
 #include "workpiece/element_events.hpp"
 #include "workpiece/point_damage.hpp"
+#include "workpiece/step_error.hpp"
 
 namespace burnish {
 
@@ -10,6 +11,7 @@ namespace burnish {
 template <int Dim> struct BodyState {
   WorkpieceState<Dim> workpiece;
   PointEventsState user; ///< user-defined events
+  StepErrorState step_error;
 };
 
 template <int Dim> class RunBody {
@@ -44,6 +46,8 @@ public:
 
   /// The workpiece itself, for the self-checks of a run; null if there is none.
   virtual const Workpiece<Dim>* checked() const { return nullptr; }
+  /// What the accepted steps have shown of their error.
+  virtual StepErrorState step_error() const { return {}; }
 
   /// Largest q/sigma_y - 1 of the points: how far the stress has left the yield surface.
   virtual double largest_yield_distance() const = 0;
@@ -62,7 +66,7 @@ public:
   long acceptances() const { return m_acceptances; }
   long reversions() const { return m_reversions; }
 
-  BodyState<Dim> state() const override { return {m_workpiece->state_old(), m_user.state()}; }
+  BodyState<Dim> state() const override { return {m_workpiece->state_old(), m_user.state(), m_step_error}; }
   void set_state(const BodyState<Dim>& state) override;
   void accept() override;
   void revert() override;
@@ -78,12 +82,14 @@ public:
   std::vector<ElementEvent<Dim>> user_events() const override;
   double largest_yield_distance() const override;
   const Workpiece<Dim>* checked() const override { return m_workpiece.get(); }
+  StepErrorState step_error() const override { return m_step_error; }
 
 private:
   std::unique_ptr<Workpiece<Dim>> m_workpiece;
   PointEvents<Dim> m_user;
   PointDamage<Dim> m_damage;
   std::vector<ElementEvent<Dim>> m_pending;
+  StepErrorState m_step_error;
   long m_acceptances = 0, m_reversions = 0;
 };
 

@@ -24,6 +24,7 @@ StepControl::StepControl(double t_start, StepControlOptions options) : m_options
   if (o.dt_min == 0) o.dt_min = o.floor * (o.t_end - t_start);
   require(o.dt_min > 0 && o.dt_min <= o.dt_max, "StepControl", "dt_min", o.dt_min, "0 < dt_min <= dt_max");
   require(o.steps_per_width >= 0, "StepControl", "steps_per_width", o.steps_per_width, ">= 0");
+  require(o.accuracy >= 0, "StepControl", "accuracy", o.accuracy, ">= 0");
   require(o.growth > 1, "StepControl", "growth", o.growth, "> 1");
 }
 
@@ -32,7 +33,8 @@ double StepControl::next_stop() const {
   double stop = m_options.t_end;
   for (const double t : m_options.output_times)
     if (t > m_state.t + same) stop = std::min(stop, t);
-  if (m_stop > m_state.t + same) stop = std::min(stop, m_stop);
+  for (const double t : {m_stop, m_state.planned_end})
+    if (t > m_state.t + same) stop = std::min(stop, t);
   return stop;
 }
 
@@ -47,15 +49,30 @@ bool StepControl::at_output() const {
   return finished();
 }
 
-double StepControl::propose(double width, double speed) {
+// Length without regard to instants to be hit.
+double StepControl::wanted(double width, double speed) {
   const auto& o = m_options;
   auto& s = m_state;
   double dt = o.dt_max;
   if (s.failed_dt > 0) dt = std::min(dt, s.cap);
   dt = std::min(dt, s.first ? o.first * o.dt_max : o.growth * s.last_dt);
-  if (!s.first && o.steps_per_width > 0 && width > 0 && speed > 0)
-    dt = std::min(dt, std::max(width / o.steps_per_width / speed, o.shrink * s.last_dt));
-  dt = std::max(dt, o.dt_min);
+  const double kept = s.width > 0 && width > 0 ? o.width_memory : 0;
+  s.width = kept * s.width + (1 - kept) * width;
+  double per_width = o.steps_per_width;
+  if (o.accuracy > 0) per_width = std::min(per_width, o.coarsest);
+  if (!s.first && per_width > 0 && s.width > 0 && speed > 0)
+    dt = std::min(dt, std::max(s.width / per_width / speed, o.shrink * s.last_dt));
+  if (o.accuracy > 0 && s.error > 0) {
+    const double factor = std::pow(o.accuracy / s.error, o.steer_power);
+    dt = std::min(dt, std::clamp(factor, o.steer_least, o.steer_most) * s.last_dt);
+  }
+  return std::max(dt, o.dt_min);
+}
+
+double StepControl::propose(double width, double speed) {
+  auto& s = m_state;
+  const bool planned = std::isfinite(s.planned_end);
+  double dt = planned ? std::max(m_options.growth * s.last_dt, m_options.dt_min) : wanted(width, speed);
   const double rest = next_stop() - s.t;
   if (dt > rest * (1 - SAME_TIME))
     dt = rest;
@@ -73,12 +90,31 @@ void StepControl::accepted() {
   s.first = false;
   s.cap *= m_options.relaxation;
   if (s.cap >= s.failed_dt) s.failed_dt = 0; // past the length that failed: growth is free again
+  if (!std::isfinite(s.planned_end)) {
+    s.failed_before = false;
+  } else if (s.t >= s.planned_end - SAME_TIME * scale(m_options, s)) {
+    s.last_dt = s.planned_dt;
+    s.planned_end = -std::numeric_limits<double>::infinity();
+    s.failed_before = true;
+  }
+}
+
+void StepControl::steer(double error) {
+  auto& s = m_state;
+  s.error = s.error > 0 && error > 0 ? std::sqrt(s.error * error) : error;
 }
 
 bool StepControl::rejected() {
   auto& s = m_state;
-  s.failed_dt = s.dt;
-  s.cap = m_options.caution * s.dt;
+  if (!s.failed_before && !std::isfinite(s.planned_end) && !s.first) {
+    s.planned_end = s.t + s.dt;
+    s.planned_dt = s.dt;
+  } else {
+    s.planned_end = -std::numeric_limits<double>::infinity();
+    s.failed_before = true;
+    s.failed_dt = s.dt;
+    s.cap = m_options.caution * s.dt;
+  }
   s.dt *= m_options.retry;
   s.last_dt = s.dt;
   return s.dt >= m_options.dt_min;

@@ -19,7 +19,14 @@ struct StepControlOptions {
   double retry = 0.5;   ///< a failed step is tried again with this part of its length
   double caution = 0.7; ///< after a failure steps may be this part of the failed one, ...
   double relaxation = 1.05; ///< ... growing by this factor a step until they are as long as it
-  double crawl = 0.02;      ///< a run crawls while its steps are below this part of dt_max after a failure
+  double accuracy =
+      0; ///< relative error of the plastic strain increments that the steps are chosen for; 0: they are not
+  double coarsest = 4;      ///< steps_per_width at most, where an accuracy is given
+  double steer_power = 0.4; ///< power of accuracy over error that the next step is multiplied by, ...
+  double steer_least = 0.75, steer_most = 1.15; ///< ... within these bounds
+  double width_memory =
+      0.75; ///< part of the last width in the one that counts: one node more is no jump of the step
+  double crawl = 0.02; ///< a run crawls while its steps are below this part of dt_max after a failure
 };
 
 /// All that the control needs to go on. Plain data.
@@ -30,6 +37,13 @@ struct StepControlState {
   double failed_dt = 0; ///< the length that failed last, while it limits the steps; 0: none does
   double cap = 0;       ///< largest step near it
   bool first = true;    ///< no step has been accepted
+  // A step that failed once leaves the division of the program as it was.
+  double planned_end =
+      -std::numeric_limits<double>::infinity(); ///< end of the step that failed, while it is ahead
+  double planned_dt = 0;                        ///< its length
+  bool failed_before = false;                   ///< the step before it had failed too
+  double width = 0;                             ///< contact width that counts
+  double error = 0;                             ///< of the last steps, geometric mean; 0: not estimated
 };
 
 class StepControl {
@@ -52,13 +66,18 @@ public:
   /// One more instant that a step ends at, in place of an earlier one; one that is past does not count.
   void stop_at(double t) { m_stop = t; }
   void accepted();
-  /// Shortens the step. @returns false at the floor (the run must stop)
+  /// Error of the step just accepted, for the lengths to come. @param error of the plastic strain increments [-]; 0: nothing
+  /// flowed
+  void steer(double error);
+  /// Shortens the step. If the step before had not failed, the next ones end where this one should have, and go on with
+  /// its length: where a step fails for once depends on rounding, the division of the program does not. @returns false at the floor (the run must stop)
   bool rejected();
   /// Takes only a part of the present step (an event in it), 0 < fraction <= 1.
   void cut(double fraction) { m_state.dt *= fraction; }
 
 private:
   double next_stop() const;
+  double wanted(double width, double speed);
   StepControlOptions m_options;
   StepControlState m_state;
   double m_stop = -std::numeric_limits<double>::infinity();

@@ -1,6 +1,9 @@
 #include "stepping/stepper.hpp"
 #include "base/error.hpp"
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace burnish {
 
@@ -50,7 +53,10 @@ template <int Dim> void Stepper<Dim>::stop(const std::string& reason) {
 }
 
 template <int Dim> Task Stepper<Dim>::begin_step() {
-  if (m_control.finished()) return ask(Task::FINISHED, Phase::ENDED);
+  if (m_control.finished()) {
+    warn_of_error();
+    return ask(Task::FINISHED, Phase::ENDED);
+  }
   const Workpiece<Dim>* workpiece = m_body.checked();
   if (workpiece && m_checks.options().on && !m_checks.begun()) m_checks.begin(accepted_step(*workpiece));
   const double narrow = m_options.width_steps * m_options.nodes_per_step * m_contact.body().spacing;
@@ -127,10 +133,32 @@ template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u,
   return rejected(u, R);
 }
 
+// How far the contact has rolled, and what the length of the step has cost.
+template <int Dim> void Stepper<Dim>::measure_step() {
+  constexpr double rolls = 1e-3; // spacings a step: less is no rolling
+  const double nodes = m_contact.contact_speed() * m_contact.accepted().history.dt / m_contact.body().spacing;
+  if (nodes > rolls) {
+    ++m_counts.rolling;
+    m_counts.travel += nodes;
+  }
+  m_control.steer(StepErrorState::STEP_ERROR_PER_ETA * m_body.step_error().last);
+}
+
+template <int Dim> void Stepper<Dim>::warn_of_error() {
+  if (!(error() > m_options.warned_error)) return;
+  std::ostringstream text;
+  text << "the steps are long: about " << std::lround(100 * error()) << " % error of the plastic strain";
+  if (m_counts.nodes_per_step() > 1)
+    text << ", " << std::setprecision(2) << m_counts.nodes_per_step() << " nodes of rolling a step";
+  text << "; take more steps, or state an accuracy";
+  m_contact.warn("steps", text.str());
+}
+
 template <int Dim> Task Stepper<Dim>::accepted() {
   const double t = m_control.time(), dt = m_control.dt(), part = m_scheme->reached() - t;
   if (part < dt - m_options.events.rest * dt) m_control.cut(part / dt); // the rest of the step failed
   m_control.accepted();
+  measure_step();
   m_counts.scheme.pileups += m_options.scheme == Scheme::EVENT && m_tries >= m_options.max_tries;
   ++m_counts.steps;
   m_body.set_step_length(0);
@@ -178,6 +206,7 @@ template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::Vector
 
 template <int Dim> Task Stepper<Dim>::end(Eigen::VectorXd& u, Eigen::VectorXd& R) {
   m_body.set_step_length(0);
+  warn_of_error();
   if (m_phase != Phase::ENDED && m_phase != Phase::STEP) {
     m_body.revert();
     m_contact.revert();

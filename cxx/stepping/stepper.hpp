@@ -27,12 +27,17 @@ struct StepperOptions {
   double nodes_per_step = 1; ///< a rolling step is at least this many node spacings long
   double width_steps =
       14; ///< as StepControlOptions::steps_per_width: the contact counts as that many spacings wide
-  bool condensed = false; ///< every iteration is a SOLVE: the caller's solver takes the condensed matrix
+  bool condensed = false;     ///< every iteration is a SOLVE: the caller's solver takes the condensed matrix
+  double warned_error = 0.08; ///< estimated error of the steps that is reported as a warning
   int max_tries = 5; ///< an event step that failed so often is taken with the states inside the iteration
 };
 
 struct StepperCounts {
   long steps = 0, rejected = 0;
+  long rolling = 0;  ///< steps in which the contact moved along the body
+  double travel = 0; ///< of the contact in them, node spacings
+  /// Node spacings that the contact rolls in a step, mean [-]; 0: it does not roll.
+  double nodes_per_step() const { return rolling > 0 ? travel / rolling : 0; }
   SchemeCounts scheme;
 };
 
@@ -75,6 +80,9 @@ public:
   double time() const { return m_control.time(); }
   const StepControl& control() const { return m_control; }
   const StepperCounts& counts() const { return m_counts; }
+  /// Estimated relative error that the length of the steps has made in the plastic strain increments [-]; < 0: none, see
+  /// StepErrorState::estimate.
+  double error() const { return m_body.step_error().estimate(); }
   const std::string& reason() const { return m_reason; } ///< STOPPED
   bool at_floor() const { return m_at_floor; }           ///< STOPPED: no step is short enough
   /// Why the last step was rejected, and its length; "" before the first.
@@ -88,6 +96,8 @@ public:
 private:
   enum class Phase { STEP, PROGRAM, FORCES, TANGENT, SOLVE, RECORD, ENDED };
   Task begin_step();
+  void measure_step();
+  void warn_of_error();
   Task ask(Task task, Phase phase);
   Task try_step();
   Task begin_solve(Eigen::VectorXd& u);
