@@ -9,12 +9,10 @@ using namespace burnish::test;
 
 namespace {
 
-/// Block 4 x 1.5 under a rough roller that has pressed and turned; P2 unless order is 1.
+/// Block 4 x 1.5 under a rough roller that has pressed and turned.
 struct Pressed : Scene {
-  Eigen::VectorXd forces = {};
-
-  explicit Pressed(int order = 2, J2Parameters material = elastic_material())
-      : Scene(block_mesh(12, 4, order, 4, 1.5), std::move(material), {}) {
+  explicit Pressed(J2Parameters material = elastic_material())
+      : Scene(block_mesh(24, 6, 2, 4, 1.5), std::move(material), {}) {
     add_tool(std::make_shared<Circle>(3.), std::make_shared<Cartesian>(), 0.3);
     place({1.7, 4.9, 0});
     contact().approach(0, "y", u);
@@ -36,7 +34,7 @@ struct Pressed : Scene {
                          state.contact, displacement, residual,        state.generalized_force};
     step.load = contact().corrector().load_scale();
     step.tolerance = 1e-4;
-    step.t = step.dt = 1;
+    step.t = 1; // of no length: no energy is added
     step.last = true;
     checks.begin(step);
     if (before.steps > 0) checks.set_state(before);
@@ -145,7 +143,7 @@ TEST(RunChecks, EnergyFromNowhere) {
   Pressed scene;
   scene.look();
   CheckState state = scene.last;
-  state.energy.tools += 10 * state.energy.largest + 1;
+  state.energy.tools += 1;
   const auto& accepted = scene.contact().accepted();
   const FindingList findings = scene.look(accepted.u, accepted.R, state);
   ASSERT_TRUE(find(findings, "energy"));
@@ -157,7 +155,7 @@ TEST(RunChecks, InvertedElementEndsTheRunAndADistortedOneIsNotTrusted) {
   const auto& state = scene.contact().accepted();
   const auto& mesh = scene.contact().setup().mesh();
   const int* element = mesh.element(0);
-  // vertex 0 moves towards the opposite edge, all nodes on straight lines: Jacobian times 1 - part there
+  // vertex 0 alone moves towards the opposite edge: its Jacobian falls to 1 - 3 part
   const auto moved = [&](double part) {
     Eigen::VectorXd u = state.u;
     const Vector<2> way = 0.5 * (mesh.node(element[1]) + mesh.node(element[2])) - mesh.node(element[0]);
@@ -166,7 +164,7 @@ TEST(RunChecks, InvertedElementEndsTheRunAndADistortedOneIsNotTrusted) {
   };
   const FindingList good = scene.look(moved(0.02), state.R);
   EXPECT_FALSE(find(good, "distortion"));
-  const FindingList bad = scene.look(moved(0.3), state.R);
+  const FindingList bad = scene.look(moved(0.31), state.R);
   ASSERT_TRUE(find(bad, "distortion"));
   EXPECT_EQ(find(bad, "distortion")->severity, Severity::UNTRUSTED);
   EXPECT_TRUE(scene.last.stop.empty());
@@ -177,7 +175,7 @@ TEST(RunChecks, InvertedElementEndsTheRunAndADistortedOneIsNotTrusted) {
 }
 
 TEST(RunChecks, StressBeyondTheYieldSurfaceAndVolumeOfFlow) {
-  Pressed scene(2, J2Parameters::from_shear(1, 0.3, 1e-2, 0));
+  Pressed scene(J2Parameters::from_shear(1, 0.3, 0.05, 0.5));
   EXPECT_FALSE(find(scene.look(), "yield"));
   EXPECT_FALSE(find(scene.look(), "volume"));
   EXPECT_GT(scene.last.measured.at("plastic strain"), 0);
