@@ -101,11 +101,11 @@ struct Construct {
   }
 };
 basicAC_F0::name_and_type Construct::names[] = {
-    {"accuracy", &typeid(double)},
-    {"dtmax", &typeid(double)},          {"dtmin", &typeid(double)},      {"stepsperwidth", &typeid(double)},
-    {"output", &typeid(KN_<double>)},    {"scheme", &typeid(string*)},    {"elementevents", &typeid(string*)},
-    {"eventtolerance", &typeid(double)}, {"eventnoise", &typeid(double)}, {"nodesperstep", &typeid(double)},
-    {"widthsteps", &typeid(double)},     {"maxpieces", &typeid(long)},    {"maxretries", &typeid(long)}};
+    {"accuracy", &typeid(double)},       {"dtmax", &typeid(double)},          {"dtmin", &typeid(double)},
+    {"stepsperwidth", &typeid(double)},  {"output", &typeid(KN_<double>)},    {"scheme", &typeid(string*)},
+    {"elementevents", &typeid(string*)}, {"eventtolerance", &typeid(double)}, {"eventnoise", &typeid(double)},
+    {"nodesperstep", &typeid(double)},   {"widthsteps", &typeid(double)},     {"maxpieces", &typeid(long)},
+    {"maxretries", &typeid(long)}};
 
 // Before start: the control is made anew.
 struct AccuracyTag {};
@@ -203,9 +203,7 @@ double piece(const ControlObject& o) { return o.running("stepcontrol.piece").dt(
 double excess(const ControlObject& o) { return o.running("stepcontrol.excess").counts().scheme.excess; }
 double rejected_dt(const ControlObject& o) { return o.stepper ? o.stepper->rejected_dt() : 0; }
 double error_of(const ControlObject& o) { return o.stepper ? o.stepper->error() : -1; }
-double nodes_per_step(const ControlObject& o) {
-  return o.stepper ? o.stepper->counts().nodes_per_step() : 0;
-}
+double nodes_per_step(const ControlObject& o) { return o.stepper ? o.stepper->counts().nodes_per_step() : 0; }
 double time_of(const ControlObject& o) { return o.now().time(); }
 double dt_of(const ControlObject& o) { return o.now().dt(); }
 double end_of(const ControlObject& o) { return o.now().options().t_end; }

@@ -14,10 +14,11 @@ struct StepOptions {
   int max_state_passes = 12;      ///< active-set passes on the dense block per iteration
   int max_neutral_trials = 4;     ///< looks for a neutral point per iteration (tool_support.hpp)
   int anderson_memory = 8;        ///< 0: no mixing
-  double slow = 2; ///< residual ratio from which the iterate goes back or the tangent is taken anew
+  double slow = 2;       ///< residual ratio from which the iterate goes back or the tangent is taken anew
   int rate_window = 4;   ///< iterations that the rate of convergence is measured over; 0: it is not
   double rate_bound = 8; ///< a new tangent is taken where that rate leaves more iterations than this
-  double rate_fall = 0.1; ///< without elastic moduli if the last one has brought the residual down to this part
+  double rate_fall =
+      0.1; ///< without elastic moduli if the last one has brought the residual down to this part
   double window_width =
       0.75; ///< candidates kept on the dense block: contact width times this beyond both ends ...
   double window_nodes = 6;       ///< ... plus this many node spacings

@@ -19,12 +19,14 @@ struct StepControlOptions {
   double retry = 0.5;   ///< a failed step is tried again with this part of its length
   double caution = 0.7; ///< after a failure steps may be this part of the failed one, ...
   double relaxation = 1.05; ///< ... growing by this factor a step until they are as long as it
-  double accuracy = 0; ///< relative error of the plastic strain increments that the steps are chosen for; 0: they are not
-  double coarsest = 4; ///< steps_per_width at most, where an accuracy is given
-  double steer_power = 0.4;                      ///< power of accuracy over error that the next step is multiplied by, ...
+  double accuracy =
+      0; ///< relative error of the plastic strain increments that the steps are chosen for; 0: they are not
+  double coarsest = 4;      ///< steps_per_width at most, where an accuracy is given
+  double steer_power = 0.4; ///< power of accuracy over error that the next step is multiplied by, ...
   double steer_least = 0.75, steer_most = 1.15; ///< ... within these bounds
-  double width_memory = 0.75; ///< part of the last width in the one that counts: one node more is no jump of the step
-  double crawl = 0.02;      ///< a run crawls while its steps are below this part of dt_max after a failure
+  double width_memory =
+      0.75; ///< part of the last width in the one that counts: one node more is no jump of the step
+  double crawl = 0.02; ///< a run crawls while its steps are below this part of dt_max after a failure
 };
 
 /// All that the control needs to go on. Plain data.
@@ -36,11 +38,12 @@ struct StepControlState {
   double cap = 0;       ///< largest step near it
   bool first = true;    ///< no step has been accepted
   // A step that failed once leaves the division of the program as it was.
-  double planned_end = -std::numeric_limits<double>::infinity(); ///< end of the step that failed, while it is ahead
-  double planned_dt = 0; ///< its length
-  bool failed_before = false; ///< the step before it had failed too
-  double width = 0;           ///< contact width that counts
-  double error = 0;           ///< of the last steps, geometric mean; 0: not estimated
+  double planned_end =
+      -std::numeric_limits<double>::infinity(); ///< end of the step that failed, while it is ahead
+  double planned_dt = 0;                        ///< its length
+  bool failed_before = false;                   ///< the step before it had failed too
+  double width = 0;                             ///< contact width that counts
+  double error = 0;                             ///< of the last steps, geometric mean; 0: not estimated
 };
 
 class StepControl {

@@ -26,7 +26,7 @@ struct StepperOptions {
   double nodes_per_step = 1; ///< a rolling step is at least this many node spacings long
   double width_steps =
       14; ///< as StepControlOptions::steps_per_width: the contact counts as that many spacings wide
-  bool condensed = false; ///< every iteration is a SOLVE: the caller's solver takes the condensed matrix
+  bool condensed = false;     ///< every iteration is a SOLVE: the caller's solver takes the condensed matrix
   double warned_error = 0.08; ///< estimated error of the steps that is reported as a warning
   int max_tries = 5; ///< an event step that failed so often is taken with the states inside the iteration
 };

@@ -19,8 +19,7 @@ template <int Dim> void add_step_error(const Workpiece<Dim>& workpiece, StepErro
   state.last = 0;
   const MaterialLaw<Dim>& law = workpiece.law();
   const int variable = law.internal_variables().find("plastic_strain_eq");
-  if (workpiece.user_defined() || variable < 0 ||
-      workpiece.options().update == StressUpdate::FORWARD_EULER)
+  if (workpiece.user_defined() || variable < 0 || workpiece.options().update == StressUpdate::FORWARD_EULER)
     return;
   const int ep = law.internal_variables().offset(variable);
   const UpdateOptions options = other_way(workpiece.options());
@@ -33,7 +32,8 @@ template <int Dim> void add_step_error(const Workpiece<Dim>& workpiece, StepErro
     PointTrial trial;
     PointUpdate<Dim> other;
     other.internal = internal.data();
-    if (law.update({step.old, step.F, step.ratio, 0, options}, trial, other).status != UpdateStatus::OK) continue;
+    if (law.update({step.old, step.F, step.ratio, 0, options}, trial, other).status != UpdateStatus::OK)
+      continue;
     const double weight = workpiece.discretization().weight[p], found = workpiece.point_now(p).internal[ep];
     const double grown = found - step.old.internal[ep];
     difference += weight * (internal[ep] - found) * (internal[ep] - found);

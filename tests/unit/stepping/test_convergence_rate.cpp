@@ -8,7 +8,8 @@ TEST(ConvergenceRate, LagsWhereTooManyIterationsAreLeft) {
   for (const double unit : {1e-9, 1., 1e9}) {
     ConvergenceRate rate(4, 8);
     double residual = unit;
-    for (int k = 0; k < 4; ++k, residual *= 0.5) EXPECT_FALSE(rate.slow(residual, 1e-12 * unit)) << "not known yet";
+    for (int k = 0; k < 4; ++k, residual *= 0.5)
+      EXPECT_FALSE(rate.slow(residual, 1e-12 * unit)) << "not known yet";
     EXPECT_TRUE(rate.slow(residual, residual / 300)) << "8.2 iterations are left";
     EXPECT_FALSE(rate.slow(0.5 * residual, residual / 500)) << "8 halvings are 256";
     EXPECT_DOUBLE_EQ(rate.fall(), 0.5 * residual / unit);
