@@ -90,7 +90,7 @@ fi
 [ -f "$$script" ] && [ -r "$$script" ] || { echo "burnish: no script \"$$script\" that can be read" >&2; exit 20; }
 export FF_LOADPATH="$(LOAD)$${FF_LOADPATH:+;$$FF_LOADPATH}"
 export FF_INCLUDEPATH="$(INCLUDE)$${FF_INCLUDEPATH:+;$$FF_INCLUDEPATH}"
-export BURNISH_TOP="$(CURDIR)" PYTHON="$${PYTHON:-$(PYTHON)}" OPENBLAS_NUM_THREADS="$${OPENBLAS_NUM_THREADS:-1}"
+export BURNISH_TOP="$(CURDIR)" BURNISH="$${BURNISH:-$(abspath $(WRAPPER))}" PYTHON="$${PYTHON:-$(PYTHON)}" OPENBLAS_NUM_THREADS="$${OPENBLAS_NUM_THREADS:-1}"
 exec $(FREEFEM) -nw -v 0 "$$@"
 endef
 export WRAPPER_TEXT

@@ -1,5 +1,7 @@
 // int code = rcPictures(folder);   draws the pictures of a run's results: by a plot.py beside the script, else those of
 // any scene. The program is started without a shell, by $PYTHON or python3. 0: drawn; failing to draw is a warning.
+// int code = rcLeaner(folder);     runs the script again with leaner models and compares them with the results in the folder:
+// cases/sweep/leaner.py. 0: done; failing is a warning.
 #include "plugin.hpp"
 #include "script_options.hpp"
 
@@ -45,8 +47,20 @@ long pictures(string* const& folder) {
   return code;
 }
 
+long leaner(string* const& folder) {
+  cout.flush();
+  const std::string program = environment("BURNISH_TOP", ".") + "/cases/sweep/leaner.py";
+  const int code = run({environment("PYTHON", "python3"), program, *folder, script_options().script()});
+  if (code != 0)
+    cout << "burnish: warning: leaner models could not be compared (exit status " << code << ")" << endl;
+  return code;
+}
+
 } // namespace
 
-void register_pictures() { Global.Add("rcPictures", "(", new OneOperator1_<long, string*>(pictures)); }
+void register_pictures() {
+  Global.Add("rcPictures", "(", new OneOperator1_<long, string*>(pictures));
+  Global.Add("rcLeaner", "(", new OneOperator1_<long, string*>(leaner));
+}
 
 } // namespace burnish
