@@ -143,14 +143,16 @@ void EnergyCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions& o
   const double error = energy.largest > 0 ? std::abs(given - taken - energy.friction) / energy.largest : 0;
   if (!law || now) state.measured["energy"] = error;
   if (!step.last || !(error > options.energy)) return;
-  Finding* finding = findings.report("energy", "", Severity::UNTRUSTED, error, step.t);
+  const bool far = error > options.energy_far;
+  Finding* finding =
+      findings.report("energy", "", far ? Severity::UNTRUSTED : Severity::WARNING, error, step.t);
   if (!finding) return;
   finding->value = error;
-  finding->bound = options.energy;
+  finding->bound = far ? options.energy_far : options.energy;
   std::ostringstream text;
   text << "energy is not balanced: " << given << " was put in, " << taken
        << " is stored and dissipated in the workpiece, " << energy.friction << " in friction; the error is "
-       << error << " of the largest";
+       << error << " of the largest: take shorter steps";
   finding->text = text.str();
 }
 
