@@ -4,6 +4,7 @@
 #include "report/mirror.hpp"
 #include "report/statements.hpp"
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace burnish {
@@ -50,11 +51,12 @@ template <int Dim> void say_of_coordinates(const ReportedRun<Dim>& run, List& li
     const double per_unit = poses[tool].origin_q[own].norm() + size * poses[tool].R_q[own].norm();
     const double way = per_unit * (use.most - use.least) / size;
     if (!(way < run.options.unmoved)) continue;
+    const double at = std::abs(use.most) < run.options.unmoved * size ? 0 : use.most; // no rounding
     const std::string dotted = names[k], coordinate = dotted.substr(dotted.rfind('.') + 1);
     list.push_back({IN_VAIN, "coordinate " + dotted, way, 45,
                     "coordinate \"" + coordinate + "\" of tool \"" + step.tool_name(tool) +
                         "\" is under force and never moved, by " + short_number(way) +
-                        " of the size of the body: move(\"" + coordinate + "\", " + short_number(use.most) +
+                        " of the size of the body: move(\"" + coordinate + "\", " + short_number(at) +
                         ") gives the same"});
   }
 }

@@ -34,17 +34,19 @@ template <int Dim> void say_of_width(const ReportedRun<Dim>& run, List& list) {
   for (int tool = 0; tool < static_cast<int>(widths.size()); ++tool) {
     const std::string name = run.step.tool_name(tool);
     const WidthState& width = widths[tool];
-    if (width.nodes == 0 || width.nodes > run.options.narrow_nodes) continue;
+    const int per_edge = run.step.mesh.nodes_per_element == Dim + 1 ? 1 : 2;
+    const double edges = (width.nodes - 1.0) / per_edge;
+    if (width.nodes == 0 || edges > run.options.narrow_edges) continue;
     if (found(run.findings, "contact width", name)) continue;
-    list.push_back({StatementKind::NEEDED, "contact width " + name, static_cast<double>(width.nodes), 90,
-                    "the contact of tool \"" + name + "\" is " + std::to_string(width.nodes) +
-                        " nodes wide where it carries most, at " + place_text(width.place) + ", t = " +
+    list.push_back({StatementKind::NEEDED, "contact width " + name, edges, 90,
+                    "the contact of tool \"" + name + "\" is " + short_number(edges) +
+                        " edges wide where it carries most, at " + place_text(width.place) + ", t = " +
                         short_number(width.t) + ": a finer mesh of the contact surface resolves it"});
   }
 }
 
 template <int Dim> void say_of_stress(const ReportedRun<Dim>& run, List& list) {
-  if (run.scene.stress.empty()) return;
+  if (run.scene.stress.empty() || found(run.findings, "locking", "")) return; // P1 that locks: said already
   const Discretization<Dim>& space = run.step.workpiece.discretization();
   const StressError error = stress_error(space, run.scene.stress);
   if (!(error.relative > run.options.stress_error)) return;
@@ -57,38 +59,46 @@ template <int Dim> void say_of_stress(const ReportedRun<Dim>& run, List& list) {
                       " of the undeformed body: a finer mesh there resolves it"});
 }
 
-// A field whose largest value no node confirms.
+// What no node confirms: the largest value of all points beside the largest nodal one.
+template <int Dim> struct Largest {
+  double point = 0, nodal = 0, part = 0; // part: most of the volume lies below
+  std::string place;
+  double ratio() const { return nodal > 0 ? point / nodal : 1; }
+};
+
 template <int Dim>
-bool is_of_one_point(const ReportedRun<Dim>& run, const Eigen::VectorXd& values, double& nodal) {
-  nodal = nodal_average(run.step.workpiece.discretization(), values).maxCoeff();
-  return nodal > 0 && values.maxCoeff() > (1 + run.options.one_point) * nodal;
+Largest<Dim> largest(const ReportedRun<Dim>& run, const Eigen::VectorXd& values, double least) {
+  const Discretization<Dim>& space = run.step.workpiece.discretization();
+  Eigen::Index p = 0;
+  Largest<Dim> result;
+  result.point = values.maxCoeff(&p);
+  result.nodal = nodal_average(space, values).maxCoeff();
+  result.part = volume_percentile(space, values, run.options.percentile, least);
+  result.place = place_text(run.step.place_of(run.step.point(static_cast<int>(p))));
+  return result;
+}
+
+template <int Dim>
+Statement of_one_point(const ReportedRun<Dim>& run, const std::string& name, const std::string& volume,
+                       const Largest<Dim>& value) {
+  return {StatementKind::NEEDED, "largest " + name, value.ratio(), 75,
+          "the largest " + name + ", " + short_number(value.point) + ", is that of one point, at " +
+              value.place + ": " + short_number(value.nodal) + " at a node, " +
+              short_number(100 * run.options.percentile) + " % of the " + volume + " below " +
+              short_number(value.part) + ": judge by these, or refine there"};
 }
 
 template <int Dim> void say_of_largest(const ReportedRun<Dim>& run, List& list) {
   const Workpiece<Dim>& workpiece = run.step.workpiece;
   const ReportOptions& options = run.options;
-  double nodal = 0;
   if (workpiece.law().internal_variables().find("plastic_strain_eq") >= 0) {
-    const Eigen::VectorXd strain = workpiece.internal("plastic_strain_eq");
-    if (strain.maxCoeff() > options.flowing && is_of_one_point(run, strain, nodal)) {
-      const double part =
-          volume_percentile(workpiece.discretization(), strain, options.percentile, options.flowing);
-      list.push_back({StatementKind::NEEDED, "largest plastic strain", strain.maxCoeff() / nodal, 76,
-                      "the largest plastic strain, " + short_number(strain.maxCoeff()) +
-                          ", is that of one point: " + short_number(nodal) + " at a node, " +
-                          short_number(100 * options.percentile) + " % of the flowing volume below " +
-                          short_number(part) + ": a finer mesh settles it"});
-    }
+    const auto strain = largest(run, workpiece.internal("plastic_strain_eq"), options.flowing);
+    if (strain.point > options.flowing && strain.ratio() > 1 + options.one_point)
+      list.push_back(of_one_point(run, "plastic strain", "flowing volume", strain));
   }
-  const Eigen::VectorXd stress = stress_eq_field(workpiece);
-  if (is_of_one_point(run, stress, nodal))
-    list.push_back(
-        {StatementKind::NEEDED, "largest stress", stress.maxCoeff() / nodal, 75,
-         "the largest von Mises stress, " + short_number(stress.maxCoeff()) +
-             ", is that of one point: " + short_number(nodal) + " at a node, " +
-             short_number(100 * options.percentile) + " % of the volume below " +
-             short_number(volume_percentile(workpiece.discretization(), stress, options.percentile, 0)) +
-             ": a finer mesh settles it"});
+  const auto stress = largest(run, stress_eq_field(workpiece), 0);
+  if (stress.ratio() > 1 + options.one_stress)
+    list.push_back(of_one_point(run, "von Mises stress", "volume", stress));
 }
 
 } // namespace

@@ -12,10 +12,12 @@ struct ReportOptions {
   double fine_steps = 0.1;    ///< error of the steps over the accuracy asked: below, they are too fine
   double asymmetry = 1e-3;    ///< difference of mirrored displacements over the largest: below, symmetric
   double small_strain = 1e-3; ///< |F - I|: below everywhere, the linear form gives the same
-  int narrow_nodes = 4;       ///< a contact of so many nodes or fewer where it carries most is narrow
+  double narrow_edges = 3;    ///< a contact of so many edges or fewer where it carries most is narrow
   double stress_error = 0.15; ///< recovered against computed stress, relative: above, the mesh is coarse
   double end_load = 0.01;     ///< load of the last node of an open contact surface over that of the tool
-  double one_point = 0.05;    ///< largest value of a point over the largest nodal one, less 1
+  double all_under = 0.9;     ///< a tool that touches this part of the surface covers it on purpose
+  double one_point = 0.05;    ///< largest plastic strain of a point over the largest nodal one, less 1
+  double one_stress = 0.25;   ///< the same of the von Mises stress
   double flowing = 1e-4;      ///< plastic strain: above, a point counts in the percentile
   double percentile = 0.99;   ///< of the flowing volume
   int seldom = 10; ///< fields are looked at in the first of every so many accepted steps, and in the last

@@ -45,15 +45,17 @@ template <int Dim> void SceneReport<Dim>::look_at_tools(const AcceptedStep<Dim>&
   m_state.friction.resize(step.model.tools.size());
   m_state.ends.resize(step.model.tools.size());
   for (int tool = 0; tool < static_cast<int>(step.model.tools.size()); ++tool) {
-    double load = 0, largest = 0;
+    double load = 0, largest = 0, nodes = 0;
     for (const auto& node : step.touching) {
       if (step.contact.nodes[node.candidate].tool != tool) continue;
+      ++nodes;
       load += node.force.F.norm();
       largest = std::max(largest, node.force.part.N);
     }
     if (!(load > step.tolerance * step.load)) continue;
     look_at_friction(step, tool, largest);
-    look_at_ends(step, tool, load);
+    if (nodes < m_options.all_under * static_cast<double>(step.contact.nodes.size()))
+      look_at_ends(step, tool, load);
   }
 }
 
