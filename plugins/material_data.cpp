@@ -5,12 +5,16 @@
 //   M.plasticstraineq, M.stresseq, M.yielddistance (q/sigma_y - 1: positive outside the yield surface)
 //   M.internalvariables names of what the law keeps at a point: plastic_strain_eq, backstress
 //   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
+//   M.stresserror       how far the stress is from its recovery at the nodes, Frobenius norm [stress]
+//   M.volumepercentile(values, share, least)   value below which that share of the volume lies, of the points above `least`
 //   M.displacement(i)   x, y over the nodes [length];  M.degree 1 or 2 of the elements;  M.Th their mesh
 //   M.axisymmetric      1 or 0;  M.warnings  text, one line for each number that no known material has
 #include "base/error.hpp"
 #include "types.hpp"
 #include "workpiece/nodal_average.hpp"
 #include "workpiece/point_fields.hpp"
+#include "workpiece/stress_error.hpp"
+#include "workpiece/volume_percentile.hpp"
 
 namespace burnish {
 namespace {
@@ -32,6 +36,22 @@ KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
 }
 KN_<double> yield_distance(Stack stack, MaterialHandle* const& h) {
   return guarded([&] { return new_array(stack, yield_distance_field(h->get().workpiece())); });
+}
+KN_<double> stress_error_field(Stack stack, MaterialHandle* const& h) {
+  return guarded([&] {
+    const Workpiece<2>& workpiece = h->get().workpiece();
+    return new_array(stack, stress_error(workpiece.discretization(), stress_field(workpiece)).point);
+  });
+}
+struct PercentileTag {};
+double percentile(const Method<MaterialHandle, PercentileTag>& m, const KN_<double>& values,
+                  const double& share, const double& least) {
+  return guarded([&] {
+    return called("material.volumepercentile", [&] {
+      return volume_percentile(m->get().workpiece().discretization(),
+                               to_vector(values, "material.volumepercentile", "values"), share, least);
+    });
+  });
 }
 string* internal_variables(Stack stack, MaterialHandle* const& h) {
   return guarded([&] { return new_string(stack, h->get().workpiece().law().internal_variables().names()); });
@@ -66,6 +86,10 @@ void register_material_data() {
   using H = MaterialHandle;
   add_method<H, NodalTag>(
       "nodal", [] { return new OneOperator2s_<KN_<double>, Method<H, NodalTag>, KN_<double>>(nodal); });
+  add_method<H, PercentileTag>("volumepercentile", [] {
+    return new OneOperator4_<double, Method<H, PercentileTag>, KN_<double>, double, double>(percentile);
+  });
+  Add<H*>("stresserror", ".", new OneOperator1s_<KN_<double>, H*>(stress_error_field));
   Add<H*>("plasticstraineq", ".", new OneOperator1s_<KN_<double>, H*>(plastic_strain_eq));
   Add<H*>("stresseq", ".", new OneOperator1s_<KN_<double>, H*>(stress_eq));
   Add<H*>("internalvariables", ".", new OneOperator1s_<string*, H*>(internal_variables));

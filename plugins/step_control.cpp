@@ -16,7 +16,8 @@
 //     S.accuracy(0.01)  as the name in brackets, before S.start
 //     S.refuse(text)  the task cannot be done: the step is tried shorter;   S.stop(text)  ends the run at the accepted state
 //     S.count("steps" | "rejected" | "pieces" | "pileups" | "atonce" | "blind"), S.excess (article: largest q/sigma_y - 1)
-//     S.checks(false)  no self-checks (contact_findings.cpp);   S.halted: one of them ended the run
+//     S.report, S.statements, ...  what the run says of its scene: scene_report.cpp
+//     S.checks(false)  no self-checks (contact_findings.cpp), no report;   S.halted: one of them ended the run
 //     S.measures, S.measured(name)  names of the numbers that they measured, "a,b,"; the worst of each
 //     S.purerates: the present piece is one of scheme "article"
 //     S.crawls, S.lastrejection, S.rejecteddt: steps far below dtmax after a failure; why the last step was rejected
@@ -24,39 +25,14 @@
 //     S.nodesrolled: node spacings that the contact rolls in a step, mean; 0: it does not roll
 //   A user-defined loop:   S.propose(width, speed), S.accepted(), S.rejected() (false: below the floor), S.cut(f)
 //   S.t, S.dt, S.tend, S.finished, S.atoutput
+#include "step_control.hpp"
 #include "base/error.hpp"
 #include "named.hpp"
-#include "stepping/stepper.hpp"
-#include "types.hpp"
 
 namespace burnish {
 namespace {
 
-struct ControlObject {
-  static constexpr const char* TYPE = "stepcontrol";
-  std::unique_ptr<StepControl> control;
-  StepperOptions options;
-  CheckOptions checks;
-  std::shared_ptr<ContactObject> contact; // of the run
-  std::shared_ptr<MaterialObject> material;
-  std::unique_ptr<Stepper<2>> stepper;
-  Eigen::VectorXd u; // as the last task left it
-  Task task = Task::STOPPED;
-  bool stopping = false; // the script has ended the run
-  bool under_way() const { return stepper && task != Task::FINISHED && task != Task::STOPPED; }
-  ControlObject() = default;
-  ControlObject(const ControlObject&) = delete;
-  ControlObject& operator=(const ControlObject&) = delete;
-  ~ControlObject() {
-    if (contact) contact->under_way = false;
-  }
-  const StepControl& now() const { return stepper ? stepper->control() : *control; }
-  Stepper<2>& running(const char* where) const {
-    if (!stepper) fail(where, "no run has been started, call start first");
-    return *stepper;
-  }
-};
-using H = Handle<ControlObject>;
+using H = StepControlHandle;
 
 Scheme scheme_of(const std::string& name) {
   if (name == "implicit") return Scheme::IMPLICIT;
@@ -144,6 +120,8 @@ bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, Material
     object.stopping = false;
     if (object.contact) object.contact->under_way = false;
     contact->get().require_same_mesh(material->get(), "stepcontrol.start");
+    object.statements.clear();
+    object.statements_at = -1;
     object.contact = contact->share();
     object.material = material->share();
     object.stepper = std::make_unique<Stepper<2>>(object.contact->run(), *object.material->body,
@@ -180,9 +158,9 @@ long next(Stack, const Method<H, NextTag>& m, const KN_<double>& u, const KN_<do
     Eigen::VectorXd v = to_dofs(u, n, "stepcontrol.next", "u"),
                     force = to_dofs(R, n, "stepcontrol.next", "R");
     require_untouched(object, v, u);
-    const double before = stepper.checks().seconds();
+    const double before = stepper.check_seconds();
     const Task task = called("contact.begin", [&] { return stepper.next(v, force); });
-    const double checked = stepper.checks().seconds() - before;
+    const double checked = stepper.check_seconds() - before;
     object.contact->check_seconds += checked;
     object.contact->event_seconds -= checked;
     to_array(v, u, "stepcontrol.next");
@@ -395,6 +373,7 @@ void register_step_control() {
       "measured", [] { return new OneOperator2_<double, Method<H, MeasuredTag>, string*>(measured); });
   register_values();
   register_own_loop();
+  register_scene_report();
   long number = 0;
   for (const char* name :
        {"rcProgram", "rcForces", "rcTangent", "rcSolve", "rcRecord", "rcFinished", "rcStopped"})

@@ -10,7 +10,7 @@ main(arguments, length="m", mu=None, columns=None, pictures=(), without=())
     columns   {column: (label, unit, factor)} of the history, None to leave it out; see plotting/units.py
     pictures  functions of the run that return a figure, drawn after the default ones into function-name.png
     without   names of default pictures not wanted
-Default pictures: stress, plastic_strain, sequence, history, pressure, expected (see DEFAULT below). A script without a
+Default pictures: stress, plastic_strain, stress_error, sequence, history, pressure, expected (see DEFAULT below). A script without a
 plot.py gets them from plotting/scene.py.
 """
 import os
@@ -33,6 +33,13 @@ def plastic_strain(run):
     return fields.field_figure(run, fields.STRAIN)
 
 
+def stress_error(run):
+    """Where the mesh is coarser than the stress gradient, see ALGORITHMS.md 17."""
+    if "stress_error" not in run.field.data or not run.field.data["stress_error"].max() > 0:
+        return None
+    return fields.field_figure(run, fields.ERROR)
+
+
 def sequence(run):
     if len(run.series) < 3:
         return None
@@ -52,7 +59,7 @@ def expected(run):
     return curves.expected_figure(run)
 
 
-DEFAULT = (stress, plastic_strain, sequence, history, pressure, expected)
+DEFAULT = (stress, plastic_strain, stress_error, sequence, history, pressure, expected)
 
 
 def say(text):

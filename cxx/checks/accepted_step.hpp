@@ -29,6 +29,8 @@ template <int Dim> struct AcceptedStep {
   double tolerance = 0;   ///< of the residual over the load
   double t = 0, dt = 0;   ///< its end and its length [time]
   bool last = false;      ///< the program is at its end
+  const PrescribedValues* prescribed = nullptr; ///< at its end; null before the first step
+  std::size_t window = 0;                       ///< candidates on the dense block of its factor
   // set by prepare
   std::vector<Pose<Dim>> poses{};
   std::vector<CheckedNode<Dim>> touching{}; ///< nodes in contact

@@ -30,7 +30,7 @@ template <int Dim> void RunChecks<Dim>::begin(AcceptedStep<Dim> step) {
   m_state.begun = true;
 }
 
-template <int Dim> void RunChecks<Dim>::look(AcceptedStep<Dim> step, FindingList& findings) {
+template <int Dim> void RunChecks<Dim>::look(AcceptedStep<Dim>& step, FindingList& findings) {
   const CpuTimer timer(m_seconds);
   prepare(step);
   ++m_state.steps;

@@ -28,8 +28,8 @@ public:
   /// Before every step; the first one counts: energies are those of the run.
   void begin(AcceptedStep<Dim> step);
   bool begun() const { return m_state.begun; }
-  /// Looks at an accepted step. @param findings what is added to
-  void look(AcceptedStep<Dim> step, FindingList& findings);
+  /// Looks at an accepted step. @param step prepared here; @param findings what is added to
+  void look(AcceptedStep<Dim>& step, FindingList& findings);
   /// Why the run cannot go on; "": it can.
   const std::string& stop() const { return m_state.stop; }
   const CheckState& state() const { return m_state; }

@@ -177,6 +177,8 @@ template <int Dim> AcceptedStep<Dim> Stepper<Dim>::accepted_step(const Workpiece
   step.tolerance = m_contact.corrector().options().tolerance;
   step.t = m_control.time();
   step.last = m_control.finished();
+  step.prescribed = &state.prescribed;
+  step.window = state.corrector.window.size();
   return step;
 }
 
@@ -186,8 +188,22 @@ template <int Dim> void Stepper<Dim>::look(double dt) {
   if (!workpiece || !m_checks.options().on || !m_checks.begun()) return;
   AcceptedStep<Dim> step = accepted_step(*workpiece);
   step.dt = dt;
-  m_checks.look(std::move(step), m_contact.findings());
+  m_checks.look(step, m_contact.findings());
+  m_scene_report.look(step);
   if (!m_checks.stop().empty()) stop(m_checks.stop());
+}
+
+template <int Dim> std::vector<Statement> Stepper<Dim>::report() const {
+  const Workpiece<Dim>* workpiece = m_body.checked();
+  if (!workpiece || !m_checks.begun()) return {};
+  const AcceptedStep<Dim> step = accepted_step(*workpiece);
+  StepAccuracy accuracy;
+  accuracy.given = m_control.options().accuracy > 0;
+  accuracy.asked = accuracy.given ? m_control.options().accuracy : m_options.warned_error;
+  if (error() >= 0) accuracy.error = error();
+  return statements(ReportedRun<Dim>{step, m_scene_report.state(), m_checks.state(),
+                                     m_contact.accepted().warnings.findings(), m_scene_report.options(),
+                                     accuracy});
 }
 
 template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::VectorXd& R) {
@@ -217,7 +233,8 @@ template <int Dim> Task Stepper<Dim>::end(Eigen::VectorXd& u, Eigen::VectorXd& R
 }
 
 template <int Dim> RunState<Dim> Stepper<Dim>::state() const {
-  return {m_body.state(), m_contact.state(), m_control.state(), m_counts, m_checks.state()};
+  return {m_body.state(), m_contact.state(), m_control.state(),
+          m_counts,       m_checks.state(),  m_scene_report.state()};
 }
 
 template <int Dim>
@@ -227,6 +244,7 @@ void Stepper<Dim>::set_state(const RunState<Dim>& state, Eigen::VectorXd& u, Eig
   m_control.set_state(state.control);
   m_counts = state.counts;
   m_checks.set_state(state.checks);
+  m_scene_report.set_state(state.scene);
   u = state.contact.u;
   R = state.contact.R;
   m_phase = Phase::STEP;

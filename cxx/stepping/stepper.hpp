@@ -2,6 +2,8 @@
 // The loop over the steps of a run, turned inside out: it says what has to be done next, and its caller, a script or a
 // test, does it. One loop for all; every decision about steps is here, in StepControl and in the schemes.
 #include "checks/run_checks.hpp"
+#include "report/scene_report.hpp"
+#include "report/statements.hpp"
 #include "stepping/step_control.hpp"
 #include "stepping/step_scheme.hpp"
 
@@ -48,6 +50,7 @@ template <int Dim> struct RunState {
   StepControlState control;
   StepperCounts counts;
   CheckState checks;
+  SceneState scene;
 };
 
 template <int Dim> class Stepper {
@@ -72,6 +75,10 @@ public:
   /// Self-checks of the accepted steps; they add to the findings of the contact (ContactRun::findings).
   RunChecks<Dim>& checks() { return m_checks; }
   const RunChecks<Dim>& checks() const { return m_checks; }
+  /// What the accepted steps so far say of the scene; none without the checks.
+  SceneReport<Dim>& scene_report() { return m_scene_report; }
+  std::vector<Statement> report() const;
+  double check_seconds() const { return m_checks.seconds() + m_scene_report.seconds(); } ///< CPU of both [s]
 
   double target() const { return m_scheme->solve().from + m_scheme->solve().dt; } ///< PROGRAM
   double dt() const { return m_scheme->solve().dt; } ///< FORCES: length of the piece
@@ -120,6 +127,7 @@ private:
   ArticleScheme<Dim> m_article;
   StepScheme<Dim>* m_scheme; // of the present try
   RunChecks<Dim> m_checks;
+  SceneReport<Dim> m_scene_report;
   Phase m_phase = Phase::STEP;
   int m_tries = 0, m_iteration = 0;
   bool m_refused = false, m_stopped = false, m_at_floor = false;

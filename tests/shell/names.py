@@ -14,7 +14,8 @@ import sys
 NAMES, ALGORITHMS = "cxx/NAMES.md", "cxx/ALGORITHMS.md"
 WRITERS = ["edp/rcOutput.idp", "edp/rcSummary.idp", "edp/rcRunState.idp", "cxx/contact/events.cpp"]
 OPTION_FILES = ["cxx/stepping/options.hpp", "cxx/stepping/step_control.hpp", "cxx/stepping/stepper.hpp",
-                "cxx/stepping/step_scheme.hpp", "cxx/material/update_options.hpp", "cxx/checks/check_options.hpp"]
+                "cxx/stepping/step_scheme.hpp", "cxx/material/update_options.hpp", "cxx/checks/check_options.hpp",
+                "cxx/report/report_options.hpp"]
 
 
 def read(path):

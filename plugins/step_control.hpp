@@ -1,0 +1,41 @@
+#pragma once
+// The object behind the script type `stepcontrol`, for the files that register its members.
+#include "base/error.hpp"
+#include "stepping/stepper.hpp"
+#include "types.hpp"
+
+namespace burnish {
+
+struct ControlObject {
+  static constexpr const char* TYPE = "stepcontrol";
+  std::unique_ptr<StepControl> control;
+  StepperOptions options;
+  CheckOptions checks;
+  std::shared_ptr<ContactObject> contact; // of the run
+  std::shared_ptr<MaterialObject> material;
+  std::unique_ptr<Stepper<2>> stepper;
+  std::vector<Statement> statements; // of the accepted steps up to the last one read
+  long statements_at = -1;           // how many steps those are
+  Eigen::VectorXd u;                 // as the last task left it
+  Task task = Task::STOPPED;
+  bool stopping = false; // the script has ended the run
+  bool under_way() const { return stepper && task != Task::FINISHED && task != Task::STOPPED; }
+  ControlObject() = default;
+  ControlObject(const ControlObject&) = delete;
+  ControlObject& operator=(const ControlObject&) = delete;
+  ~ControlObject() {
+    if (contact) contact->under_way = false;
+  }
+  const StepControl& now() const { return stepper ? stepper->control() : *control; }
+  Stepper<2>& running(const char* where) const {
+    if (!stepper) fail(where, "no run has been started, call start first");
+    return *stepper;
+  }
+};
+
+using StepControlHandle = Handle<ControlObject>;
+
+/// Called by register_step_control, after the type.
+void register_scene_report();
+
+} // namespace burnish
