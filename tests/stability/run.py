@@ -23,7 +23,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 METHODS = [("implicit", "P2"), ("implicit", "P1"), ("event", "P2"), ("event", "P1"), ("article", "P2")]
 RANK = {"right": 0, "detected": 1, "silent": 2, "failed": 3}
 REFUSED = {3, 4, 20}
-LIMIT = 240  # seconds of one run
+LIMIT = 100  # seconds of one run
 
 
 def dangers():
