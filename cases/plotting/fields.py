@@ -12,7 +12,7 @@ from plotting.units import amount, in_powers, power_of_ten
 Quantity = namedtuple("Quantity", "name label colors stress")
 STRESS = Quantity("stress_eq", "von Mises stress", "viridis_r", True)
 STRAIN = Quantity("plastic_strain_eq", "accumulated plastic strain", "magma_r", False)
-ERROR = Quantity("stress_error", "difference of the stress from its nodal recovery", "cividis_r", True)
+ERROR = Quantity("stress_error", "estimated stress error", "cividis_r", True)
 
 
 def unit_of(run, quantity):

@@ -19,11 +19,12 @@ bool found(const FindingList& findings, const std::string& check, const std::str
 template <int Dim> void say_of_ends(const ReportedRun<Dim>& run, List& list) {
   for (int tool = 0; tool < static_cast<int>(run.scene.ends.size()); ++tool) {
     const EndLoad& end = run.scene.ends[tool];
-    if (!(end.share > run.options.end_load)) continue;
+    const double share = end.load > 0 ? end.force / end.load : 0;
+    if (!(share > run.options.end_load)) continue;
     const std::string name = run.step.tool_name(tool);
-    list.push_back({StatementKind::NEEDED, "end of surface " + name, end.share, 95,
+    list.push_back({StatementKind::NEEDED, "end of surface " + name, share, 95,
                     "the last node of the contact surface, at " + place_text(end.place) + ", carries " +
-                        short_number(100 * end.share) + " % of the load of tool \"" + name +
+                        short_number(100 * share) + " % of the largest load of tool \"" + name +
                         "\" at t = " + short_number(end.t) +
                         ": what lies beyond it touches nothing, label= may take it in"});
   }

@@ -45,17 +45,15 @@ template <int Dim> void SceneReport<Dim>::look_at_tools(const AcceptedStep<Dim>&
   m_state.friction.resize(step.model.tools.size());
   m_state.ends.resize(step.model.tools.size());
   for (int tool = 0; tool < static_cast<int>(step.model.tools.size()); ++tool) {
-    double load = 0, largest = 0, nodes = 0;
+    double load = 0, largest = 0;
     for (const auto& node : step.touching) {
       if (step.contact.nodes[node.candidate].tool != tool) continue;
-      ++nodes;
       load += node.force.F.norm();
       largest = std::max(largest, node.force.part.N);
     }
     if (!(load > step.tolerance * step.load)) continue;
     look_at_friction(step, tool, largest);
-    if (nodes < m_options.all_under * static_cast<double>(step.contact.nodes.size()))
-      look_at_ends(step, tool, load);
+    look_at_ends(step, tool, load);
   }
 }
 
@@ -77,10 +75,18 @@ void SceneReport<Dim>::look_at_friction(const AcceptedStep<Dim>& step, int tool,
 
 template <int Dim> void SceneReport<Dim>::look_at_ends(const AcceptedStep<Dim>& step, int tool, double load) {
   EndLoad& end = m_state.ends[tool];
+  end.load = std::max(end.load, load);
+  std::size_t nodes = 0;
+  for (const auto& node : step.touching) nodes += step.contact.nodes[node.candidate].tool == tool;
+  if (static_cast<double>(nodes) >= m_options.all_under * static_cast<double>(step.contact.nodes.size()))
+    return;
   for (const auto& node : step.touching) {
     if (step.contact.nodes[node.candidate].tool != tool || !m_end[node.candidate]) continue;
-    const double share = node.force.F.norm() / load;
-    if (share > end.share) end = {share, step.place_of(node.x), step.t};
+    const double force = node.force.F.norm();
+    if (!(force > end.force)) continue;
+    end.force = force;
+    end.place = step.place_of(node.x);
+    end.t = step.t;
   }
 }
 

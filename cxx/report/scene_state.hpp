@@ -17,9 +17,9 @@ struct CoordinateUse {
   double least = 0, most = 0;
 };
 
-/// Load of a node at the end of an open contact surface, the largest part of a tool's load.
+/// Largest load of a node at the end of an open contact surface, beside that of its tool.
 struct EndLoad {
-  double share = 0;
+  double force = 0, load = 0; ///< of the node, of the tool, each the largest of the run [force]
   std::vector<double> place;
   double t = 0;
 };

@@ -19,7 +19,7 @@ template <int Dim> std::vector<std::vector<int>> elements_of_nodes(const Discret
 // Linear least-squares fit over the points of a patch, evaluated at the node.
 template <int Dim>
 double fit_at_node(const Discretization<Dim>& d, const std::vector<int>& patch, const Vector<Dim>& node,
-                   const Eigen::VectorXd& values) {
+                   const Eigen::VectorXd& values, bool within) {
   constexpr int terms = Dim + 1; // 1 and the coordinates
   using Row = Eigen::Matrix<double, terms, 1>;
   Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
@@ -46,25 +46,26 @@ double fit_at_node(const Discretization<Dim>& d, const std::vector<int>& patch, 
   const double mean = right[0] / count;
   double flat = FLAT;
   for (int k = 0; k < terms; ++k) flat *= count;
-  if (count <= terms || std::abs(normal.determinant()) < flat) return mean;
-  return std::clamp(normal.ldlt().solve(right)[0], low, high);
+  if (count < terms + (within ? 1 : 0) || std::abs(normal.determinant()) < flat) return mean;
+  const double fitted = normal.ldlt().solve(right)[0];
+  return within ? std::clamp(fitted, low, high) : fitted;
 }
 
 } // namespace
 
 template <int Dim>
-Eigen::VectorXd nodal_average(const Discretization<Dim>& d, const Eigen::VectorXd& values) {
+Eigen::VectorXd nodal_average(const Discretization<Dim>& d, const Eigen::VectorXd& values, bool within) {
   require(values.size() == d.num_points(), "nodal_average", "number of values", values.size(),
           "one per quadrature point");
   const auto patches = elements_of_nodes(d);
   Eigen::VectorXd result = Eigen::VectorXd::Zero(d.num_nodes);
   for (int n = 0; n < d.num_nodes; ++n)
-    if (!patches[n].empty()) result[n] = fit_at_node<Dim>(d, patches[n], d.node(n), values);
+    if (!patches[n].empty()) result[n] = fit_at_node<Dim>(d, patches[n], d.node(n), values, within);
   return result;
 }
 
-template Eigen::VectorXd nodal_average<2>(const Discretization<2>&, const Eigen::VectorXd&);
-template Eigen::VectorXd nodal_average<3>(const Discretization<3>&, const Eigen::VectorXd&);
+template Eigen::VectorXd nodal_average<2>(const Discretization<2>&, const Eigen::VectorXd&, bool);
+template Eigen::VectorXd nodal_average<3>(const Discretization<3>&, const Eigen::VectorXd&, bool);
 
 Eigen::VectorXd vertex_values(const Discretization<2>& mesh, const Eigen::VectorXd& values, double share) {
   const char* where = "vertex_values";

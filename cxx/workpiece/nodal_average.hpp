@@ -8,9 +8,11 @@ namespace burnish {
 /// within their range; their mean where fewer than Dim + 2 points, or points (almost) in one plane (in the
 /// plane: on a line), leave the fit open.
 /// @param values one per quadrature point, any unit; @returns one per node, same unit
+/// @param within false: beyond their range too, so that a linear field is recovered as it is
 /// @throws std::invalid_argument unless values has one entry per quadrature point
 template <int Dim>
-Eigen::VectorXd nodal_average(const Discretization<Dim>& discretization, const Eigen::VectorXd& values);
+Eigen::VectorXd nodal_average(const Discretization<Dim>& discretization, const Eigen::VectorXd& values,
+                              bool within = true);
 
 /// The linear function of every element with the given values at its quadrature points, by its values at 3 places per
 /// element (triangles with 3 points): on the way from the centroid to the vertices, `share` of it; one number per

@@ -16,7 +16,7 @@ template <int Dim> StressError stress_error(const Discretization<Dim>& d, const 
     const double twice = k < 3 ? 1 : 2; // shear entries count twice
     const Eigen::VectorXd values =
         Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<components>>(stress.data() + k, points);
-    const Eigen::VectorXd nodal = nodal_average(d, values);
+    const Eigen::VectorXd nodal = nodal_average(d, values, false);
     for (int p = 0; p < points; ++p) {
       const int* nodes = d.element(p / d.points_per_element);
       double recovered = 0;

@@ -1,0 +1,119 @@
+// What the scene report is made of: recovered stress, percentile, steps too fine, and a state that goes on.
+#include "report/scene_report.hpp"
+#include "report/statements.hpp"
+#include "support/run.hpp"
+#include "workpiece/stress_error.hpp"
+#include "workpiece/volume_percentile.hpp"
+
+using namespace burnish;
+using namespace burnish::test;
+
+namespace {
+
+/// Block 4 x 1.5 under a rough roller.
+struct Reported : Scene {
+  Reported() : Scene(block_mesh(8, 3, 2, 4, 1.5), elastic_material(), {}) {
+    add_tool(std::make_shared<Circle>(3.), std::make_shared<Cartesian>(), 0.3);
+    place({1.7, 4.9, 0});
+    contact().approach(0, "y", u);
+  }
+  void press(int step) {
+    tool->prescription().move("x", 1.7 + 0.05 * step);
+    tool->prescription().move("y", 4.5 - 0.02 * step);
+    tool->prescription().move("angle", -0.01 * step);
+    EXPECT_EQ(converge(*this, step, 1, Stepping::IMPLICIT), StepStatus::CONVERGED) << contact().reason();
+    accept(*this, {});
+  }
+  AcceptedStep<2> step() {
+    const auto& state = contact().accepted();
+    const auto& setup = contact().setup();
+    AcceptedStep<2> step{workpiece(),   setup.mesh(), setup.surface(), setup.model(),          setup.body(),
+                         state.contact, state.u,      state.R,         state.generalized_force};
+    step.load = contact().corrector().load_scale();
+    step.tolerance = 1e-4;
+    step.prescribed = &state.prescribed;
+    prepare(step);
+    return step;
+  }
+};
+
+const Statement* find(const std::vector<Statement>& list, const std::string& name) {
+  for (const Statement& statement : list)
+    if (statement.name == name) return &statement;
+  return nullptr;
+}
+
+} // namespace
+
+TEST(SceneReport, StepsTooFineAreSaidWhereTheirErrorIsKnown) {
+  Reported scene;
+  SceneReport<2> report;
+  scene.press(1);
+  report.look(scene.step());
+  const AcceptedStep<2> step = scene.step();
+  const CheckState checks;
+  const FindingList findings;
+  const auto with = [&](double error, double asked) {
+    return statements(
+        ReportedRun<2>{step, report.state(), checks, findings, report.options(), StepAccuracy{error, asked}});
+  };
+  EXPECT_EQ(find(with(Finding::NONE, 1e-2), "steps"), nullptr);
+  EXPECT_EQ(find(with(2e-3, 1e-2), "steps"), nullptr);
+  const auto said = with(5e-4, 1e-2);
+  const Statement* steps = find(said, "steps");
+  ASSERT_NE(steps, nullptr);
+  EXPECT_NEAR(steps->value, 0.05, 1e-12);
+  EXPECT_EQ(name_of(steps->kind), std::string("modelled and not needed"));
+  ReportOptions few;
+  few.most = 1;
+  EXPECT_EQ(statements(ReportedRun<2>{step, report.state(), checks, findings, few, {}}).size(), 1u);
+}
+
+TEST(SceneReport, GoesOnFromACopyOfItsState) {
+  Reported scene;
+  SceneReport<2> whole, copy;
+  scene.press(1);
+  whole.look(scene.step());
+  copy.set_state(whole.state());
+  scene.press(2);
+  AcceptedStep<2> last = scene.step();
+  last.last = true;
+  whole.look(last);
+  copy.look(last);
+  const SceneState &a = whole.state(), &b = copy.state();
+  EXPECT_EQ(a.steps, 2);
+  EXPECT_EQ(a.steps, b.steps);
+  EXPECT_GT(a.gradient, 0);
+  EXPECT_EQ(a.gradient, b.gradient);
+  EXPECT_GT(a.friction.at(0).nodes, 0);
+  EXPECT_EQ(a.friction.at(0).largest, b.friction.at(0).largest);
+  EXPECT_EQ(a.energy, b.energy);
+  EXPECT_EQ(a.stress, b.stress);
+  EXPECT_EQ(a.coordinates.at(1).least, b.coordinates.at(1).least);
+}
+
+TEST(StressError, VanishesForALinearFieldOnlyAndNamesTheWorstElement) {
+  const Discretization<2> mesh = block_mesh(6, 4, 2, 3, 2).space;
+  std::vector<double> stress(static_cast<std::size_t>(mesh.num_points()) * 4, 0.);
+  for (int p = 0; p < mesh.num_points(); ++p)
+    stress[4 * p + 1] = 2 + mesh.point[2 * p] - 3 * mesh.point[2 * p + 1];
+  EXPECT_LT(stress_error(mesh, stress).relative, 1e-12);
+  for (int q = 0; q < 3; ++q) stress[4 * (3 * 7 + q) + 3] = 5;
+  const StressError error = stress_error(mesh, stress);
+  EXPECT_EQ(error.worst, 7);
+  EXPECT_GT(error.relative, 0.1);
+  EXPECT_GT(error.point.segment<3>(21).minCoeff(), 1);
+  stress.pop_back();
+  EXPECT_THROW(stress_error(mesh, stress), std::invalid_argument);
+}
+
+TEST(VolumePercentile, CountsTheVolumeAboveTheLeastValue) {
+  const Discretization<2> mesh = block_mesh(10, 1, 1, 10, 1).space; // 20 elements of one size
+  Eigen::VectorXd values(20);
+  for (int e = 0; e < 20; ++e) values[e] = e;
+  EXPECT_EQ(volume_percentile(mesh, values, 1, 0.5), 19);
+  EXPECT_EQ(volume_percentile(mesh, values, 0.49, -1), 9);
+  EXPECT_EQ(volume_percentile(mesh, values, 0.49, 9.5), 14);
+  EXPECT_EQ(volume_percentile(mesh, values, 0.5, 99), 0);
+  EXPECT_THROW(volume_percentile(mesh, values, 1.5, 0), std::invalid_argument);
+}
