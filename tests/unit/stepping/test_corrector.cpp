@@ -40,8 +40,9 @@ struct Held {
       const StepStatus status = corrector->check(u, spring.force(u));
       if (status == StepStatus::CONVERGED || status == StepStatus::FAILED) return status;
       if (status == StepStatus::BACKTRACKED) continue;
-      if (status == StepStatus::REFACTORIZE)
+      if (status == StepStatus::REFACTORIZE) {
         EXPECT_EQ(corrector->factorize(spring.tangent(u), u), FactorStatus::OK);
+      }
       if (corrector->correct(u, spring.force(u)) == StepStatus::FAILED) return StepStatus::FAILED;
     }
   }

@@ -20,7 +20,9 @@ StepErrorState walk(int n, StressUpdate update, double& plastic_strain_eq, doubl
     const Tensor<2> F = tensor(1 + a, b, b, 1 - a);
     EXPECT_EQ(body.update(homogeneous(body.discretization(), F), 1, 0).status, UpdateStatus::OK);
     add_step_error(body, error);
-    if (k == 0) EXPECT_EQ(error.estimate(), -1) << "no step before";
+    if (k == 0) {
+      EXPECT_EQ(error.estimate(), -1) << "no step before";
+    }
     body.accept();
     if (k == 2 && size > 1e-3) error = {}; // the corner from the stretch to the circle
   }
