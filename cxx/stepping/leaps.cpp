@@ -114,6 +114,14 @@ int passed_point(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path, i
   return -1;
 }
 
+// Whether the tool of a coordinate is in contact.
+template <int Dim> bool touches(const ContactModel<Dim>& model, const ContactState<Dim>& state, int k) {
+  const int tool = model.tool_of(k);
+  for (const ContactNode<Dim>& node : state.nodes)
+    if (in_contact(node.state) && node.tool == tool) return true;
+  return false;
+}
+
 } // namespace
 
 template <int Dim> std::string tool_passage(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path) {
@@ -153,6 +161,7 @@ std::string sudden_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& 
   }
   for (int k = 0; k < static_cast<int>(dq.size()); ++k) {
     if (prescribed.is_motion[k] || model.coupling_of(k)) continue;
+    if (!touches(model, *path.end, k)) continue; // its drive alone says where it goes
     if (way[k] <= options.jump_length * setup.body().spacing) continue;
     if (way[k] <= options.jump_rate * std::max(expected[k], driven)) continue;
     std::ostringstream text;

@@ -90,12 +90,10 @@ void StepControl::accepted() {
   s.first = false;
   s.cap *= m_options.relaxation;
   if (s.cap >= s.failed_dt) s.failed_dt = 0; // past the length that failed: growth is free again
-  if (!std::isfinite(s.planned_end)) {
-    s.failed_before = false;
-  } else if (s.t >= s.planned_end - SAME_TIME * scale(m_options, s)) {
+  ++s.since_failure;
+  if (std::isfinite(s.planned_end) && s.t >= s.planned_end - SAME_TIME * scale(m_options, s)) {
     s.last_dt = s.planned_dt;
     s.planned_end = -std::numeric_limits<double>::infinity();
-    s.failed_before = true;
   }
 }
 
@@ -106,12 +104,13 @@ void StepControl::steer(double error) {
 
 bool StepControl::rejected() {
   auto& s = m_state;
-  if (!s.failed_before && !std::isfinite(s.planned_end) && !s.first) {
+  const bool alone = s.since_failure >= m_options.alone;
+  s.since_failure = 0;
+  if (alone && !std::isfinite(s.planned_end) && !s.first) {
     s.planned_end = s.t + s.dt;
     s.planned_dt = s.dt;
   } else {
     s.planned_end = -std::numeric_limits<double>::infinity();
-    s.failed_before = true;
     s.failed_dt = s.dt;
     s.cap = m_options.caution * s.dt;
   }
