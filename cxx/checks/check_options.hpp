@@ -16,8 +16,7 @@ struct CheckOptions {
   double overlap = 0.05;   ///< depth of a tool in an edge that it does not touch, over the edge: untrusted
   double yield_distance = 1e-2;  ///< stress beyond the yield surface over the yield stress: warning ...
   double yield_far = 0.1;        ///< ... untrusted
-  double energy = 0.1;           ///< error of the energy over the largest work: warning ...
-  double energy_far = 0.5;       ///< ... untrusted
+  double energy = 0.1;           ///< error of the energy over the largest work: warning
   double volume = 0.02;          ///< change of volume that is not elastic over the plastic strain: warning
   double plastic_strain = 0.3;   ///< accumulated plastic strain with the Jaumann rate: warning ...
   double plastic_strain_far = 2; ///< ... untrusted

@@ -30,22 +30,6 @@ template <int Dim> void say_of_ends(const ReportedRun<Dim>& run, List& list) {
   }
 }
 
-template <int Dim> void say_of_width(const ReportedRun<Dim>& run, List& list) {
-  const std::vector<WidthState>& widths = run.checks.width;
-  for (int tool = 0; tool < static_cast<int>(widths.size()); ++tool) {
-    const std::string name = run.step.tool_name(tool);
-    const WidthState& width = widths[tool];
-    const int per_edge = run.step.mesh.nodes_per_element == Dim + 1 ? 1 : 2;
-    const double edges = (width.nodes - 1.0) / per_edge;
-    if (width.nodes == 0 || edges > run.options.narrow_edges) continue;
-    if (found(run.findings, "contact width", name)) continue;
-    list.push_back({StatementKind::NEEDED, "contact width " + name, edges, 90,
-                    "the contact of tool \"" + name + "\" is " + short_number(edges) +
-                        " edges wide where it carries most, at " + place_text(width.place) + ", t = " +
-                        short_number(width.t) + ": a finer mesh of the contact surface resolves it"});
-  }
-}
-
 template <int Dim> void say_of_stress(const ReportedRun<Dim>& run, List& list) {
   if (run.scene.stress.empty() || found(run.findings, "locking", "")) return; // P1 that locks: said already
   const Discretization<Dim>& space = run.step.workpiece.discretization();
@@ -107,7 +91,6 @@ template <int Dim> void say_of_largest(const ReportedRun<Dim>& run, List& list) 
 template <int Dim> std::vector<Statement> not_modelled(const ReportedRun<Dim>& run) {
   List list;
   say_of_ends(run, list);
-  say_of_width(run, list);
   say_of_stress(run, list);
   say_of_largest(run, list);
   return list;

@@ -12,7 +12,6 @@ struct ReportOptions {
   double fine_steps = 0.1;    ///< error of the steps over the accuracy asked: below, they are too fine
   double asymmetry = 1e-3;    ///< difference of mirrored displacements over the largest: below, symmetric
   double small_strain = 1e-3; ///< |F - I|: below everywhere, the linear form gives the same
-  double narrow_edges = 3;    ///< a contact of so many edges or fewer where it carries most is narrow
   double stress_error = 0.15; ///< recovered against computed stress, relative: above, the mesh is coarse
   double end_load = 0.01;     ///< load of the last node of an open contact surface over that of the tool
   double all_under = 0.9;     ///< a tool that touches this part of the surface covers it on purpose

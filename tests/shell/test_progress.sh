@@ -28,6 +28,8 @@ progress = re.findall(r"\r\x1b\[K  t = [0-9.e-]+  [0-9]+ %  steps [0-9]+  about 
 assert progress, "no progress on a terminal:\n" + text[:500]
 for line in lines:
     shown = line.rpartition("\r\x1b[K")[2]       # what is left on the screen
+    if shown.startswith("burnish: "):            # the end of the run: warnings, report
+        break
     assert not shown or shown.startswith("t "), repr(line)
     assert "s left" not in shown, repr(line)
 logged = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

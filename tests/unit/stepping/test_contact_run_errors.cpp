@@ -194,8 +194,7 @@ TEST(ContactRunErrors, IndefiniteTangent) {
 TEST(ContactRunErrors, NoConvergenceSaysHowFarItCame) {
   Block block;
   block.contact().approach(0, "y", block.u);
-  block.contact().corrector().options().max_iterations = 1; // six where the residual falls
-  block.contact().corrector().options().tolerance = 1e-14;
+  block.contact().corrector().options().max_iterations = 0;
   EXPECT_EQ(converge(block, 0, 1, Stepping::IMPLICIT), StepStatus::FAILED);
   EXPECT_EQ(block.contact().reason().find("no convergence in "), 0u) << block.contact().reason();
 }
