@@ -52,8 +52,7 @@ template <int axis, bool reference> Array place(Stack stack, H* const& h) {
   return per_candidate(stack, h, [](auto& contact, std::size_t i) {
     const int dof = 2 * contact.setup->candidates()[i] + axis;
     const double moved = reference || !contact.started() ? 0 : contact.run().accepted().u[dof];
-    const double at = reference ? contact.setup->mesh().X[dof] : contact.setup->body().X[dof];
-    return at + moved;
+    return contact.setup->mesh().X[dof] + moved;
   });
 }
 Array states(Stack stack, H* const& h) {

@@ -28,7 +28,8 @@ template <int Dim> std::string ContactRun<Dim>::reason() const {
   if (cause.empty() && !m_hold.acts(t_end())) cause = unheld_workpiece(*m_setup, state, m_accepted.u);
   const std::string& found = m_corrector.reason();
   if (found.empty()) return cause; // the material could not follow
-  if (!cause.empty()) return cause + " (" + found + ")";
+  if (!cause.empty())
+    return found.find(cause.substr(0, cause.find(':'))) == 0 ? cause : cause + " (" + found + ")";
   std::string last;
   if (found.find("limit load") != std::string::npos && m_accepted.history.dt > 0)
     last =

@@ -113,7 +113,7 @@ template <int Dim> StepStatus Corrector<Dim>::check(Eigen::VectorXd& u, const Ei
         m_tool_load.size() > 0 ? m_tool_load.cwiseMax(m_balance.tool_load).eval() : m_balance.tool_load;
     return StepStatus::CONVERGED;
   }
-  const bool lags = m_rate.slow(res, allowed(scale));
+  const bool lags = !m_condensed && m_rate.slow(res, allowed(scale)); // condensed: every tangent is new
   const double bound = more_digits(m_options.tolerance) * m_options.max_iterations;
   if (m_iteration >= 2 * bound || (m_iteration >= bound && lags)) return give_up(reason_of_failure(scale));
   const bool slow = m_last_residual >= 0 && res > m_options.slow * m_last_residual;

@@ -71,8 +71,7 @@ double StepControl::wanted(double width, double speed) {
 
 double StepControl::propose(double width, double speed) {
   auto& s = m_state;
-  const bool planned = std::isfinite(s.planned_end);
-  double dt = planned ? std::max(m_options.growth * s.last_dt, m_options.dt_min) : wanted(width, speed);
+  double dt = wanted(width, speed);
   const double rest = next_stop() - s.t;
   if (dt > rest * (1 - SAME_TIME))
     dt = rest;
@@ -90,11 +89,6 @@ void StepControl::accepted() {
   s.first = false;
   s.cap *= m_options.relaxation;
   if (s.cap >= s.failed_dt) s.failed_dt = 0; // past the length that failed: growth is free again
-  ++s.since_failure;
-  if (std::isfinite(s.planned_end) && s.t >= s.planned_end - SAME_TIME * scale(m_options, s)) {
-    s.last_dt = s.planned_dt;
-    s.planned_end = -std::numeric_limits<double>::infinity();
-  }
 }
 
 void StepControl::steer(double error) {
@@ -104,16 +98,8 @@ void StepControl::steer(double error) {
 
 bool StepControl::rejected() {
   auto& s = m_state;
-  const bool alone = s.since_failure >= m_options.alone;
-  s.since_failure = 0;
-  if (alone && !std::isfinite(s.planned_end) && !s.first) {
-    s.planned_end = s.t + s.dt;
-    s.planned_dt = s.dt;
-  } else {
-    s.planned_end = -std::numeric_limits<double>::infinity();
-    s.failed_dt = s.dt;
-    s.cap = m_options.caution * s.dt;
-  }
+  s.failed_dt = s.dt;
+  s.cap = m_options.caution * s.dt;
   s.dt *= m_options.retry;
   s.last_dt = s.dt;
   return s.dt >= m_options.dt_min;

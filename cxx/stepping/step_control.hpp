@@ -19,8 +19,6 @@ struct StepControlOptions {
   double retry = 0.5;   ///< a failed step is tried again with this part of its length
   double caution = 0.7; ///< after a failure steps may be this part of the failed one, ...
   double relaxation = 1.05; ///< ... growing by this factor a step until they are as long as it
-  int alone =
-      20; ///< a failure so many accepted steps after the last one does not change the division of the steps
   double accuracy =
       0; ///< relative error of the plastic strain increments that the steps are chosen for; 0: they are not
   double coarsest = 4;      ///< steps_per_width at most, where an accuracy is given
@@ -40,12 +38,8 @@ struct StepControlState {
   double cap = 0;       ///< largest step near it
   bool first = true;    ///< no step has been accepted
   // A step that failed once leaves the division of the program as it was.
-  double planned_end =
-      -std::numeric_limits<double>::infinity(); ///< end of the step that failed, while it is ahead
-  double planned_dt = 0;                        ///< its length
-  long since_failure = 1000000;                 ///< accepted steps since the last failure
-  double width = 0;                             ///< contact width that counts
-  double error = 0;                             ///< of the last steps, geometric mean; 0: not estimated
+  double width = 0; ///< contact width that counts
+  double error = 0; ///< of the last steps, geometric mean; 0: not estimated
 };
 
 class StepControl {

@@ -33,7 +33,7 @@ grep -q "^0.016,0.3,finished,1," $top/sweep.csv || fail "grid: the row of a vari
 cp "$top/R=0.014,mu=0.3/summary.json" before.json
 sweep 1 more "R=14e-3,16e-3,-1 mu=0.25,0.3"
 holds more "2 of 6 variants failed"
-holds more "R=-1,mu=0.3: exit code 20: burnish: tool: radius = -1, expected a finite number > 0"
+holds more "R=-1,mu=0.3: exit code 20: burnish: option -R is -1, expected > 0"
 lines more 7
 ran more 2
 holds more "rolling: 6 variants, 4 finished before"
