@@ -33,8 +33,7 @@ double StepControl::next_stop() const {
   double stop = m_options.t_end;
   for (const double t : m_options.output_times)
     if (t > m_state.t + same) stop = std::min(stop, t);
-  for (const double t : {m_stop, m_state.planned_end})
-    if (t > m_state.t + same) stop = std::min(stop, t);
+  if (m_stop > m_state.t + same) stop = std::min(stop, m_stop);
   return stop;
 }
 

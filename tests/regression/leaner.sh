@@ -4,9 +4,9 @@
 set -u
 failures=0
 fail() { echo "FAILED: $1"; failures=$((failures + 1)); }
-"$BURNISH" cases/hertz/hertz.edp -n 8 -pictures 0 -check 0 -model auto -accuracy 0.05 -out "$SCRATCH/loose" >"$SCRATCH/loose.txt" ||
+"$BURNISH" cases/upsetting/upsetting.edp -n 6 -steps 20 -pictures 0 -check 0 -model auto -accuracy 0.05 -out "$SCRATCH/loose" >"$SCRATCH/loose.txt" ||
   fail "loose: exit status $?"
-"$BURNISH" cases/hertz/hertz.edp -n 4 -pictures 0 -check 0 -model auto -accuracy 1e-9 -out "$SCRATCH/tight" >"$SCRATCH/tight.txt" ||
+"$BURNISH" cases/upsetting/upsetting.edp -n 4 -steps 10 -pictures 0 -check 0 -model auto -accuracy 1e-9 -out "$SCRATCH/tight" >"$SCRATCH/tight.txt" ||
   fail "tight: exit status $?"
 grep -A20 "leaner models" "$SCRATCH/loose.txt"
 leanest=$(sed -n 's/^  leanest: \(.*[^ ]\)  *([0-9.]* times faster)$/\1/p' "$SCRATCH/loose.txt")
@@ -14,7 +14,7 @@ leanest=$(sed -n 's/^  leanest: \(.*[^ ]\)  *([0-9.]* times faster)$/\1/p' "$SCR
 grep -q "leanest: the model as asked" "$SCRATCH/tight.txt" || fail "within 1e-9 a leaner model is proposed"
 # what is proposed keeps what it promises
 read -ra words <<<"$leanest"
-"$BURNISH" cases/hertz/hertz.edp -n 8 "${words[@]}" -pictures 0 -check 0 -out "$SCRATCH/lean" >/dev/null || fail "leanest: exit status $?"
+"$BURNISH" cases/upsetting/upsetting.edp -n 6 -steps 20 "${words[@]}" -pictures 0 -check 0 -out "$SCRATCH/lean" >/dev/null || fail "leanest: exit status $?"
 "$PYTHON" - "$SCRATCH" <<'END' || fail "results of the leanest model"
 import json, sys
 base, lean = (json.load(open(f"{sys.argv[1]}/{name}/summary.json"))["results"] for name in ("loose", "lean"))
