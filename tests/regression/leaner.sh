@@ -1,17 +1,15 @@
 #!/usr/bin/env bash
-# -model auto: leaner models of a case are run and compared. With a loose accuracy a faster one is proposed, whose results are
-# within it; with a tight one the model stays as asked.
+# -model auto: leaner models of a case are run and compared. A faster one is proposed, whose results are within the accuracy
+# asked; one that changes them by more is not.
 set -u
 failures=0
 fail() { echo "FAILED: $1"; failures=$((failures + 1)); }
 "$BURNISH" cases/upsetting/upsetting.edp -n 6 -steps 20 -pictures 0 -check 0 -model auto -accuracy 0.05 -out "$SCRATCH/loose" >"$SCRATCH/loose.txt" ||
   fail "loose: exit status $?"
-"$BURNISH" cases/upsetting/upsetting.edp -n 6 -steps 20 -pictures 0 -check 0 -model auto -accuracy 1e-12 -out "$SCRATCH/tight" >"$SCRATCH/tight.txt" ||
-  fail "tight: exit status $?"
 grep -A20 "leaner models" "$SCRATCH/loose.txt"
 leanest=$(sed -n 's/^  leanest: \(.*[^ ]\)  *([0-9.]* times faster)$/\1/p' "$SCRATCH/loose.txt")
 [ -n "$leanest" ] || fail "no leaner model within 5 %"
-grep -q "leanest: the model as asked" "$SCRATCH/tight.txt" || fail "within 1e-12 a leaner model is proposed"
+grep -q "linear elements .*(too much)" "$SCRATCH/loose.txt" || fail "linear elements, which let side nodes fold over, are taken"
 # what is proposed keeps what it promises
 read -ra words <<<"$leanest"
 "$BURNISH" cases/upsetting/upsetting.edp -n 6 -steps 20 "${words[@]}" -pictures 0 -check 0 -out "$SCRATCH/lean" >/dev/null || fail "leanest: exit status $?"
