@@ -43,7 +43,7 @@ private:
       if (!pressed(contact.accepted().contact.nodes[i].state)) continue;
       const int node = contact.setup().candidates()[i];
       const Vector<2> F = contact.accepted().R.segment<2>(2 * node);
-      const Vector<2> x = contact.setup().mesh().node(node) + m_rolling.scene.u.segment<2>(2 * node);
+      const Vector<2> x = contact.setup().body().position(m_rolling.scene.u, node); // METHOD.md 3.18
       sum += Vector<3>(e.dot(F), q[0] * left_of(e).dot(F), left_of(x - q[0] * e).dot(F));
       m_load += F.norm();
     }
