@@ -126,8 +126,11 @@ def make_references(chosen, jobs):
                 out.writerow([*key, name, f"{value:.8g}"])
 
 
-def run_all(chosen, jobs):
-    """Rows: danger, scheme, element, x, outcome, error, status, seconds, last words of the run."""
+FIELDS = ["danger", "scheme", "element", "x", "outcome", "error_over_tolerance", "status", "seconds", "last_line"]
+
+
+def run_all(chosen, jobs, table):
+    """Rows of FIELDS; each is written to the CSV table as soon as its run has ended."""
     references = read_references()
     tasks = [(d, scheme, element, x) for d in chosen for scheme, element in METHODS for x in d["values"]]
     started, rows = time.time(), []
@@ -146,6 +149,7 @@ def run_all(chosen, jobs):
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for k, row in enumerate(pool.map(one, tasks), 1):
             rows.append(row)
+            table.writerow(row)
             left = (time.time() - started) * (len(tasks) - k) / k
             if sys.stderr.isatty():
                 print(f"\r  {k} of {len(tasks)} runs, about {left:.0f} s left ", end="", file=sys.stderr, flush=True)
@@ -193,11 +197,10 @@ def main():
     os.makedirs(options.out, exist_ok=True)
     if options.references:
         make_references(chosen, jobs)
-    rows = run_all(chosen, jobs)
-    with open(os.path.join(options.out, "results.csv"), "w", newline="") as f:
-        table = csv.DictWriter(f, rows[0].keys(), lineterminator="\n")
+    with open(os.path.join(options.out, "results.csv"), "w", newline="", buffering=1) as f:
+        table = csv.DictWriter(f, FIELDS, lineterminator="\n")
         table.writeheader()
-        table.writerows(rows)
+        rows = run_all(chosen, jobs, table)
     draw.draw(chosen, METHODS, rows, options.out)
     count = {name: sum(row["outcome"] == name for row in rows) for name in RANK}
     print(f"{len(rows)} runs: " + ", ".join(f"{count[name]} {name}" for name in RANK) + f"; pictures in {options.out}")
