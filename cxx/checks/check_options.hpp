@@ -7,7 +7,13 @@ struct CheckOptions {
   bool on = true;
   double imbalance = 1e-2;          ///< forces and moments out of balance over the load: untrusted above ...
   double imbalance_tolerances = 20; ///< ... or above so many tolerances of the residual, whichever is more
-  double tension = 0.02; ///< tension of a tool's nodes over the largest load of the tool: untrusted
+  double imbalance_noted = 2e-3;    ///< the same: warning above
+  double residual = 0.01; ///< what the nodes that nothing holds are left with, sum over the load: warning ...
+  double residual_far = 0.1; ///< ... untrusted, both above imbalance_tolerances at least
+  double unmet = 5e-3;       ///< what a prescribed force of a tool is missed by, over itself: warning ...
+  double unmet_far = 0.05;   ///< ... untrusted, the same
+  double unmet_least = 0.05; ///< over this part of the tool's load, if the force is less
+  double tension = 0.02;     ///< tension of a tool's nodes over the largest load of the tool: untrusted
   double friction_excess =
       0.02; ///< friction beyond its limit, or along the slip, over the largest load of the tool: untrusted
   double few_edges = 3;    ///< a contact that carries load over so many edges of elements or fewer: warning

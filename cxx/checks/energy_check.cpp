@@ -89,7 +89,6 @@ void keep(EnergyState& energy, Forces forces) {
 } // namespace
 
 template <int Dim> void EnergyCheck<Dim>::begin(const AcceptedStep<Dim>& step, CheckState& state) {
-  constexpr double tolerances = 10;
   EnergyState& energy = state.energy;
   energy.u = step.workpiece.state_old().displacement;
   energy.q = step.contact.q;

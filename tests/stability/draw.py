@@ -8,8 +8,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.patches import Patch, Rectangle
 
-COLORS = {"right": "#3a9b5c", "detected": "#f2c14e", "silent": "#c8322b", "failed": "#000000"}
-MARKERS = {"right": "o", "detected": "X", "silent": "s", "failed": "v"}
+COLORS = {"right": "#3a9b5c", "detected": "#f2c14e", "slow": "#b0b0b0", "silent": "#c8322b", "failed": "#000000"}
+MARKERS = {"right": "o", "detected": "X", "slow": "P", "silent": "s", "failed": "v"}
 
 
 def label(method):
@@ -36,7 +36,7 @@ def draw_map(dangers, methods, rows, path):
     for side in ax.spines.values():
         side.set_visible(False)
     count = {name: sum(r["outcome"] == name for r in rows) for name in COLORS}
-    fig.legend(handles=[Patch(color=COLORS[n], label=f"{n}: {count[n]}") for n in COLORS], loc="lower center", ncol=4,
+    fig.legend(handles=[Patch(color=COLORS[n], label=f"{n}: {count[n]}") for n in COLORS], loc="lower center", ncol=5,
                frameon=False)
     fig.subplots_adjust(left=0.22, right=0.7, top=1 - 0.75 / fig.get_figheight(), bottom=0.5 / fig.get_figheight())
     fig.savefig(path, dpi=110)

@@ -36,6 +36,7 @@ struct Pressed : Scene {
     step.tolerance = 1e-4;
     step.t = 1; // of no length: no energy is added
     step.last = true;
+    step.prescribed = prescribed;
     checks.begin(step);
     if (before.steps > 0) checks.set_state(before);
     FindingList findings;
@@ -45,6 +46,7 @@ struct Pressed : Scene {
   }
   FindingList look() { return look(contact().accepted().u, contact().accepted().R); }
   CheckState last;
+  const PrescribedValues* prescribed = nullptr;
 };
 
 const Finding* find(const FindingList& findings, const std::string& check, const std::string& subject = "") {
@@ -125,7 +127,28 @@ TEST(RunChecks, ForceThatNothingCarries) {
   const FindingList findings = scene.look(state.u, R);
   ASSERT_TRUE(find(findings, "balance"));
   EXPECT_NEAR(find(findings, "balance")->value, 0.1, 0.01);
+  ASSERT_TRUE(find(findings, "residual"));
+  EXPECT_NEAR(find(findings, "residual")->value, 0.1, 0.01);
   EXPECT_FALSE(findings.trusted());
+}
+
+// The force along y was met exactly; then it is said to have been 2 % and 10 % more.
+TEST(RunChecks, PrescribedForceThatIsMissed) {
+  Pressed scene;
+  const auto& state = scene.contact().accepted();
+  PrescribedValues prescribed = state.prescribed;
+  scene.prescribed = &prescribed;
+  prescribed.is_motion[1] = 0;
+  for (const double more : {0., 0.02, 0.1}) {
+    prescribed.value[1] = (1 + more) * state.generalized_force[1];
+    const FindingList findings = scene.look(state.u, state.R);
+    const Finding* finding = find(findings, "unmet force");
+    EXPECT_EQ(finding != nullptr, more > 0) << more;
+    if (!finding) continue;
+    EXPECT_NEAR(finding->value, more / (1 + more), 1e-3);
+    EXPECT_EQ(finding->severity, more > 0.05 ? Severity::UNTRUSTED : Severity::WARNING);
+    EXPECT_NE(finding->text.find("coordinate \"y\" of tool"), std::string::npos) << finding->text;
+  }
 }
 
 TEST(RunChecks, ToolThatPulls) {
