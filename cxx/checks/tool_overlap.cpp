@@ -7,7 +7,7 @@ namespace {
 
 // The outline of one tool against the surface of another.
 struct Approach {
-  double gap = std::numeric_limits<double>::infinity(); ///< smallest, at a foot that is no end [length]
+  double gap = std::numeric_limits<double>::infinity();     ///< smallest, at a foot that is no end [length]
   double nearest = std::numeric_limits<double>::infinity(); ///< distance of a place from the surface [length]
   bool crosses = false;
   Vector<2> x = Vector<2>::Zero(), foot = Vector<2>::Zero(); ///< of the smallest gap [length]
@@ -87,12 +87,14 @@ ToolOverlap tool_overlap(const PlacedTool& a, const PlacedTool& b) {
   const Approach ab = OutlineApproach(a, b).find(), ba = OutlineApproach(b, a).find();
   ToolOverlap overlap;
   overlap.clear = std::max({0., ab.nearest - a.spacing / 2, ba.nearest - b.spacing / 2});
-  const bool enclose = a.tool->surface().closed() && b.tool->surface().closed();
-  if (!enclose && !ab.crosses && !ba.crosses) return overlap;
-  // feet of one outline are points of the other one, which its places may have missed
-  const double in_b = std::max(-ab.gap, depth_of(ba.foot, b)),
-               in_a = std::max(-ba.gap, depth_of(ab.foot, a));
-  overlap.depth = std::max(0., std::min(in_a, in_b));
+  if (ab.crosses || ba.crosses) {
+    // feet of one outline are points of the other one, which its places may have missed
+    const double in_b = std::max(-ab.gap, depth_of(ba.foot, b)),
+                 in_a = std::max(-ba.gap, depth_of(ab.foot, a));
+    overlap.depth = std::max(0., std::min(in_a, in_b));
+  } else if (a.tool->surface().closed() && b.tool->surface().closed()) {
+    overlap.depth = std::max({0., -ab.gap, -ba.gap}); // one inside the other one
+  }
   // where lines cross, the less deep one is the nearer one
   const bool first = ab.gap < 0 && (ba.gap >= 0 || ab.gap >= ba.gap);
   overlap.x = first ? (ab.x + ab.foot) / 2 : (ba.x + ba.foot) / 2;

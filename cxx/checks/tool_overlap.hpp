@@ -13,13 +13,14 @@ struct PlacedTool {
 };
 
 struct ToolOverlap {
-  double depth = 0; ///< smaller one of the depths of a point of either outline in the other tool; 0: apart [length]
-  double clear = 0; ///< no point of one outline is nearer to the other one than that [length]
+  double depth =
+      0; ///< smaller one of the largest depths of either outline in the other tool; 0: apart [length]
+  double clear = 0;                ///< no point of one outline is nearer to the other one than that [length]
   Vector<2> x = Vector<2>::Zero(); ///< middle of the overlap [length]
 };
 
-/// Tools overlap if each has points of its outline in the other one, and the outlines cross unless both tools are closed:
-/// what lies behind an open tool is not in it.
+/// Tools overlap if their outlines cross and each has points in the other one, or if both are closed and one is inside the
+/// other one: what lies behind an open tool is not in it.
 ToolOverlap tool_overlap(const PlacedTool& a, const PlacedTool& b);
 
 } // namespace burnish

@@ -41,9 +41,8 @@ double ToolOverlapCheck<Dim>::motion(const AcceptedStep<2>& step, int a, int b, 
   const Pose<2>&pa = step.poses[a], &pb = step.poses[b];
   const Vector<2> origin = pa.R.transpose() * (pb.origin - pa.origin);
   const Tensor<2> R = pa.R.transpose() * pb.R;
-  const double way = pair.R.size() == 0
-                         ? 0
-                         : (origin - pair.origin).norm() + (R - pair.R).norm() * m_outlines[b].reach;
+  const double way =
+      pair.R.size() == 0 ? 0 : (origin - pair.origin).norm() + (R - pair.R).norm() * m_outlines[b].reach;
   pair.origin = origin;
   pair.R = R;
   return way;
@@ -51,8 +50,8 @@ double ToolOverlapCheck<Dim>::motion(const AcceptedStep<2>& step, int a, int b, 
 
 template <int Dim>
 ToolOverlap ToolOverlapCheck<Dim>::overlap(const AcceptedStep<2>& step, int a, int b) const {
-  const double apart = (step.poses[b].origin - step.poses[a].origin).norm() - m_outlines[a].reach -
-                       m_outlines[b].reach;
+  const double apart =
+      (step.poses[b].origin - step.poses[a].origin).norm() - m_outlines[a].reach - m_outlines[b].reach;
   if (apart > 0) return {0, apart};
   const auto placed = [&](int t) {
     return PlacedTool{step.model.tools[t].get(), &step.poses[t], &m_outlines[t].places,
@@ -61,13 +60,16 @@ ToolOverlap ToolOverlapCheck<Dim>::overlap(const AcceptedStep<2>& step, int a, i
   return tool_overlap(placed(a), placed(b));
 }
 
-// Pieces of one tool move together, and open tools are often drawn further than they are needed: they are judged by what
-// their overlap grows by.
+// Pieces of one tool move together, and open tools are often drawn further than they are needed: what overlaps from the
+// start on is judged by its motion if it is closed, and not at all if it is open.
 template <int Dim>
 void ToolOverlapCheck<Dim>::look_at_pair(const AcceptedStep<2>& step, int a, int b, double bound,
-                                         ToolPairState& pair, CheckState& state, FindingList& findings) const {
+                                         ToolPairState& pair, CheckState& state,
+                                         FindingList& findings) const {
   constexpr double rounding = 1e-9; // of the size of the tools
   const auto &first = step.model.tools[a]->surface(), &second = step.model.tools[b]->surface();
+  const double size = std::min(first.length_scale(), second.length_scale());
+  if (pair.at_start > bound * size && !(first.closed() && second.closed())) return;
   const double way = motion(step, a, b, pair);
   pair.moved = pair.moved || way > rounding * (m_outlines[a].reach + m_outlines[b].reach) ||
                (under_force(step, a) && under_force(step, b));
@@ -75,15 +77,13 @@ void ToolOverlapCheck<Dim>::look_at_pair(const AcceptedStep<2>& step, int a, int
   if (!pair.moved || pair.clear > 0) return;
   const ToolOverlap now = overlap(step, a, b);
   pair.clear = now.clear;
-  const double size = std::min(first.length_scale(), second.length_scale());
-  const bool drawn = !first.closed() && !second.closed();
-  const double counted = drawn ? now.depth - pair.at_start : now.depth;
-  state.largest("tools overlap", counted / size);
-  if (!(counted > bound * size)) return;
+  const double value = now.depth / size;
+  state.largest("tools overlap", value);
+  if (!(value > bound)) return;
   const std::string names = "\"" + step.tool_name(a) + "\" and \"" + step.tool_name(b) + "\"";
-  Finding* finding = findings.report("tools overlap", names, Severity::WARNING, counted / size, step.t);
+  Finding* finding = findings.report("tools overlap", names, Severity::WARNING, value, step.t);
   if (!finding) return;
-  finding->value = counted / size;
+  finding->value = value;
   finding->bound = bound;
   finding->place = step.place_of(now.x);
   std::ostringstream text;
@@ -109,8 +109,8 @@ template <int Dim> void ToolOverlapCheck<Dim>::begin(const AcceptedStep<Dim>& st
 }
 
 template <int Dim>
-void ToolOverlapCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions& options, CheckState& state,
-                                 FindingList& findings) {
+void ToolOverlapCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions& options,
+                                 CheckState& state, FindingList& findings) {
   if constexpr (Dim == 2) {
     if (m_outlines.empty()) measure(step);
     for (int b = 1; b < static_cast<int>(step.model.tools.size()); ++b)
