@@ -47,7 +47,7 @@ template <int Dim>
 std::string wedged_node(const ContactModel<Dim>& model, const ContactState<Dim>& state,
                         const BodyView<Dim>& body, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
                         double tolerance) {
-  if (u.size() != R.size()) return "";
+  if (R.size() == 0 || u.size() != R.size()) return "";
   const auto poses = model.poses(state.q);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const ContactNode<Dim>& node = state.nodes[i];
