@@ -16,7 +16,7 @@ struct CheckOptions {
   double overlap = 0.05;   ///< depth of a tool in an edge that it does not touch, over the edge: untrusted
   double tools_overlap = 2e-3; ///< depth of a tool in another one over the smaller one of them: warning
   double pressure_sum =
-      0.05; ///< fitted pressures of a tool against its forces, P2: warning; more in few edges
+      0.15; ///< fitted pressures of a tool against its forces, P2: warning; more in few edges
   double yield_distance = 1e-2;  ///< stress beyond the yield surface over the yield stress: warning ...
   double yield_far = 0.1;        ///< ... untrusted
   double energy = 0.1;           ///< error of the energy over the largest work: warning
