@@ -20,6 +20,9 @@ struct CheckOptions {
   double edge_depth = 0.1; ///< depth of a tool between two contact nodes over their distance: warning ...
   double edge_sunk = 0.5;  ///< ... untrusted
   double overlap = 0.05;   ///< depth of a tool in an edge that it does not touch, over the edge: untrusted
+  double tools_overlap = 2e-3; ///< depth of a tool in another one over the smaller one of them: warning
+  double pressure_sum =
+      0.15; ///< fitted pressures of a tool against its forces, P2: warning; more in few edges
   double yield_distance = 1e-2;  ///< stress beyond the yield surface over the yield stress: warning ...
   double yield_far = 0.1;        ///< ... untrusted
   double energy = 0.1;           ///< error of the energy over the largest work: warning

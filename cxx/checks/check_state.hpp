@@ -39,11 +39,29 @@ struct WidthState {
   long narrow = 0, steps = 0; ///< steps with few nodes, and all with contact
 };
 
+/// Two tools of the plane.
+struct ToolPairState {
+  Eigen::VectorXd origin; ///< of the second one in the frame of the first one [length]
+  Eigen::MatrixXd R;      ///< its rotation there
+  double at_start = 0;    ///< depth of their overlap at the start of the run [length]
+  double clear = 0;       ///< they are apart by so much at least [length]
+  bool moved = false;     ///< relative to each other
+};
+
+/// The integral of a tool's fitted pressure where it carried most.
+struct PressureState {
+  double load = 0; ///< sum of its normal forces there [force]
+  double sum = 0;  ///< integral [force]
+  double t = 0;    ///< [time]
+};
+
 struct CheckState {
   bool begun = false;
   long steps = 0; ///< looked at
   EnergyState energy;
-  std::vector<WidthState> width; ///< per tool
+  std::vector<WidthState> width;       ///< per tool
+  std::vector<PressureState> pressure; ///< per tool
+  std::vector<ToolPairState> pairs;    ///< of tools: (0, 1), (0, 2), (1, 2), (0, 3), ...
   /// Worst number of every check so far, by name, within its bounds or not.
   std::map<std::string, double> measured;
   bool distorted = false; ///< an element is near its bound: all are looked at in every step

@@ -7,6 +7,8 @@
 #include "checks/folding_check.hpp"
 #include "checks/locking_check.hpp"
 #include "checks/overlap_check.hpp"
+#include "checks/pressure_check.hpp"
+#include "checks/tool_overlap_check.hpp"
 #include "checks/yield_check.hpp"
 
 namespace burnish {
@@ -14,7 +16,9 @@ namespace burnish {
 template <int Dim> RunChecks<Dim>::RunChecks() {
   m_checks.push_back(std::make_unique<BalanceCheck<Dim>>());
   m_checks.push_back(std::make_unique<ContactCheck<Dim>>());
+  m_checks.push_back(std::make_unique<PressureCheck<Dim>>());
   m_checks.push_back(std::make_unique<OverlapCheck<Dim>>());
+  m_checks.push_back(std::make_unique<ToolOverlapCheck<Dim>>());
   m_checks.push_back(std::make_unique<FoldingCheck<Dim>>());
   m_checks.push_back(std::make_unique<DeformationCheck<Dim>>());
   m_checks.push_back(std::make_unique<YieldCheck<Dim>>());

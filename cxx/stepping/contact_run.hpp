@@ -105,7 +105,8 @@ public:
   Corrector<Dim>& corrector() { return m_corrector; }
   const Corrector<Dim>& corrector() const { return m_corrector; }
   /// Why the step failed: the corrector's reason, and what may be behind it.
-  std::string reason() const;
+  /// @param of_body what may be behind it in the workpiece, "": nothing known
+  std::string reason(const std::string& of_body = "") const;
   /// Coordinates left out so far, in the step under way too, since nothing resists them.
   std::vector<std::string> left_out() const;
   /// Reports a warning of a subject, once. The accepted state keeps it.

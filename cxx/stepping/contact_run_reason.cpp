@@ -10,6 +10,8 @@ template <int Dim> std::string ContactRun<Dim>::leaps(const Eigen::VectorXd& u) 
   const SteppedPath<Dim> path{&m_accepted.contact, &m_corrector.state(), &m_u_start, &u};
   const std::string passage = tool_passage(*m_setup, path);
   if (!passage.empty() || m_stepping == Stepping::RATES) return passage;
+  const std::string held = m_hold.acts(t_end()) ? jump_on_hold(*m_setup, path, m_corrector.options()) : "";
+  if (!held.empty()) return held;
   return sudden_jump(*m_setup, path, m_prescribed,
                      {m_dt, m_accepted.history.dt, m_accepted.history.dq, m_corrector.first_increment()},
                      m_corrector.options());
@@ -20,12 +22,13 @@ template <int Dim> StepStatus ContactRun<Dim>::check_rates(const Eigen::VectorXd
   return leap.empty() ? StepStatus::CONVERGED : m_corrector.give_up(leap);
 }
 
-template <int Dim> std::string ContactRun<Dim>::reason() const {
+template <int Dim> std::string ContactRun<Dim>::reason(const std::string& of_body) const {
   const ContactState<Dim>& state = m_accepted.contact;
   const FailedStep<Dim> step{&state, &m_prescribed, &m_accepted.prescribed, m_t, m_dt, m_largest_dt};
   std::string cause = program_jump(*m_setup, step); // the first cause first
   if (cause.empty()) cause = pulling_force(*m_setup, state, m_prescribed);
   if (cause.empty() && !m_hold.acts(t_end())) cause = unheld_workpiece(*m_setup, state, m_accepted.u);
+  if (cause.empty()) cause = of_body;
   const std::string& found = m_corrector.reason();
   if (found.empty()) return cause; // the material could not follow
   if (!cause.empty())
@@ -41,7 +44,7 @@ template std::string ContactRun<2>::leaps(const Eigen::VectorXd&) const;
 template std::string ContactRun<3>::leaps(const Eigen::VectorXd&) const;
 template StepStatus ContactRun<2>::check_rates(const Eigen::VectorXd&);
 template StepStatus ContactRun<3>::check_rates(const Eigen::VectorXd&);
-template std::string ContactRun<2>::reason() const;
-template std::string ContactRun<3>::reason() const;
+template std::string ContactRun<2>::reason(const std::string&) const;
+template std::string ContactRun<3>::reason(const std::string&) const;
 
 } // namespace burnish

@@ -41,6 +41,35 @@ bool moves_on(const PrescribedValues& prescribed, const Eigen::VectorXd& last, c
   return false;
 }
 
+// A node whose friction is beyond its limit if it sticks and along its slip if it slides: with friction that large a body may
+// have no equilibrium near the last one. "": none.
+template <int Dim>
+std::string wedged_node(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                        const BodyView<Dim>& body, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                        double tolerance) {
+  if (R.size() == 0 || u.size() != R.size()) return "";
+  const auto poses = model.poses(state.q);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    const ContactNode<Dim>& node = state.nodes[i];
+    if (!in_contact(node.state) || model.law(static_cast<int>(i), node.tool).frictionless()) continue;
+    const int candidate = static_cast<int>(i), mesh_node = model.candidates[i];
+    const ContactPoint<Dim> at = contact_point(model, poses, node);
+    const Vector<Dim> force = R.template segment<Dim>(Dim * mesh_node);
+    const SurfaceForce<Dim> part = nodal_force(model, candidate, at.surface, force).part;
+    const double reserve = model.law(candidate, node.tool).reserve(part, node.tributary_area);
+    const bool wedged =
+        sticks(node.state) ? reserve < -tolerance : part.N > 0 && slip_of(model, node).dot(at.m) < 0;
+    if (!wedged) continue;
+    std::ostringstream text;
+    text << ": the forces balance, but states cycle: node " << mesh_node << " at "
+         << body.position(u, mesh_node).transpose() << " can neither stick nor slide, since its friction of "
+         << part.T.norm() << " beside a normal force of " << part.N
+         << " is so large that it wedges: there may be no equilibrium near the last one";
+    return text.str();
+  }
+  return "";
+}
+
 } // namespace
 
 template <int Dim> std::string Corrector<Dim>::reason_of_failure(double scale) const {
@@ -60,7 +89,9 @@ template <int Dim> std::string Corrector<Dim>::reason_of_failure(double scale) c
          << " over the contact nodes, whose limits add up to " << m_balance.friction_limit
          << ": too little to balance a coordinate under force";
   } else {
-    text << ": the forces balance, but states cycle";
+    const std::string wedged = wedged_node(m_model, m_state, m_body, m_u_before, m_R,
+                                           m_options.state_force * m_options.tolerance * scale);
+    text << (wedged.empty() ? ": the forces balance, but states cycle" : wedged);
   }
   return text.str();
 }

@@ -1,4 +1,5 @@
 #include "stepping/leaps.hpp"
+#include "stepping/failure_reason.hpp"
 #include "stepping/program_checks.hpp"
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@ constexpr double SAMPLE = 0.25;      // motion between two looks at the tools, o
 constexpr int MOST_SAMPLES = 400;    // looks in one step
 constexpr double LEAST_TRAVEL = 0.5; // of the thickness: a shorter way passes nothing
 constexpr double LEAST_DEPTH = 0.1;  // on the way, over the thickness, or one spacing if that is less
+constexpr double HELD_JUMP = 0.05;   // way of a body on its hold that counts, over the spacing
 constexpr int OUTLINE = 64;          // places that the thickness is measured with
 constexpr int MOST_BETWEEN = 8;      // places looked at between two nodes
 
@@ -172,10 +174,34 @@ std::string sudden_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& 
   return "";
 }
 
+template <int Dim>
+std::string jump_on_hold(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path,
+                         const StepOptions& options) {
+  const auto touching = [](const ContactNode<Dim>& node) { return in_contact(node.state); };
+  if (std::none_of(path.start->nodes.begin(), path.start->nodes.end(), touching)) return "";
+  const auto& model = setup.model();
+  const auto first = model.poses(path.start->q), last = model.poses(path.end->q);
+  double tools = 0, body = 0;
+  for (std::size_t t = 0; t < first.size(); ++t)
+    tools = std::max(tools, (last[t].origin - first[t].origin).norm() +
+                                (last[t].R - first[t].R).norm() * model.tools[t]->surface().length_scale());
+  for (const int node : setup.candidates())
+    body = std::max(
+        body, (setup.body().position(*path.u_end, node) - setup.body().position(*path.u_start, node)).norm());
+  if (body <= HELD_JUMP * setup.body().spacing || body <= options.jump_rate * tools) return "";
+  if (unheld_workpiece(setup, *path.start, *path.u_start).empty()) return "";
+  std::ostringstream text;
+  text << "the workpiece on its soft hold jumps by " << body << " while the tools move by " << tools
+       << ": there is no way there";
+  return text.str();
+}
+
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template std::string tool_passage<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&);                 \
   template std::string sudden_jump<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&,                   \
-                                        const PrescribedValues&, const StepRates&, const StepOptions&);
+                                        const PrescribedValues&, const StepRates&, const StepOptions&);      \
+  template std::string jump_on_hold<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&,                  \
+                                         const StepOptions&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

@@ -29,4 +29,10 @@ std::string sudden_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& 
                         const PrescribedValues& prescribed, const StepRates& rates,
                         const StepOptions& options);
 
+/// A workpiece that a soft hold and a tool carry, and nothing else, moves much further than the tools: by
+/// StepOptions::jump_rate. @returns what to say of it, or ""
+template <int Dim>
+std::string jump_on_hold(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path,
+                         const StepOptions& options);
+
 } // namespace burnish

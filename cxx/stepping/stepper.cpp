@@ -1,5 +1,6 @@
 #include "stepping/stepper.hpp"
 #include "base/error.hpp"
+#include "stepping/body_reason.hpp"
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -114,7 +115,8 @@ template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorX
 
 template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
   if (!converged) {
-    const std::string cause = m_contact.reason(); // of the contact: why the body was asked for too much
+    // of the contact: why the body was asked for too much
+    const std::string cause = m_contact.reason(nearly_incompressible(m_body.checked()));
     const bool both = !cause.empty() && !m_refusal.empty();
     m_last_rejection = both ? cause + " (" + m_refusal + ")" : cause + m_refusal;
   }

@@ -1,0 +1,93 @@
+#include "checks/pressure_check.hpp"
+#include "contact/surface_report.hpp"
+#include <cmath>
+#include <sstream>
+
+namespace burnish {
+namespace {
+
+// Tool that a facet's vertex counts for: its own, or that of another node of the facet, -1: none.
+template <int Dim>
+int tool_of(const AcceptedStep<Dim>& step, const std::vector<int>& candidate, const std::vector<int>& nodes,
+            int vertex) {
+  const auto touched = [&](int node) {
+    const int i = candidate[node];
+    return i >= 0 && in_contact(step.contact.nodes[i].state) ? step.contact.nodes[i].tool : -1;
+  };
+  int tool = touched(vertex);
+  for (std::size_t k = 0; k < nodes.size() && tool < 0; ++k) tool = touched(nodes[k]);
+  return tool;
+}
+
+// Integral of the fitted pressure per tool [force].
+template <int Dim> Eigen::VectorXd integrals(const AcceptedStep<Dim>& step, const Eigen::VectorXd& pressure) {
+  const std::vector<int> candidate = step.model.candidate_of_node(step.mesh.num_nodes);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(step.model.tools.size()));
+  for (const Facet<Dim>& facet : step.surface) {
+    const std::vector<int> nodes = nodes_of(facet);
+    const Eigen::VectorXd part =
+        step.body.measure->masses(places_of(step.body, facet, step.u)).colwise().sum();
+    for (int v = 0; v < Dim; ++v) {
+      const int tool = tool_of(step, candidate, nodes, facet.vertex[v]);
+      if (tool >= 0 && candidate[facet.vertex[v]] >= 0)
+        sum[tool] += part[v] * pressure[candidate[facet.vertex[v]]];
+    }
+  }
+  return sum;
+}
+
+// Judged where the tool carries most, of the steps looked at, if it touches more than a few edges there: to fewer no
+// pressure can be fitted, and the width of the contact says so.
+template <int Dim>
+void judge(const AcceptedStep<Dim>& step, int tool, const CheckOptions& options, CheckState& state,
+           FindingList& findings) {
+  const PressureState& known = state.pressure[tool];
+  findings.withdraw("pressure sum", step.tool_name(tool));
+  constexpr double per_edge = 2, at_the_ends = 0.5; // edges where the fit may leave out what is there
+  const double edges = (state.width[tool].nodes - 1) / per_edge;
+  if (!(known.load > 0) || edges <= options.few_edges) return;
+  const double value = std::abs(known.sum / known.load - 1);
+  state.measured["pressure sum " + step.tool_name(tool)] = value;
+  const double bound = options.pressure_sum + at_the_ends / edges;
+  if (!(value > bound)) return;
+  Finding* finding = findings.report("pressure sum", step.tool_name(tool), Severity::WARNING, value, known.t);
+  finding->value = value;
+  finding->bound = bound;
+  std::ostringstream text;
+  text << "tool \"" << step.tool_name(tool) << "\": its fitted pressures add up to " << known.sum
+       << ", its nodal forces to " << known.load << ", t = " << known.t
+       << ": mid nodes of a curved surface off its curve (straight=), or a contact that the mesh does not "
+          "resolve";
+  finding->text = text.str();
+}
+
+} // namespace
+
+template <int Dim>
+void PressureCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions& options, CheckState& state,
+                              FindingList& findings) {
+  const bool quadratic = step.mesh.nodes_per_element > Dim + 1;
+  if (!quadratic || step.touching.empty()) return;
+  if (state.steps % options.seldom != 0 && !step.last) return;
+  constexpr double carries = 0.5; // of the largest load: the last step counts too
+  const auto tools = static_cast<Eigen::Index>(step.model.tools.size());
+  state.pressure.resize(step.model.tools.size());
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(tools);
+  for (const CheckedNode<Dim>& node : step.touching)
+    load[step.contact.nodes[node.candidate].tool] += node.force.part.N;
+  const SurfaceReport<Dim> report =
+      surface_report(step.model, step.body, step.contact, step.surface, step.u, step.R);
+  const Eigen::VectorXd sums = integrals(step, report.pressure_fit);
+  for (int tool = 0; tool < tools; ++tool) {
+    PressureState& known = state.pressure[tool];
+    if (!(load[tool] > step.tolerance * step.load)) continue;
+    const bool most = load[tool] >= known.load || (step.last && load[tool] > carries * known.load);
+    if (most) known = {load[tool], sums[tool], step.t};
+    if (most) judge(step, tool, options, state, findings);
+  }
+}
+
+template class PressureCheck<2>;
+template class PressureCheck<3>;
+
+} // namespace burnish
