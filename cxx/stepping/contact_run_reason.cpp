@@ -10,8 +10,8 @@ template <int Dim> std::string ContactRun<Dim>::leaps(const Eigen::VectorXd& u) 
   const SteppedPath<Dim> path{&m_accepted.contact, &m_corrector.state(), &m_u_start, &u};
   const std::string passage = tool_passage(*m_setup, path);
   if (!passage.empty() || m_stepping == Stepping::RATES) return passage;
-  const std::string held = m_hold.acts(t_end()) ? jump_on_hold(*m_setup, path, m_corrector.options()) : "";
-  if (!held.empty()) return held;
+  const std::string jump = body_jump(*m_setup, path, m_hold.acts(t_end()), m_corrector.options());
+  if (!jump.empty()) return jump;
   return sudden_jump(*m_setup, path, m_prescribed,
                      {m_dt, m_accepted.history.dt, m_accepted.history.dq, m_corrector.first_increment()},
                      m_corrector.options());

@@ -175,24 +175,29 @@ std::string sudden_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& 
 }
 
 template <int Dim>
-std::string jump_on_hold(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path,
-                         const StepOptions& options) {
+std::string body_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path, bool on_hold,
+                      const StepOptions& options) {
   const auto touching = [](const ContactNode<Dim>& node) { return in_contact(node.state); };
+  const BodyView<Dim>& body = setup.body();
+  if (constrains_rigid_motions(body)) return "";
   if (std::none_of(path.start->nodes.begin(), path.start->nodes.end(), touching)) return "";
   const auto& model = setup.model();
   const auto first = model.poses(path.start->q), last = model.poses(path.end->q);
-  double tools = 0, body = 0;
+  double driven = 0, way = 0; // by tools and supports; of the surface
   for (std::size_t t = 0; t < first.size(); ++t)
-    tools = std::max(tools, (last[t].origin - first[t].origin).norm() +
-                                (last[t].R - first[t].R).norm() * model.tools[t]->surface().length_scale());
+    driven = std::max(driven, (last[t].origin - first[t].origin).norm() +
+                                  (last[t].R - first[t].R).norm() * model.tools[t]->surface().length_scale());
+  for (Eigen::Index d = 0; d < path.u_end->size(); ++d)
+    if (body.fixed[d]) driven = std::max(driven, std::abs((*path.u_end)[d] - (*path.u_start)[d]));
   for (const int node : setup.candidates())
-    body = std::max(
-        body, (setup.body().position(*path.u_end, node) - setup.body().position(*path.u_start, node)).norm());
-  if (body <= HELD_JUMP * setup.body().spacing || body <= options.jump_rate * tools) return "";
-  if (unheld_workpiece(setup, *path.start, *path.u_start).empty()) return "";
+    way = std::max(way, (body.position(*path.u_end, node) - body.position(*path.u_start, node)).norm());
+  // where its springs alone keep a motion of the body, nothing else brings it back
+  const bool unheld = on_hold && !unheld_workpiece(setup, *path.start, *path.u_start).empty();
+  const double least = (unheld ? HELD_JUMP : options.jump_length) * body.spacing;
+  if (way <= least || way <= options.jump_rate * driven) return "";
   std::ostringstream text;
-  text << "the workpiece on its soft hold jumps by " << body << " while the tools move by " << tools
-       << ": there is no way there";
+  text << "the workpiece" << (unheld ? " on its soft hold" : ", which no support holds,") << " jumps by "
+       << way << " while the tools move by " << driven << ": there is no way there";
   return text.str();
 }
 
@@ -200,8 +205,8 @@ std::string jump_on_hold(const ContactSetup<Dim>& setup, const SteppedPath<Dim>&
   template std::string tool_passage<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&);                 \
   template std::string sudden_jump<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&,                   \
                                         const PrescribedValues&, const StepRates&, const StepOptions&);      \
-  template std::string jump_on_hold<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&,                  \
-                                         const StepOptions&);
+  template std::string body_jump<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&, bool,               \
+                                      const StepOptions&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

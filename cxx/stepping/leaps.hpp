@@ -29,10 +29,11 @@ std::string sudden_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& 
                         const PrescribedValues& prescribed, const StepRates& rates,
                         const StepOptions& options);
 
-/// A workpiece that a soft hold and a tool carry, and nothing else, moves much further than the tools: by
-/// StepOptions::jump_rate. @returns what to say of it, or ""
+/// The surface of a workpiece that its supports do not hold, and that a tool touches, moves much further than tools and
+/// supports: by StepOptions::jump_rate and jump_length, or less on a soft hold alone. @returns what to say of it, or ""
+/// @param on_hold a soft hold acts
 template <int Dim>
-std::string jump_on_hold(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path,
-                         const StepOptions& options);
+std::string body_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path, bool on_hold,
+                      const StepOptions& options);
 
 } // namespace burnish
