@@ -88,7 +88,7 @@ template <int Dim> void say_of_energy(const ReportedRun<Dim>& run, List& list) {
 
 template <int Dim> void say_of_steps(const ReportedRun<Dim>& run, List& list) {
   const StepAccuracy& steps = run.accuracy;
-  if (!(steps.error < run.options.fine_steps * steps.asked)) return;
+  if (!(steps.error < run.options.fine_steps * steps.asked) || !steps.longest) return;
   list.push_back({IN_VAIN, "steps", steps.error / steps.asked, 60,
                   "the steps are finer than needed: their error is about " + short_number(steps.error) +
                       ", " + short_number(steps.asked) +

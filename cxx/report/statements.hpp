@@ -28,6 +28,8 @@ struct Statement {
 struct StepAccuracy {
   double error = Finding::NONE, asked = Finding::NONE;
   bool given = false; ///< the script has stated the accuracy; else it is the bound of the warning
+  bool longest =
+      true; ///< on average the steps are at least half as long as they may be: nothing else keeps them short
 };
 
 /// What the statements rest on; refers to what belongs to the run.

@@ -16,7 +16,8 @@ double scale(const StepControlOptions& o, const StepControlState& s) {
 
 } // namespace
 
-StepControl::StepControl(double t_start, StepControlOptions options) : m_options(std::move(options)) {
+StepControl::StepControl(double t_start, StepControlOptions options)
+    : m_options(std::move(options)), m_start(t_start) {
   auto& o = m_options;
   m_state.t = t_start;
   require(o.t_end > t_start, "StepControl", "t_end", o.t_end, "later than the start");

@@ -51,6 +51,7 @@ public:
   void set_state(const StepControlState& state) { m_state = state; }
 
   double time() const { return m_state.t; } ///< start of the step to come
+  double start() const { return m_start; }  ///< of the program
   double dt() const { return m_state.dt; }  ///< its length
   bool finished() const;
   bool at_output() const; ///< time() is an output time or the end
@@ -75,6 +76,7 @@ private:
   double next_stop() const;
   double wanted(double width, double speed);
   StepControlOptions m_options;
+  double m_start;
   StepControlState m_state;
   double m_stop = -std::numeric_limits<double>::infinity();
 };

@@ -203,6 +203,8 @@ template <int Dim> std::vector<Statement> Stepper<Dim>::report() const {
   accuracy.given = m_control.options().accuracy > 0;
   accuracy.asked = accuracy.given ? m_control.options().accuracy : m_options.warned_error;
   if (error() >= 0) accuracy.error = error();
+  accuracy.longest = 0.5 * static_cast<double>(m_counts.steps) * m_control.options().dt_max <=
+                     m_control.time() - m_control.start();
   return statements(ReportedRun<Dim>{step, m_scene_report.state(), m_checks.state(),
                                      m_contact.accepted().warnings.findings(), m_scene_report.options(),
                                      accuracy});

@@ -53,12 +53,13 @@ TEST(SceneReport, StepsTooFineAreSaidWhereTheirErrorIsKnown) {
   const AcceptedStep<2> step = scene.step();
   const CheckState checks;
   const FindingList findings;
-  const auto with = [&](double error, double asked) {
-    return statements(
-        ReportedRun<2>{step, report.state(), checks, findings, report.options(), StepAccuracy{error, asked}});
+  const auto with = [&](double error, double asked, bool longest = true) {
+    return statements(ReportedRun<2>{step, report.state(), checks, findings, report.options(),
+                                     StepAccuracy{error, asked, false, longest}});
   };
   EXPECT_EQ(find(with(Finding::NONE, 1e-2), "steps"), nullptr);
   EXPECT_EQ(find(with(2e-3, 1e-2), "steps"), nullptr);
+  EXPECT_EQ(find(with(5e-4, 1e-2, false), "steps"), nullptr) << "something else keeps them short";
   const auto said = with(5e-4, 1e-2);
   const Statement* steps = find(said, "steps");
   ASSERT_NE(steps, nullptr);
