@@ -54,6 +54,11 @@ broken motion "s/^$at/$at if (t > 0.5) roller.move(\"psi\", 0);/"
 finish motion 20 'has no coordinate "psi"'
 whole "$SCRATCH/motion" error 'has no coordinate "psi", expected one of r, phi, theta' 20 15e-3
 
+# a load that goes back while the moment stays: no step is short enough
+broken floor2 's/-F0\*t);/-F0*min(t, 1.6 - 2*t));/'
+finish floor2 3 ', step below its floor'
+whole "$SCRATCH/floor2" 'step below its floor' 'too little to balance a coordinate under force' 20 15e-3
+
 # within a step, when the displacements are those of the predictor already
 broken force "s/^$at/$at if (t > 0.5) { rcExternal.resize(Vh.ndof); rcExternal = 0; rcExternal[0] = sqrt(-1.); }/"
 finish force 20 ', error: rcRun: rcExternal[0] = '
