@@ -37,8 +37,12 @@ def draw_map(dangers, methods, rows, path):
         side.set_visible(False)
     count = {name: sum(r["outcome"] == name for r in rows) for name in COLORS}
     fig.legend(handles=[Patch(color=COLORS[n], label=f"{n}: {count[n]}") for n in COLORS], loc="lower center", ncol=5,
-               frameon=False)
-    fig.subplots_adjust(left=0.22, right=0.7, top=1 - 0.75 / fig.get_figheight(), bottom=0.5 / fig.get_figheight())
+               frameon=False, bbox_to_anchor=(0.5, 0.2 / fig.get_figheight()))
+    fig.text(0.5, 0.1 / fig.get_figheight(), "right: within its tolerance.  detected: refused, stopped, or the cause "
+             "reported.  silent: wrong without a word.  slow: more than 15 s by the article's literal scheme", ha="center",
+             fontsize=8.5)
+    height = fig.get_figheight()
+    fig.subplots_adjust(left=0.22, right=0.7, top=1 - 0.6 / height, bottom=0.7 / height)
     fig.savefig(path, dpi=110)
     plt.close(fig)
 
