@@ -61,6 +61,21 @@ void look_at_nodes(const AcceptedStep<Dim>& step, const Eigen::VectorXd& left, d
   finding->text = text.str();
 }
 
+// Of the whole run, over the largest force: a tool that has hardly touched carries less than what the residual leaves.
+double share_missed(const UnmetState& unmet, double least) {
+  const double of_load = unmet.load > 0 ? unmet.residual / (least * unmet.load) : 0;
+  return unmet.of > 0 ? std::min(of_load, unmet.missed / unmet.of) : of_load;
+}
+
+void keep(UnmetState& known, const UnmetState& now) {
+  known.of = std::max(known.of, now.of);
+  known.load = std::max(known.load, now.load);
+  if (!(now.missed > known.missed)) return;
+  known.missed = now.missed;
+  known.residual = now.residual;
+  known.t = now.t;
+}
+
 // What the prescribed forces of the tools are missed by.
 template <int Dim>
 void look_at_tools(const AcceptedStep<Dim>& step, const CheckOptions& options, CheckState& state,
@@ -68,21 +83,29 @@ void look_at_tools(const AcceptedStep<Dim>& step, const CheckOptions& options, C
   if (!step.prescribed) return;
   const Balance now = balance(step.model, step.body, step.contact, *step.prescribed, step.u, step.R, {});
   const double least = options.imbalance_tolerances * step.tolerance;
+  state.unmet.resize(static_cast<std::size_t>(now.tool_residual.size()));
+  double worst = 0;
   for (int k = 0; k < static_cast<int>(now.tool_residual.size()); ++k) {
-    const int tool = step.model.tool_of(k);
-    const double part = std::abs(now.tool_residual[k]) / (options.unmet_least * now.tool_load[tool]);
-    if (!(part > 0)) continue;
+    if (step.prescribed->is_motion[k] || step.model.coupling_of(k)) continue;
     const bool formula = !step.prescribed->formula.empty() && step.prescribed->formula[k];
-    const double wanted = step.prescribed->value[k], given = now.generalized_force[k];
-    const double value = formula ? part : std::min(part, std::abs(given - wanted) / std::abs(wanted));
-    state.largest("unmet force", value);
+    UnmetState& unmet = state.unmet[static_cast<std::size_t>(k)];
+    const double residual = std::abs(now.tool_residual[k]), wanted = step.prescribed->value[k],
+                 load = now.tool_load[step.model.tool_of(k)];
+    // a formula follows what is found: over the load of the tool
+    if (formula)
+      keep(unmet, {residual, 0, residual * options.unmet_least, load, step.t});
+    else
+      keep(unmet, {std::abs(now.generalized_force[k] - wanted), std::abs(wanted), residual, load, step.t});
+    const double value = share_missed(unmet, options.unmet_least);
+    worst = std::max(worst, value);
     const std::string name = step.model.coordinate(k);
+    findings.withdraw("unmet force", name);
     Finding* finding = beyond(findings, "unmet force", name, value, std::max(options.unmet, least),
-                              std::max(options.unmet_far, least), step.t);
+                              std::max(options.unmet_far, least), unmet.t);
     if (!finding) continue;
     std::ostringstream text;
-    text << "the force of " << name << " is missed by " << value << " of what is prescribed, t = " << step.t
-         << CAUSE;
+    text << "the force of " << name << " is missed by " << value
+         << " of the largest prescribed, t = " << unmet.t << CAUSE;
     finding->text = text.str();
   }
 }

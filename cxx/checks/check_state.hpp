@@ -29,6 +29,14 @@ struct ViolationState {
   long count = 0; ///< steps beyond the bound, over the load of then
 };
 
+/// What the prescribed force of a coordinate was missed by, the largest of the run.
+struct UnmetState {
+  double missed = 0, of = 0; ///< largest difference; largest force prescribed [force, force length]
+  double residual = 0,
+         load = 0; ///< the difference over its lever; load of the tool, the largest ones [force]
+  double t = 0;    ///< of the largest difference
+};
+
 /// How wide the contact of a tool was where it carried most, and what contradicted it.
 struct WidthState {
   double load = 0; ///< largest of the run [force]
@@ -60,6 +68,7 @@ struct CheckState {
   long steps = 0; ///< looked at
   EnergyState energy;
   std::vector<WidthState> width;       ///< per tool
+  std::vector<UnmetState> unmet;       ///< per coordinate
   std::vector<PressureState> pressure; ///< per tool
   std::vector<ToolPairState> pairs;    ///< of tools: (0, 1), (0, 2), (1, 2), (0, 3), ...
   /// Worst number of every check so far, by name, within its bounds or not.
