@@ -76,6 +76,21 @@ void keep(UnmetState& known, const UnmetState& now) {
   known.t = now.t;
 }
 
+// Friction of all nodes together beyond what they can bear together.
+template <int Dim>
+void look_at_friction(const AcceptedStep<Dim>& step, const Balance& now, const CheckOptions& options,
+                      FindingList& findings) {
+  if (!std::isfinite(now.friction_limit) || !(now.friction_limit > options.unmet_least * step.load)) return;
+  const double least = options.imbalance_tolerances * step.tolerance;
+  const double value = now.friction / now.friction_limit - 1;
+  Finding* finding = beyond(findings, "friction sum", "", value, std::max(options.unmet, least),
+                            std::max(options.unmet_far, least), step.t);
+  if (!finding) return;
+  std::ostringstream text;
+  text << "the friction of all nodes exceeds its limit by " << value << " of it, t = " << step.t << CAUSE;
+  finding->text = text.str();
+}
+
 // What the prescribed forces of the tools are missed by.
 template <int Dim>
 void look_at_tools(const AcceptedStep<Dim>& step, const CheckOptions& options, CheckState& state,
@@ -108,6 +123,8 @@ void look_at_tools(const AcceptedStep<Dim>& step, const CheckOptions& options, C
          << " of the largest prescribed, t = " << unmet.t << CAUSE;
     finding->text = text.str();
   }
+  state.measured["unmet force"] = worst;
+  look_at_friction(step, now, options, findings);
 }
 
 } // namespace
