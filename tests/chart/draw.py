@@ -67,8 +67,9 @@ def condition_lines(ax, groups, along, title):
         ax.plot(x, [r["condition"] for r in rows], "-" + marker, color=color, ms=4, label=name)
         ax.plot(x, [r["condition_scaled"] for r in rows], "--" + marker, color=color, ms=4, mfc="w")
         last = rows[-1]
-        ax.annotate(f"{last['zero_diagonal']} zeros, {last['negative']} negative", (x[-1], last["condition"]), fontsize=7,
-                    xytext=(-4, 5), textcoords="offset points", ha="right")
+        if last["element"] == "P1":
+            ax.annotate(f"{last['zero_diagonal']} zeros, {last['negative']} negative", (x[-1], last["condition"]), fontsize=7,
+                        xytext=(-4, 5), textcoords="offset points", ha="right")
     ax.set_xscale("log")
     ax.set_yscale("log")
     ax.set_title(title, fontsize=10)
@@ -101,7 +102,7 @@ def matrices(rows, path):
             right.axhline(r["condition"], color=COLORS.get(method, "k"), lw=1, label=f"{method}, P1")
             right.axhline(r["condition_scaled"], color=COLORS.get(method, "k"), lw=1, ls="--")
     right.set_xlabel("penalty factor over the stiffness of the surface [-]")
-    left.set_ylim(None, 30 * max(r["condition"] for r in rows))
+    left.set_ylim(None, 1000 * max(r["condition"] for r in rows))
     left.legend(fontsize=7.5, frameon=False, loc="upper left", ncol=2)
     handles = [plt.Line2D([], [], color="k", ls="-", label="as handed to the solver"),
                plt.Line2D([], [], color="k", ls="--", label="after scaling")]
