@@ -75,7 +75,7 @@ def look(scene, methods, quick, folder):
         for element in ["P1"] if quick else ["P1", "P2"]:
             for n in MESHES[element][:3] if quick else MESHES[element]:
                 one(method, element, n, [], own, True)
-        for factor in FACTORS if takes_factor else []:
+        for factor in FACTORS[::2 if quick else 1] if takes_factor else []:
             if f"{factor:g}" != own:
                 one(method, "P1", MESHES["P1"][1], ["-factor", str(factor)], f"{factor:g}", False)
     if os.path.exists(file):
