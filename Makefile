@@ -56,7 +56,7 @@ folders   = $(wildcard $(patsubst %,tests/%,$(if $(filter plugin,$(1)),plugin er
 scripts   = $(if $(call folders,$(1)),$(sort $(shell find $(call folders,$(1)) -name '*.edp' -o -name '*.sh')))
 program   = $(if $(SOURCES_$(1)),$(BUILD)/tests/$(1))
 suite     = $(foreach s,$(1),$(or $(strip $(call program,$(s)) $(call scripts,$(s))),$(error no tests in suite $(s))))
-stray     = $(filter-out tests/run_scripts.sh tests/support/% tests/benchmark/% tests/stability/% $(ALL_SOURCES) \
+stray     = $(filter-out tests/run_scripts.sh tests/support/% tests/benchmark/% tests/stability/% tests/chart/% $(ALL_SOURCES) \
               $(foreach s,$(SUITES),$(call scripts,$(s))),$(shell find tests -name '*.cpp' -o -name '*.edp' -o -name '*.sh'))
 
 FORMATTED = cxx plugins tests -name '*.[ch]pp'
@@ -101,7 +101,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep stability test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep stability chart chart-quick test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
 .PHONY: compile programs sanitize sanitized fuzz
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -130,6 +130,12 @@ sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3": ca
 
 stability: build ## the map of what can go wrong, out/stability/map.png; OPTIONS="--only snap --references --store": tests/stability/run.py
 	@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) tests/stability/run.py $(OPTIONS)
+
+chart: build ## speed against accuracy of our methods and their rivals, out/chart (a quarter of an hour); OPTIONS="--repeat 5": tests/chart/run.py
+	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py $(OPTIONS)
+
+chart-quick: build ## the same on coarse meshes, within a minute
+	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py --quick $(OPTIONS)
 
 test: packages format-check ## all quick tests: format, unit, plugin, verification, regression (a quarter of an hour on two cores)
 	$(if $(stray),$(error in no suite: $(stray)))

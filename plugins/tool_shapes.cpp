@@ -7,9 +7,16 @@
 //   closed: body outside; open: body on the left of the direction of travel; inside=true swaps
 //   t.outlinex(n), t.outliney(n)               outline of the tool where it is, n points and its joints
 //   t.tightestradius                           smallest radius of curvature; inf for lines
+//   real[int] f = t.closest(x, y);             closest point to (x, y): its x, y, the gap (negative inside the
+//                                              tool), normal x, y out of the tool, tangent x, y, curvature
+//   t.closest(x, y, gap, nx, ny, curvature);   the same for arrays of points, into arrays of the same size;
+//                                              returns the smallest gap. Beyond the end of an open tool the gap
+//                                              is the distance to that end
 #include "tool_shapes.hpp"
 #include "arguments.hpp"
+#include "base/error.hpp"
 #include "kinematics/outline.hpp"
+#include "kinematics/tool_foot.hpp"
 #include "types.hpp"
 
 namespace burnish {
@@ -39,6 +46,50 @@ KN_<double> outline_x(Stack stack, const Method<ToolHandle, OutlineXTag>& m, con
 KN_<double> outline_y(Stack stack, const Method<ToolHandle, OutlineYTag>& m, const long& n) {
   return outline_of(stack, m.object, n, 1);
 }
+
+struct ClosestTag {};
+using ClosestMethod = Method<ToolHandle, ClosestTag>;
+std::vector<ToolFoot<2>> feet_of(DrivenTool<2>& tool, const std::vector<Vector<2>>& points) {
+  return called("tool.closest", [&] { return tool_feet(tool.tool(), tool.q(), points); });
+}
+KN_<double> closest_to_point(Stack stack, const ClosestMethod& m, const double& x, const double& y) {
+  return guarded([&] {
+    require(std::isfinite(x), "tool.closest", "x", x, "a finite number");
+    require(std::isfinite(y), "tool.closest", "y", y, "a finite number");
+    const ToolFoot<2> f = feet_of(*m->get().tool, {{x, y}}).front();
+    return new_array(
+        stack, std::vector<double>{f.x[0], f.x[1], f.gap, f.n[0], f.n[1], f.E(0, 0), f.E(1, 0), f.B(0, 0)});
+  });
+}
+struct ClosestToPoints {
+  using Array = KN_<double>;
+  static const int n = 0;
+  static basicAC_F0::name_and_type names[1];
+  static double call(const Named&, const ClosestMethod& m, Array x, Array y, Array gap, Array nx, Array ny,
+                     Array curvature) {
+    const char* where = "tool.closest";
+    const auto px = to_vector(x, where, "x"), py = to_vector(y, where, "y");
+    const std::string size = std::to_string(x.N()) + ", the size of x";
+    require(y.N() == x.N(), where, "size of y", y.N(), size.c_str());
+    require(gap.N() == x.N(), where, "size of gap", gap.N(), size.c_str());
+    require(nx.N() == x.N(), where, "size of nx", nx.N(), size.c_str());
+    require(ny.N() == x.N(), where, "size of ny", ny.N(), size.c_str());
+    require(curvature.N() == x.N(), where, "size of curvature", curvature.N(), size.c_str());
+    std::vector<Vector<2>> points;
+    for (long i = 0; i < x.N(); ++i) points.emplace_back(px[i], py[i]);
+    double smallest = std::numeric_limits<double>::infinity();
+    long i = 0;
+    for (const ToolFoot<2>& foot : feet_of(*m->get().tool, points)) {
+      gap[i] = foot.gap;
+      nx[i] = foot.n[0];
+      ny[i] = foot.n[1];
+      curvature[i++] = foot.B(0, 0);
+      smallest = std::min(smallest, foot.gap);
+    }
+    return smallest;
+  }
+};
+basicAC_F0::name_and_type ClosestToPoints::names[1];
 double tightest_radius(ToolHandle* const& handle) {
   return guarded([&] { return handle->get().tool->tool().surface().tightest_radius(); });
 }
@@ -61,6 +112,13 @@ void register_tool_shapes() {
   add_method<ToolHandle, OutlineYTag>("outliney", [] {
     return new OneOperator2s_<KN_<double>, Method<ToolHandle, OutlineYTag>, long>(outline_y);
   });
+  using Array = KN_<double>;
+  add_method<ToolHandle, ClosestTag>(
+      "closest", [] { return new OneOperator3s_<Array, ClosestMethod, double, double>(closest_to_point); },
+      [] {
+        return new NamedOperator<ClosestToPoints, double, ClosestMethod, Array, Array, Array, Array, Array,
+                                 Array>;
+      });
   Global.Add("rcShapes", "(", new OneOperator1s_<string*, long>(help));
   Add<ToolHandle*>("tightestradius", ".", new OneOperator1_<double, ToolHandle*>(tightest_radius));
 }

@@ -4,6 +4,7 @@
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
 #include "kinematics/polar.hpp"
+#include "kinematics/tool_foot.hpp"
 #include "support/profile_tool.hpp"
 #include "unit/finite_difference.hpp"
 #include <cmath>
@@ -238,4 +239,41 @@ TEST(Tool, RefusesBadInput) {
   expect_invalid([&] { place_of(*roller, nan); }, "Circle::evaluate: s = nan");
   const Pose<2> pose = roller->coordinates().pose(Vector3d(1, 0, 0));
   expect_invalid([&] { roller->foot(pose, {nan, 0}, place.hint); }, "Circle::closest_point: x = ");
+}
+
+// Gradient n and second derivatives E H E', H = (1 + gap B)^-1 B, of the gap, at points on both sides of the surface.
+TEST(ToolFoot, DerivativesOfTheGap) {
+  for (const double unit : {1.0, 1e-3})
+    for (const Sample& sample : samples(unit))
+      for (const Vector3d& pose : POSES) {
+        const VectorXd q = pose.cwiseProduct(sample.coordinate_scales);
+        const Tool<2>& tool = sample.tool();
+        const SurfacePoint<2> on = tool.point(q, sample.place(0.3));
+        for (const double outside : {-0.2, 0.0, 0.4}) {
+          const double gap = outside * sample.length;
+          const Vector<2> x = on.x + gap * on.n;
+          const auto foot_at = [&](const Vector<2>& p) { return tool_feet<2>(tool, q, {p}).front(); };
+          const ToolFoot<2> foot = foot_at(x);
+          EXPECT_NEAR(foot.gap, gap, 1e-12 * sample.length);
+          expect_close(foot.x, on.x, sample.length, 1e-12, "foot");
+          EXPECT_FALSE(foot.on_end);
+          const double H = foot.B(0, 0) / (1 + gap * foot.B(0, 0));
+          for (int axis = 0; axis < 2; ++axis) {
+            const Vector<2> direction = Vector<2>::Unit(axis);
+            const double step = 1e-3 * sample.length;
+            const double slope =
+                finite_difference([&](double d) { return foot_at(x + d * direction).gap; }, 0, step);
+            EXPECT_NEAR(slope, foot.n[axis], 1e-10);
+            const Vector<2> turn =
+                finite_difference([&](double d) { return Vector<2>(foot_at(x + d * direction).n); }, 0, step);
+            expect_close(turn, Vector<2>(foot.E * H * foot.E.transpose() * direction), 1 / sample.length,
+                         1e-9, "second derivatives");
+          }
+        }
+      }
+}
+
+TEST(ToolFoot, RefusesPointsThatAreNotFinite) {
+  const Sample sample = samples(1).front();
+  expect_invalid([&] { tool_feet<2>(sample.tool(), VectorXd::Zero(3), {{0, NAN}}); }, "finite");
 }
