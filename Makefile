@@ -168,7 +168,7 @@ sanitize: packages ## unit, verification and plugin tests and one case with the 
 sanitized: compile programs
 	@TIMEOUT=3000 $(TEST) $(call suite,unit verification plugin) tests/regression/hertz.sh
 
-fuzz: build ## ten minutes of mutated formulas, CAD files, matrices, scripts: FUZZ_SECONDS=480 SEED=1
+fuzz: build ## mutated formulas, CAD files, matrices, scripts, a quarter of an hour: FUZZ_SECONDS=480 SEED=1
 	$(COMPILE) $(call program,long)
 	@$(call program,long) --gtest_brief=1 --gtest_filter='*uzz*'
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/fuzz/fuzz.py $(or $(FUZZ_SECONDS),480) $(SEED)
