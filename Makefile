@@ -151,6 +151,7 @@ $(SUITES:%=test-%): test-%: packages
 	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
 	@$(TEST) $(call suite,$*)
 
+# Scripts that mesh .geo files are left out: a preloaded library leaves a lock of the C library as no child process can take it.
 # FreeFEM itself is not instrumented: the run-time libraries come before it. What it leaks, how it pairs new with free and
 # what it defines twice is not ours.
 SANITIZED   = $(BUILD)/sanitize
@@ -166,7 +167,7 @@ sanitize: packages ## unit, verification and plugin tests and one case with the 
 	  FREEFEM='env LD_PRELOAD=$(SANITIZER_LIBRARIES) $(FREEFEM)' sanitized
 
 sanitized: compile programs
-	@TIMEOUT=3000 $(TEST) $(call suite,unit verification plugin) tests/regression/hertz.sh
+	@TIMEOUT=3000 $(TEST) $(filter-out %gmsh.edp %gmsh_library.sh,$(call suite,unit verification plugin)) tests/regression/hertz.sh
 
 fuzz: build ## mutated formulas, CAD files, matrices, scripts, a quarter of an hour: FUZZ_SECONDS=480 SEED=1
 	$(COMPILE) $(call program,long)
