@@ -1,7 +1,9 @@
 #include "geometry/geo_statement.hpp"
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace burnish {
 
@@ -52,6 +54,12 @@ private:
   const char* m_at;
 };
 
+// A tag or an order; 0, which none has, where the number is not one.
+int whole(double number) {
+  constexpr double most = std::numeric_limits<int>::max();
+  return std::abs(number) <= most ? static_cast<int>(number) : 0;
+}
+
 bool read(const std::string& text, GeoStatement& statement) {
   Cursor cursor(text);
   double tag = 0;
@@ -59,12 +67,12 @@ bool read(const std::string& text, GeoStatement& statement) {
   if (statement.word.empty() || !cursor.is('(') || !cursor.number(tag) || !cursor.is(')') || !cursor.is('='))
     return false;
   if (!cursor.list(statement.numbers)) return false;
-  statement.tag = static_cast<int>(tag);
-  for (const double number : statement.numbers) statement.points.push_back(static_cast<int>(number));
+  statement.tag = whole(tag);
+  for (const double number : statement.numbers) statement.points.push_back(whole(number));
   double order = 0;
   if (cursor.word() == "Knots" && cursor.list(statement.knots) && cursor.word() == "Order" &&
       cursor.number(order))
-    statement.order = static_cast<int>(order);
+    statement.order = whole(order);
   return true;
 }
 
