@@ -38,7 +38,7 @@ int substeps_needed(const J2Parameters& material, const UpdateOptions& options,
   if (!plastic && squared_equivalent<Dim>(trial.s_old + trial.elastic_increment) <= yield * yield) return 0;
   const double wanted =
       std::ceil(equivalent<Dim>(trial.elastic_increment) / (options.substep_strain * yield));
-  if (!(wanted > options.min_substeps)) return options.min_substeps; // NaN too, which the caller reports
+  if (std::isnan(wanted)) return 0; // the trial stress is NaN, which the caller reports
   // compared as doubles: a huge step must not overflow an int
   return static_cast<int>(
       std::clamp<double>(wanted, options.min_substeps, std::max(options.min_substeps, options.max_substeps)));
