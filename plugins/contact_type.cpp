@@ -203,6 +203,12 @@ const NodeBlockMatrix<2>& ContactObject::blocks(const TripletView& K, const char
   return read;
 }
 
+double ContactObject::linear_seconds() const {
+  if (!m_run) return 0;
+  const CorrectorCounts& counts = m_run->corrector().counts();
+  return counts.factorization_seconds + counts.condensation_seconds + counts.solve_seconds;
+}
+
 const ContactRun<2>& ContactObject::running(const char* where) const {
   if (!m_run) fail(where, "no state yet: call approach or begin first");
   return *m_run;

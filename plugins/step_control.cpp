@@ -158,11 +158,11 @@ long next(Stack, const Method<H, NextTag>& m, const KN_<double>& u, const KN_<do
     Eigen::VectorXd v = to_dofs(u, n, "stepcontrol.next", "u"),
                     force = to_dofs(R, n, "stepcontrol.next", "R");
     require_untouched(object, v, u);
-    const double before = stepper.check_seconds();
+    const double checks = stepper.check_seconds(), linear = object.contact->linear_seconds();
     const Task task = called("contact.begin", [&] { return stepper.next(v, force); });
-    const double checked = stepper.check_seconds() - before;
+    const double checked = stepper.check_seconds() - checks;
     object.contact->check_seconds += checked;
-    object.contact->event_seconds -= checked;
+    object.contact->event_seconds -= checked + object.contact->linear_seconds() - linear;
     to_array(v, u, "stepcontrol.next");
     object.task = task;
     object.contact->under_way = object.under_way();

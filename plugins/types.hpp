@@ -55,6 +55,8 @@ struct ContactObject {
   /// The run, begun by the first call: the setup is closed then.
   ContactRun<2>& run();
   bool started() const { return m_run != nullptr; }
+  /// CPU of factors, dense blocks and solves of the run.
+  double linear_seconds() const;
   /// @throws std::invalid_argument "where: ..." before the first step or approach
   const ContactRun<2>& running(const char* where) const;
 

@@ -5,6 +5,12 @@
 
 namespace burnish {
 
+/// A load half way to its displacement: solution of L y = b with the factor L L', in the order of elimination. Valid until
+/// the next factorize.
+struct SweptLoad {
+  Eigen::VectorXd y;
+};
+
 /// One symmetric positive definite tangent at a time. Implementations: SchurFactor (CHOLMOD).
 template <int Dim> class BodySolver {
 public:
@@ -18,6 +24,14 @@ public:
   virtual FactorStatus factorize(const NodeBlockMatrix<Dim>& matrix) = 0;
   /// x = K^-1 b, Dim*num_nodes; zero at fixed dofs. [length for b in force]
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
+  /// First half of a solve, L y = b: what a load on the candidates adds comes later (METHOD.md 5.3).
+  /// @param b  Dim*num_nodes [force]; entries at fixed dofs are taken as zero
+  virtual SweptLoad sweep(const Eigen::VectorXd& b) const = 0;
+  /// (K^-1 b)_c of a swept load b, Dim*candidates; zero at fixed dofs [length].
+  virtual Eigen::VectorXd candidate_displacement(const SweptLoad& load) const = 0;
+  /// Second half: K^-1 (b + p) of a swept load b, Dim*num_nodes; zero at fixed dofs [length].
+  /// @param p  further load on the candidates, Dim*candidates [force]
+  virtual Eigen::VectorXd displacement(const SweptLoad& load, const Eigen::VectorXd& p) const = 0;
   /// C = (K^-1)_cc on the candidates, symmetric, Dim*candidates square; zero rows and columns at fixed dofs
   /// [length/force].
   virtual Eigen::MatrixXd candidate_flexibility() const = 0;

@@ -69,6 +69,7 @@ struct CholmodFactor::Impl {
     view.packed = 1;
     return view;
   }
+  void solve(int system, Eigen::Ref<Eigen::MatrixXd> b);
   void require_factor(const char* where) const {
     if (!factorized)
       throw std::logic_error(std::string(where) + ": there is no factor, call factorize first");
@@ -116,9 +117,8 @@ FactorStatus CholmodFactor::factorize() {
 
 bool CholmodFactor::is_factorized() const { return m_impl->factorized; }
 
-void CholmodFactor::solve(Eigen::Ref<Eigen::MatrixXd> b) const {
-  Impl& impl = *m_impl;
-  impl.require_factor("CholmodFactor::solve");
+void CholmodFactor::Impl::solve(int system, Eigen::Ref<Eigen::MatrixXd> b) {
+  require_factor("CholmodFactor::solve");
   if (b.rows() != size())
     throw std::logic_error("CholmodFactor::solve: b has not as many rows as the matrix");
   if (b.size() == 0) return;
@@ -130,11 +130,14 @@ void CholmodFactor::solve(Eigen::Ref<Eigen::MatrixXd> b) const {
   right.x = b.data();
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
-  cholmod_solve2(CHOLMOD_A, impl.factor, &right, nullptr, &impl.solution, nullptr, &impl.work_y, &impl.work_e,
-                 impl.common.get());
-  impl.common.check("CholmodFactor::solve");
-  b = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(impl.solution->x), b.rows(), b.cols());
+  cholmod_solve2(system, factor, &right, nullptr, &solution, nullptr, &work_y, &work_e, common.get());
+  common.check("CholmodFactor::solve");
+  b = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution->x), b.rows(), b.cols());
 }
+
+void CholmodFactor::solve(Eigen::Ref<Eigen::MatrixXd> b) const { m_impl->solve(CHOLMOD_A, b); }
+void CholmodFactor::solve_lower(Eigen::Ref<Eigen::MatrixXd> b) const { m_impl->solve(CHOLMOD_L, b); }
+void CholmodFactor::solve_upper(Eigen::Ref<Eigen::MatrixXd> b) const { m_impl->solve(CHOLMOD_Lt, b); }
 
 Eigen::MatrixXd CholmodFactor::trailing_factor(int first) const {
   const Impl& impl = *m_impl;

@@ -30,6 +30,9 @@ public:
   /// Replaces every column of b (n x any number) by A^-1 b.
   /// @throws std::logic_error if there is no factor or b has not n rows
   void solve(Eigen::Ref<Eigen::MatrixXd> b) const;
+  /// The halves of solve: every column b becomes L^-1 b, or L'^-1 b.
+  void solve_lower(Eigen::Ref<Eigen::MatrixXd> b) const;
+  void solve_upper(Eigen::Ref<Eigen::MatrixXd> b) const;
   /// Trailing block L(first:n, first:n), lower triangular; first <= n.
   /// @throws std::logic_error if there is no factor or first is out of range
   Eigen::MatrixXd trailing_factor(int first) const;

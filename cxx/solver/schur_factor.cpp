@@ -17,7 +17,7 @@ template <int Dim> struct SchurFactor<Dim>::Impl {
   std::vector<int> candidates;
   PermutedTriangle triangle;
   CholmodFactor factor;
-  Eigen::VectorXd work;
+  Eigen::MatrixXd trailing; // L of the candidates
   int analyses = 0, factorizations = 0, solves = 0;
 
   bool is_analyzed(const NodeBlockMatrix<Dim>& pattern) const {
@@ -28,6 +28,14 @@ template <int Dim> struct SchurFactor<Dim>::Impl {
   }
   void load(const NodeBlockMatrix<Dim>& matrix);
   [[noreturn]] void report_not_finite(const NodeBlockMatrix<Dim>& matrix) const;
+  void require_swept(const SweptLoad& load, const char* where) const {
+    require_factor(where);
+    require(static_cast<std::size_t>(load.y.size()) == triangle.order.size(), where, "size of the swept load",
+            load.y.size(), "that of the factor");
+  }
+  Eigen::VectorXd permuted(const Eigen::VectorXd& b, const char* where) const; // checked, in the order of elimination
+  Eigen::VectorXd on_nodes(const Eigen::VectorXd& y) const;
+  std::vector<int> free_candidate_dofs() const;
   Eigen::MatrixXd with_fixed_dofs(const Eigen::MatrixXd& free, double diagonal) const;
 };
 
@@ -59,13 +67,19 @@ template <int Dim> void SchurFactor<Dim>::Impl::report_not_finite(const NodeBloc
   throw std::logic_error("SchurFactor::factorize: a value is not finite, its place was not found");
 }
 
+/// Those of the trailing block, numbered among all candidate dofs.
+template <int Dim> std::vector<int> SchurFactor<Dim>::Impl::free_candidate_dofs() const {
+  std::vector<int> place;
+  for (int i = 0; i < Dim * static_cast<int>(candidates.size()); ++i)
+    if (!fixed[Dim * candidates[i / Dim] + i % Dim]) place.push_back(i);
+  return place;
+}
+
 /// Puts the matrix of the free candidate dofs among all candidate dofs; fixed ones get the given diagonal.
 template <int Dim>
 Eigen::MatrixXd SchurFactor<Dim>::Impl::with_fixed_dofs(const Eigen::MatrixXd& free, double diagonal) const {
   const int size = Dim * static_cast<int>(candidates.size());
-  std::vector<int> place;
-  for (int i = 0; i < size; ++i)
-    if (!fixed[Dim * candidates[i / Dim] + i % Dim]) place.push_back(i);
+  const std::vector<int> place = free_candidate_dofs();
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size);
   all.diagonal().setConstant(diagonal);
   for (std::size_t j = 0; j < place.size(); ++j)
@@ -103,32 +117,73 @@ template <int Dim> FactorStatus SchurFactor<Dim>::factorize(const NodeBlockMatri
           "Dim*Dim per block");
   m_impl->load(matrix);
   ++m_impl->factorizations;
-  return m_impl->factor.factorize();
+  const FactorStatus status = m_impl->factor.factorize();
+  if (status == FactorStatus::OK) m_impl->trailing = m_impl->factor.trailing_factor(m_impl->triangle.num_interior);
+  return status;
+}
+
+template <int Dim> Eigen::VectorXd SchurFactor<Dim>::Impl::permuted(const Eigen::VectorXd& b, const char* where) const {
+  require(static_cast<std::size_t>(b.size()) == fixed.size(), where, "b.size()", b.size(), "Dim*num_nodes");
+  Eigen::VectorXd y(static_cast<Eigen::Index>(triangle.order.size()));
+  for (std::size_t p = 0; p < triangle.order.size(); ++p) {
+    y[p] = b[triangle.order[p]];
+    if (!std::isfinite(y[p]))
+      fail(where, "b[" + std::to_string(triangle.order[p]) + "] is not finite, expected finite numbers");
+  }
+  return y;
+}
+
+template <int Dim> Eigen::VectorXd SchurFactor<Dim>::Impl::on_nodes(const Eigen::VectorXd& y) const {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fixed.size()));
+  for (std::size_t p = 0; p < triangle.order.size(); ++p) x[triangle.order[p]] = y[p];
+  return x;
 }
 
 template <int Dim> Eigen::VectorXd SchurFactor<Dim>::solve(const Eigen::VectorXd& b) const {
-  const char* where = "SchurFactor::solve";
-  Impl& impl = *m_impl;
-  impl.require_factor(where);
-  require(static_cast<std::size_t>(b.size()) == impl.fixed.size(), where, "b.size()", b.size(),
-          "Dim*num_nodes");
-  const std::vector<int>& order = impl.triangle.order;
-  impl.work.resize(order.size());
-  for (std::size_t p = 0; p < order.size(); ++p) {
-    impl.work[p] = b[order[p]];
-    if (!std::isfinite(impl.work[p]))
-      fail(where, "b[" + std::to_string(order[p]) + "] is not finite, expected finite numbers");
-  }
-  impl.factor.solve(impl.work);
-  ++impl.solves;
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
-  for (std::size_t p = 0; p < order.size(); ++p) x[order[p]] = impl.work[p];
-  return x;
+  m_impl->require_factor("SchurFactor::solve");
+  Eigen::VectorXd y = m_impl->permuted(b, "SchurFactor::solve");
+  m_impl->factor.solve(y);
+  ++m_impl->solves;
+  return m_impl->on_nodes(y);
+}
+
+template <int Dim> SweptLoad SchurFactor<Dim>::sweep(const Eigen::VectorXd& b) const {
+  m_impl->require_factor("SchurFactor::sweep");
+  SweptLoad load{m_impl->permuted(b, "SchurFactor::sweep")};
+  m_impl->factor.solve_lower(load.y);
+  return load;
+}
+
+template <int Dim> Eigen::VectorXd SchurFactor<Dim>::candidate_displacement(const SweptLoad& load) const {
+  m_impl->require_swept(load, "SchurFactor::candidate_displacement");
+  const std::vector<int> free = m_impl->free_candidate_dofs();
+  Eigen::VectorXd y = load.y.tail(static_cast<Eigen::Index>(free.size()));
+  m_impl->trailing.transpose().template triangularView<Eigen::Upper>().solveInPlace(y);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(m_impl->candidates.size()));
+  for (std::size_t k = 0; k < free.size(); ++k) u[free[k]] = y[static_cast<Eigen::Index>(k)];
+  return u;
+}
+
+template <int Dim>
+Eigen::VectorXd SchurFactor<Dim>::displacement(const SweptLoad& load, const Eigen::VectorXd& p) const {
+  const char* where = "SchurFactor::displacement";
+  m_impl->require_swept(load, where);
+  require(static_cast<std::size_t>(p.size()) == Dim * m_impl->candidates.size(), where, "p.size()", p.size(),
+          "Dim*candidates");
+  if (!p.allFinite()) fail(where, "p is not finite, expected finite numbers");
+  const std::vector<int> free = m_impl->free_candidate_dofs();
+  Eigen::VectorXd more(static_cast<Eigen::Index>(free.size())), y = load.y;
+  for (std::size_t k = 0; k < free.size(); ++k) more[static_cast<Eigen::Index>(k)] = p[free[k]];
+  m_impl->trailing.template triangularView<Eigen::Lower>().solveInPlace(more);
+  y.tail(more.size()) += more;
+  m_impl->factor.solve_upper(y);
+  ++m_impl->solves;
+  return m_impl->on_nodes(y);
 }
 
 template <int Dim> Eigen::MatrixXd SchurFactor<Dim>::candidate_flexibility() const {
   m_impl->require_factor("SchurFactor::candidate_flexibility");
-  Eigen::MatrixXd inverse = m_impl->factor.trailing_factor(m_impl->triangle.num_interior);
+  Eigen::MatrixXd inverse = m_impl->trailing;
   const int n = static_cast<int>(inverse.rows());
   if (n > 0) {
     int info = 0;
@@ -142,7 +197,7 @@ template <int Dim> Eigen::MatrixXd SchurFactor<Dim>::candidate_flexibility() con
 
 template <int Dim> Eigen::MatrixXd SchurFactor<Dim>::schur_complement() const {
   m_impl->require_factor("SchurFactor::schur_complement");
-  const Eigen::MatrixXd lower = m_impl->factor.trailing_factor(m_impl->triangle.num_interior);
+  const Eigen::MatrixXd& lower = m_impl->trailing;
   Eigen::MatrixXd schur = Eigen::MatrixXd::Zero(lower.rows(), lower.cols());
   schur.selfadjointView<Eigen::Lower>().rankUpdate(lower);
   schur.triangularView<Eigen::StrictlyUpper>() = schur.transpose();

@@ -34,6 +34,12 @@ public:
   /// @param b  Dim*num_nodes
   /// @throws std::invalid_argument if b has another size or is not finite at a free dof
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const override;
+  /// @throws std::invalid_argument as solve
+  SweptLoad sweep(const Eigen::VectorXd& b) const override;
+  /// @throws std::invalid_argument if the load was not swept with a factor of this size
+  Eigen::VectorXd candidate_displacement(const SweptLoad& load) const override;
+  /// @throws std::invalid_argument as candidate_displacement, or if p has another size
+  Eigen::VectorXd displacement(const SweptLoad& load, const Eigen::VectorXd& p) const override;
   /// Flexibility of the candidates C = S^-1 = (K^-1)_cc, symmetric, Dim*candidates square; zero rows and
   /// columns at fixed dofs. From the trailing block of L.
   Eigen::MatrixXd candidate_flexibility() const override;
@@ -43,7 +49,7 @@ public:
 
   int analyses() const override; ///< counts since construction
   int factorizations() const;
-  int solves() const;
+  int solves() const; ///< solve and displacement
 
 private:
   struct Impl;

@@ -58,15 +58,6 @@ std::vector<int> near_contact(const ContactModel<Dim>& model, const BodyView<Dim
 }
 
 template <int Dim>
-Eigen::VectorXd on_window(const ContactModel<Dim>& model, const std::vector<int>& window,
-                          const Eigen::VectorXd& full) {
-  Eigen::VectorXd part(Dim * static_cast<Eigen::Index>(window.size()));
-  for (std::size_t w = 0; w < window.size(); ++w)
-    part.template segment<Dim>(Dim * w) = full.template segment<Dim>(Dim * model.candidates[window[w]]);
-  return part;
-}
-
-template <int Dim>
 Eigen::VectorXd scatter_window(const ContactModel<Dim>& model, const std::vector<int>& window,
                                const Eigen::VectorXd& part, Eigen::Index size) {
   Eigen::VectorXd full = Eigen::VectorXd::Zero(size);
@@ -81,8 +72,6 @@ Eigen::VectorXd scatter_window(const ContactModel<Dim>& model, const std::vector
   template std::vector<int> near_contact<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                \
                                               const ContactState<Dim>&, const Eigen::VectorXd&, double,      \
                                               double, const StepOptions&);                                   \
-  template Eigen::VectorXd on_window<Dim>(const ContactModel<Dim>&, const std::vector<int>&,                 \
-                                          const Eigen::VectorXd&);                                           \
   template Eigen::VectorXd scatter_window<Dim>(const ContactModel<Dim>&, const std::vector<int>&,            \
                                                const Eigen::VectorXd&, Eigen::Index);
 BURNISH_INSTANTIATE(2)

@@ -21,10 +21,7 @@ std::vector<int> near_contact(const ContactModel<Dim>& model, const BodyView<Dim
                               const ContactState<Dim>& state, const Eigen::VectorXd& u, double widths,
                               double spacings, const StepOptions& options);
 
-/// A vector over all nodes on the window, and a window's among all.
-template <int Dim>
-Eigen::VectorXd on_window(const ContactModel<Dim>& model, const std::vector<int>& window,
-                          const Eigen::VectorXd& full);
+/// The window's part among all nodes.
 template <int Dim>
 Eigen::VectorXd scatter_window(const ContactModel<Dim>& model, const std::vector<int>& window,
                                const Eigen::VectorXd& part, Eigen::Index size);

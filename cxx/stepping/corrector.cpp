@@ -183,7 +183,7 @@ FactorStatus Corrector<Dim>::factorize_held(const NodeBlockMatrix<Dim>& K, const
   if (status != FactorStatus::OK) return status;
   m_tangent->condense();
   m_flexibility.set(m_tangent->flexibility);
-  WindowProblem<Dim> problem = window_problem(u, m_R, m_tangent->solver->solve(-m_R));
+  WindowProblem<Dim> problem = window_problem(u, m_R, m_tangent->solver->sweep(-m_R));
   problem.adapt = false;
   return solve_window(m_model, m_body, m_prescribed, m_state, problem).unstable
              ? FactorStatus::NOT_POSITIVE_DEFINITE
@@ -210,12 +210,12 @@ template <int Dim> ActiveSetOptions Corrector<Dim>::active_set_options() const {
 
 template <int Dim>
 WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                                                  const Eigen::VectorXd& free_increment) {
+                                                  const SweptLoad& load) {
   WindowProblem<Dim> problem;
   problem.window = &m_tangent->window;
   problem.flexibility = &m_flexibility;
   problem.added_stiffness = m_tangent->added_stiffness;
-  problem.free_increment = on_window(m_model, m_tangent->window, free_increment);
+  problem.free_increment = m_tangent->solver->candidate_displacement(load);
   problem.u = &u;
   problem.R = &R;
   problem.entry = &m_entry;
@@ -226,34 +226,40 @@ WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, cons
   return problem;
 }
 
-template <int Dim> Eigen::VectorXd Corrector<Dim>::solve(const Eigen::VectorXd& b) {
+template <int Dim> SweptLoad Corrector<Dim>::sweep(const Eigen::VectorXd& b) {
+  const CpuTimer timer(m_counts.solve_seconds);
+  return m_tangent->solver->sweep(b);
+}
+
+template <int Dim>
+Eigen::VectorXd Corrector<Dim>::displacement(const SweptLoad& load, const Eigen::VectorXd& p) {
   const CpuTimer timer(m_counts.solve_seconds);
   ++m_counts.solves;
-  return m_tangent->solver->solve(b);
+  return m_tangent->solver->displacement(load, p);
 }
 
 template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   if (!m_has_factor) fail("contact.correct", "no factor: call factorize first");
   ++m_iteration;
   ++m_counts.iterations;
-  const Eigen::VectorXd u0 = solve(-R);
+  const SweptLoad load = sweep(-R);
   WindowSolution<Dim> solution;
   {
     const CpuTimer timer(m_counts.condensation_seconds);
-    solution = solve_window(m_model, m_body, m_prescribed, m_state, window_problem(u, R, u0));
+    solution = solve_window(m_model, m_body, m_prescribed, m_state, window_problem(u, R, load));
   }
   if (solution.singular) { // with the tools at rest it would be so only for want of supports
     PrescribedValues resting = m_prescribed;
     resting.is_motion.assign(resting.is_motion.size(), 1);
     resting.value = m_state.q;
-    const bool floats = solve_window(m_model, m_body, resting, m_state, window_problem(u, R, u0)).singular;
+    const bool floats = solve_window(m_model, m_body, resting, m_state, window_problem(u, R, load)).singular;
     if (floats && m_floating) return give_up(NOT_HELD);
     if (!floats && solution.weakest_coordinate < 0) return give_up(TIPS_OVER);
     return give_up(singular_reason(solution));
   }
   if (solution.unstable) return give_up(UNSTABLE);
   const Eigen::VectorXd b = scatter_window(m_model, m_tangent->window, solution.load, R.size()) - R;
-  const Eigen::VectorXd du = solve(b);
+  const Eigen::VectorXd du = displacement(load, solution.load);
   const Eigen::Index n = u.size(), nq = m_state.q.size();
   Eigen::VectorXd z(n + nq), g(n + nq);
   z << u, m_state.q;

@@ -110,10 +110,11 @@ private:
   FactorStatus factorize_held(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
   std::string reason_of_failure(double scale) const; // after the last iteration
   ActiveSetOptions active_set_options() const;
-  Eigen::VectorXd solve(const Eigen::VectorXd& b);
+  SweptLoad sweep(const Eigen::VectorXd& b);
+  Eigen::VectorXd displacement(const SweptLoad& load, const Eigen::VectorXd& p);
   void project(Eigen::VectorXd& u, bool keep_fresh);
   WindowProblem<Dim> window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                                    const Eigen::VectorXd& free_increment);
+                                    const SweptLoad& load);
 
   const ContactModel<Dim>& m_model;
   const BodyView<Dim>& m_body;

@@ -52,6 +52,14 @@ void expect_equals_dense(SchurFactor<Dim>& factor, const NodeBlockMatrix<Dim>& m
   EXPECT_LT((S - schur).norm(), 1e-10 * schur.norm());
   EXPECT_EQ(C, C.transpose());
   EXPECT_EQ(S, S.transpose());
+  const Eigen::VectorXd p = sample::random_vector(static_cast<int>(dofs.size()));
+  const SweptLoad swept = factor.sweep(b);
+  Eigen::VectorXd sum = b;
+  for (std::size_t i = 0; i < dofs.size(); ++i)
+    if (!fixed[dofs[i]]) sum[dofs[i]] += p[static_cast<int>(i)];
+  EXPECT_LT((factor.candidate_displacement(swept) - x(dofs)).norm(), 1e-11 * x.norm());
+  const Eigen::VectorXd loaded = inverse * sum;
+  EXPECT_LT((factor.displacement(swept, p) - loaded).norm(), 1e-11 * loaded.norm());
 }
 
 struct Plane {
