@@ -126,8 +126,9 @@ figures: packages ## draw the pictures of out/CASE again, CASE=rolling unless gi
 tables: build ## measure the tables in the READMEs of cases/rolling and cases/planetary again, OPTIONS="--keep rolling"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) cases/tables.py $(OPTIONS)
 
-sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3": cases/sweep/sweep.sh
-	@CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' \
+sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3", or find the option BY for a TARGET: cases/sweep/sweep.sh
+	@CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' SAMPLES='$(SAMPLES)' \
+	  SEED='$(SEED)' TARGET='$(TARGET)' BY='$(BY)' TOLERANCE='$(TOLERANCE)' \
 	  BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
 
 stability: build ## the map of what can go wrong, out/stability/map.png; OPTIONS="--only snap --references --store": tests/stability/run.py

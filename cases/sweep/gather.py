@@ -8,7 +8,7 @@ import json
 import os
 import sys
 
-from grid import read_text
+from grid import case_name, read_text
 
 
 def read_summary(folder):
@@ -43,7 +43,7 @@ def why(folder, summary):
 
 
 def main():
-    top = f"out/sweep/{os.environ['CASE']}"
+    top = f"out/sweep/{case_name()}"
     with open(f"{top}/sweep.json", encoding="utf-8") as file:
         sweep = json.load(file)
     rows, failed, columns = [], [], ["status"]

@@ -1,12 +1,16 @@
-"""The pictures of a sweep: out/sweep/CASE/sweep.png from sweep.csv, and cost.png, error against CPU seconds, where
-results with expected values change (plotting/cost.py). A panel for each quantity of RESULT (names with commas, or with
+"""The pictures of a sweep in out/sweep/CASE: sweep.png from sweep.csv; histories.png (overlay.py); cost.png, error against
+CPU seconds, where an option of mesh, steps or solver is varied and results with expected values change (plotting/cost.py);
+and index.html (table.py). A panel for each quantity of RESULT (names with commas, or with
 semicolons where a name has a comma; default: the results of the case that change, else forces of the drives) against
 the first varied option, a line for each combination of the others. Exit status 1 if a quantity of RESULT is not there.
 """
 import csv
 import json
 import os
+import re
 import sys
+
+from grid import case_name
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 try:
@@ -14,11 +18,16 @@ try:
     from plotting.cost import cost_figure, results_of
     from plotting.curves import COLORS
     from plotting.figure import apply_style, new_figure, save, say_empty
+
+    from overlay import overlay_figure
+    from table import write_table
 except ImportError as error:
     sys.exit(f"sweep: {error}; the Debian packages python3-matplotlib and python3-numpy are needed")
 
 MOST = 9  # panels
 MARKERS = "os^vD<>P*X"
+# meanings of options that change the error, not the problem
+NUMERICAL = re.compile(r"\b(elements?|divisions?|mesh|steps?|tolerance|accuracy|spacing|scheme|P1 or P2|nodes?|solver)\b")
 
 
 def number(text):
@@ -104,13 +113,8 @@ def figure_of(sweep, rows, quantities, units):
     return figure
 
 
-def main():
-    top = f"out/sweep/{os.environ['CASE']}"
-    with open(f"{top}/sweep.json", encoding="utf-8") as file:
-        sweep = json.load(file)
-    with open(f"{top}/sweep.csv", encoding="utf-8", newline="") as file:
-        reader = csv.DictReader(file)
-        rows, columns = list(reader), reader.fieldnames
+def draw(sweep, rows, columns, top):
+    """Prints the paths of the pictures. @returns the exit status"""
     good = [row for row in rows if row["status"] == "finished"]
     if not good:
         print("sweep: nothing to draw, no variant finished", file=sys.stderr)
@@ -121,15 +125,33 @@ def main():
     except LookupError as error:
         print(f"sweep: {error.args[0]}", file=sys.stderr)
         return 1
-    if not quantities:
-        print("sweep: nothing to draw, no number changes from variant to variant", file=sys.stderr)
-        return 0
     apply_style()
-    print(save(figure_of(sweep, good, quantities, units), top, "sweep"))
-    cost = cost_figure(sweep, good, asked_for())
-    if cost is not None:
-        print(save(cost, top, "cost"))
+    if quantities:
+        print(save(figure_of(sweep, good, quantities, units), top, "sweep"))
+    else:
+        print("sweep: nothing to draw, no number changes from variant to variant", file=sys.stderr)
+    folders = [v["folder"] for v, row in zip(sweep["variants"], rows) if row["status"] == "finished"]
+    numerical = any(NUMERICAL.search(p["meaning"]) for p in sweep["parameters"])
+    for name, figure in (("histories", overlay_figure(sweep, good, folders)),
+                         ("cost", cost_figure(sweep, good, asked_for()) if numerical else None)):
+        if figure is not None:
+            print(save(figure, top, name))
     return 0
+
+
+def main():
+    top = f"out/sweep/{case_name()}"
+    with open(f"{top}/sweep.json", encoding="utf-8") as file:
+        sweep = json.load(file)
+    with open(f"{top}/sweep.csv", encoding="utf-8", newline="") as file:
+        reader = csv.DictReader(file)
+        rows, columns = list(reader), reader.fieldnames
+    for name in ("sweep", "histories", "cost"):  # of another sweep
+        if os.path.exists(f"{top}/{name}.png"):
+            os.remove(f"{top}/{name}.png")
+    status = draw(sweep, rows, columns, top)
+    print(write_table(sweep, rows, columns, top))
+    return status
 
 
 if __name__ == "__main__":

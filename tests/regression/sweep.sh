@@ -51,7 +51,28 @@ holds words "P2,finished" $top/sweep.csv
 RESULT="depht" sweep 1 result "element=P1,P2"
 holds result "RESULT: no quantity depht; there are: r, Q_r,"
 
-# 4. Refused before anything runs
+# 4. Equal ratios; a Latin hypercube: one value in each third; a script of one's own; histories and the table
+sweep 0 log "M0=1000:2000:3:log"
+holds log "1414.21,finished" $top/sweep.csv
+[ -s $top/histories.png ] && [ ! -e $top/cost.png ] || fail "log: histories.png, and no cost.png of a moment"
+grep -q '<a href="M0=1414.21/log.txt">' $top/index.html || fail "log: index.html"
+mkdir -p own && cp cases/rolling/rolling.edp own/press.edp
+CASE=own/press.edp SAMPLES=3 sweep 0 latin "mu=0.2:0.5:latin R=14e-3:16e-3:random"
+awk -F, 'NR > 1 && $3 == "finished" && $2 > 0.014 && $2 < 0.016 {n[int(10*$1)]++} END {exit !(n[2] == 1 && n[3] == 1 && n[4] == 1)}' \
+  out/sweep/press/sweep.csv || { cut -d, -f1-3 out/sweep/press/sweep.csv; fail "latin: values"; }
+
+# 5. The radius for a depth: within 0.1 %, and out of reach
+TARGET="depth=85" BY=R=14e-3:20e-3 sweep 0 target ""
+awk -F, 'NR > 1 && $2 > 84.915 && $2 < 85.085 {found = 1} END {exit !found}' $top/target.csv || fail "target: no run within 0.1 %"
+"${PYTHON:-python3}" "$picture" $top/target.png >>log || fail "target: the picture"
+TARGET="depth=120" BY=R=14e-3:20e-3 sweep 1 far ""
+holds far "is not between 90.1"
+TARGET="depht=85" BY=R=14e-3:20e-3 sweep 2 name ""
+holds name 'no result "depht"; there are: t, r,'
+TARGET="depth" BY=R sweep 2 form ""
+holds form '"depth" is not name=value'
+
+# 6. Refused before anything runs
 rm -f $top/joblog.txt
 refused unknown "Rad=1,2" "burnish: unknown option -Rad, expected one of"
 refused word "element=P3,P1" 'option -element is "P3", expected P1 or P2'
@@ -66,6 +87,10 @@ refused out "out=a,b" "out cannot be varied"
 refused empty "" "VARY is empty"
 OPTIONS="-R 1" refused fixed "R=1,2" "-R is varied by VARY"
 CASE=nothing refused case "R=1,2" 'no case "nothing"; there are:'
+refused ratio "R=-1:2:3:log" "-1 and 2 with log, expected two numbers of one sign"
+refused range "R=2:1:latin" "2 to 1, expected an ascending range"
+echo 'cout << 1;' >own/plain.edp
+CASE=own/plain.edp refused script "R=1,2" "own/plain.edp has no rcCaseEnd"
 [ ! -e $top/joblog.txt ] || fail "refused: something ran"
 
 echo "$failures failed"
