@@ -67,7 +67,7 @@ def costs(rows):
     finest = max((r["n"], r["dtsteps"]) for r in rows)
     last = {(r["method"], r["element"]): r for r in rows if (r["n"], r["dtsteps"]) == finest}
     based = ("condensed", "P1") in last
-    head = ["s", "solves", "over condensed"] if based else ["s", "factorizations", "rejected steps", "MB", "outcome"]
+    head = ["s", "solves", "over condensed"] if based else ["s", "factorizations", "rejected steps", "outcome"]
     n = f"n = {finest[0]}" + (f", {finest[1]} steps" if finest[1] else "")
     titles = [f"Method, {n}"] + [(f"{e}: " if k == 0 else "") + t for e in ("P1", "P2") for k, t in enumerate(head)]
     lines = ["| " + " | ".join(titles) + " |", "|---" * len(titles) + "|"]
@@ -79,7 +79,7 @@ def costs(rows):
             if based:
                 cells += [seconds, str(row["solves"]), f"{row['seconds'] / last['condensed', element]['seconds']:.2f}"]
             else:
-                cells += [seconds, str(row["factorizations"]), str(row["rejected"]), f"{row['megabytes']:.0f}", row["outcome"]]
+                cells += [seconds, str(row["factorizations"]), str(row["rejected"]), row["outcome"]]
         lines.append("| " + " | ".join(cells) + " |")
     return lines
 
