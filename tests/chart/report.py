@@ -74,7 +74,10 @@ def costs(rows):
     for method in dict.fromkeys(r["method"] for r in rows):
         cells = [method]
         for element in ("P1", "P2"):
-            row = last[method, element]
+            row = last.get((method, element))
+            if row is None:
+                cells += ["not run"] + ["-"] * (len(head) - 1)
+                continue
             seconds = f"{row['seconds']:.2f}" + (f" ± {100 * row['spread']:.0f} %" if row["repeats"] > 1 else "")
             if based:
                 cells += [seconds, str(row["solves"]), f"{row['seconds'] / last['condensed', element]['seconds']:.2f}"]

@@ -37,7 +37,8 @@ def grid(text):
 def scenes():
     for name, chosen, elements, quick, full, reference, quantities in rows_of("scenes.csv", 7):
         yield {"name": name, "methods": [m.strip() for m in chosen.split(",") if m.strip() != "all"],
-               "elements": elements.split(), "trusted": elements.split()[-1], "quick": grid(quick), "full": grid(full),
+               "elements": elements.replace("*", "").split(), "trusted": elements.replace("*", "").split()[-1],
+               "ours": [e[:-1] for e in elements.split() if e.endswith("*")], "quick": grid(quick), "full": grid(full),
                "reference": [r.split() for r in reference.split("|")], "matrices": name == "hertz",
                "quantities": dict(word.split("=") for word in quantities.split())}
 
