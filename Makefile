@@ -103,7 +103,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep stability chart chart-quick test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep stability chart references chart-quick test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
 .PHONY: compile programs sanitize sanitized fuzz
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -134,10 +134,13 @@ sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3", or
 stability: build ## the map of what can go wrong, out/stability/map.png; OPTIONS="--only snap --references --store": tests/stability/run.py
 	@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) tests/stability/run.py $(OPTIONS)
 
-chart: build ## speed against accuracy of our methods and their rivals, out/chart (a quarter of an hour); OPTIONS="--repeat 5": tests/chart/run.py
+chart: build ## speed against accuracy of our methods and their rivals, out/chart (half an hour); OPTIONS="--only slip --repeat 5": tests/chart/run.py
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py $(OPTIONS)
 
-chart-quick: build ## the same on coarse meshes, within a minute
+references: build ## reference runs of the chart's scenes into tests/chart/references.csv and curves.csv
+	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py --references --none $(OPTIONS)
+
+chart-quick: build ## the same on coarse meshes, two minutes
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py --quick $(OPTIONS)
 
 test: packages format-check ## all quick tests: format, unit, plugin, verification, regression (a quarter of an hour on two cores)

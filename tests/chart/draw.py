@@ -13,24 +13,29 @@ MARKERS = {"P1": "o", "P2": "s"}
 
 
 def panel(ax, rows, quantity):
-    for method in dict.fromkeys(r["method"] for r in rows):
-        for element, style in (("P1", ":"), ("P2", "-")):
-            mine = sorted((r for r in rows if (r["method"], r["element"]) == (method, element)), key=lambda r: r["n"])
-            x, y = [r["seconds"] for r in mine], [100 * r[quantity] for r in mine]
-            ax.errorbar(x, y, xerr=[r["spread"] * r["seconds"] for r in mine], fmt=MARKERS[element] + style, ms=4.5, lw=1,
-                        color=COLORS.get(method, "k"), mfc="w" if element == "P1" else None, capsize=2, elinewidth=0.7)
+    lines = {}
+    for r in rows:
+        lines.setdefault((r["method"], r["element"], r["dtsteps"]), []).append(r)
+    most = max(r["dtsteps"] for r in rows)
+    for (method, element, steps), mine in lines.items():
+        mine.sort(key=lambda r: r["n"])
+        x, y = [r["seconds"] for r in mine], [100 * r[quantity] for r in mine]
+        ax.errorbar(x, y, xerr=[r["spread"] * r["seconds"] for r in mine], fmt=MARKERS[element] + (":" if element == "P1" else "-"),
+                    ms=4.5, lw=1, color=COLORS.get(method, "k"), mfc="w" if element == "P1" else None, capsize=2, elinewidth=0.7,
+                    alpha=1 if steps == most else 0.45)
     best = front(rows, quantity)
     ax.plot([r["seconds"] for r in best], [100 * r[quantity] for r in best], color="0.8", lw=6, zorder=0)
     for k, r in enumerate(best, 1):
         ax.annotate(str(k), (r["seconds"], 100 * r[quantity]), fontsize=8, xytext=(-4, -4), textcoords="offset points",
                     ha="right", va="top", weight="bold")
-    names = "\n".join(f"{k}  {r['method']}, {r['element']}, {r['n']}" for k, r in enumerate(best, 1))
-    ax.text(1.02, 1, "front: method,\nelement, n\n" + names, transform=ax.transAxes, fontsize=7.5, va="top")
+    names = "\n".join(f"{k}  {r['method']}, {r['element']}, {r['n']}{', ' + str(r['dtsteps']) if r['dtsteps'] else ''}" for k, r in enumerate(best, 1))
+    ax.text(1.02, 1, "front: method,\nelement, n" + (", steps" if most else "") + "\n" + names, transform=ax.transAxes, fontsize=7.5, va="top")
     ax.set_xscale("log")
     ax.set_yscale("log")
-    ax.set_ylim(min(100 * r[quantity] for r in rows) / 1.6, None)
-    for axis in (ax.xaxis, ax.yaxis):
-        axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    low, high = min(100 * r[quantity] for r in rows), max(100 * r[quantity] for r in rows)
+    ax.set_ylim(max(low, 1e-5 * high) / 1.6, 1.6 * high)
+    for axis, wide in ((ax.xaxis, False), (ax.yaxis, high > 300 * max(low, 1e-9))):
+        axis.set_major_locator(LogLocator(subs=(1,) if wide else (1, 2, 5)))
         axis.set_major_formatter(FormatStrFormatter("%g"))
         axis.set_minor_formatter(NullFormatter())
     ax.grid(True, which="major", color="0.92", lw=0.6)
@@ -47,9 +52,13 @@ def chart(rows, quantities, path):
     fig, axes = plt.subplots(lines, columns, figsize=(12, 4.1 * lines + 0.6), squeeze=False)
     for ax, quantity in zip(axes.flat, quantities):
         panel(ax, rows, quantity)
+    for ax in list(axes.flat)[len(quantities):]:
+        ax.axis("off")
     handles = [plt.Line2D([], [], color=COLORS.get(m, "k"), lw=2, label=m) for m in dict.fromkeys(r["method"] for r in rows)]
     handles += [plt.Line2D([], [], color="k", marker=MARKERS[e], ls=s, mfc="w" if e == "P1" else "k", label=e)
                 for e, s in (("P1", ":"), ("P2", "-"))]
+    if len({r["dtsteps"] for r in rows}) > 1:
+        handles.append(plt.Line2D([], [], color="k", alpha=0.45, label="pale: fewer steps"))
     handles.append(plt.Line2D([], [], color="0.8", lw=6, label="Pareto front, steps of 10 % and more"))
     fig.legend(handles=handles, loc="lower center", ncol=6, fontsize=8.5, frameon=False)
     fig.tight_layout(rect=(0, 0.85 / fig.get_figheight(), 1, 1))

@@ -62,7 +62,7 @@ def look(scene, methods, quick, folder):
     file, rows = os.path.abspath(os.path.join(folder, "matrix.txt")), []
 
     def one(method, element, n, options, factor, own):
-        command = [os.environ["BURNISH"], os.path.join(HERE, scene["script"] + ".edp"), *method["options"], *options,
+        command = [os.environ["BURNISH"], os.path.join(HERE, scene["name"] + ".edp"), *method["options"], *options,
                    "-element", element, "-n", str(n), "-block", BLOCK, "-matrix", file]
         done = subprocess.run(command, capture_output=True, text=True, errors="replace")
         if done.returncode != 0:

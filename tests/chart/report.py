@@ -3,11 +3,13 @@
 LEVELS = [0.05, 0.01, 0.002]
 STEP = 0.1
 MEANING = {"pressure": "pressure, L2", "pressure_inner": "pressure, L2 inside 0.8 a", "a": "half-width, and largest pressure",
-           "depth": "depth of the tool"}
+           "depth": "depth of the tool", "shift": "way along the surface",
+           "traction": "traction, L2", "sticking": "sticking share", "width": "width of the contact", "p99": "plastic strain, 99 %",
+           "nodal": "plastic strain, largest at a node", "rotation": "rotation", "torque": "torque"}
 
 
 def run_name(row):
-    return f"{row['method']}, {row['element']}, n = {row['n']}"
+    return f"{row['method']}, {row['element']}, n = {row['n']}" + (f", {row['dtsteps']} steps" if row["dtsteps"] else "")
 
 
 def front(rows, quantity):
@@ -20,9 +22,9 @@ def front(rows, quantity):
 
 
 def reaches(rows, row, quantity, level):
-    """Error below the level on this mesh and, lest it were by chance, on all finer ones of the same method."""
+    """Error below the level with this mesh and step and, lest it were by chance, with all finer ones of the same method."""
     return all(r[quantity] <= level for r in rows
-               if (r["method"], r["element"]) == (row["method"], row["element"]) and r["n"] >= row["n"])
+               if (r["method"], r["element"]) == (row["method"], row["element"]) and r["n"] >= row["n"] and r["dtsteps"] >= row["dtsteps"])
 
 
 def fastest(rows, quantity, level, whose):
@@ -33,7 +35,9 @@ def fastest(rows, quantity, level, whose):
 def cell(rows, row, quantity, whose):
     if row:
         return f"{run_name(row)}: {row['seconds']:.2f} s"
-    best = min((r for r in rows if r["whose"] == whose), key=lambda r: r[quantity])
+    best = min((r for r in rows if r["whose"] == whose), key=lambda r: r[quantity], default=None)
+    if best is None:
+        return "no run finished"
     return f"not reached ({100 * best[quantity]:.2g} % by {run_name(best)})"
 
 
@@ -58,44 +62,58 @@ def table(rows, quantities):
     return lines
 
 
-def same_forms(rows):
-    """Seconds and solves beside the condensed matrix on the same forms, element and mesh."""
-    lines = ["| Method, on the finest mesh | P1: s | solves | over condensed | P2: s | solves | over condensed |",
-             "|---|---|---|---|---|---|---|"]
-    finest = max(r["n"] for r in rows)
-    last = {(r["method"], r["element"]): r for r in rows if r["n"] == finest}
+def costs(rows):
+    """What every method takes with the finest mesh and step; with condensed, on the same forms, beside it."""
+    finest = max((r["n"], r["dtsteps"]) for r in rows)
+    last = {(r["method"], r["element"]): r for r in rows if (r["n"], r["dtsteps"]) == finest}
+    based = ("condensed", "P1") in last
+    head = ["s", "solves", "over condensed"] if based else ["s", "factorizations", "rejected steps", "outcome"]
+    n = f"n = {finest[0]}" + (f", {finest[1]} steps" if finest[1] else "")
+    titles = [f"Method, {n}"] + [(f"{e}: " if k == 0 else "") + t for e in ("P1", "P2") for k, t in enumerate(head)]
+    lines = ["| " + " | ".join(titles) + " |", "|---" * len(titles) + "|"]
     for method in dict.fromkeys(r["method"] for r in rows):
         cells = [method]
         for element in ("P1", "P2"):
-            row, base = last[method, element], last["condensed", element]
-            cells += [f"{row['seconds']:.2f} ± {100 * row['spread']:.0f} %", str(row["solves"]),
-                      f"{row['seconds'] / base['seconds']:.2f}"]
+            row = last.get((method, element))
+            if row is None:
+                cells += ["not run"] + ["-"] * (len(head) - 1)
+                continue
+            seconds = f"{row['seconds']:.2f}" + (f" ± {100 * row['spread']:.0f} %" if row["repeats"] > 1 else "")
+            if based:
+                cells += [seconds, str(row["solves"]), f"{row['seconds'] / last['condensed', element]['seconds']:.2f}"]
+            else:
+                cells += [seconds, str(row["factorizations"]), str(row["rejected"]), row["outcome"]]
         lines.append("| " + " | ".join(cells) + " |")
     return lines
 
 
 def better_rivals(rows, quantities):
     """Sentences: rivals on a front, and penalties that are more accurate than the exact constraint."""
-    lines = []
+    lines, base = [], "condensed" if any(r["method"] == "condensed" for r in rows) else "implicit"
     for quantity in quantities:
         rivals = [run_name(r) for r in front(rows, quantity) if r["whose"] == "rival"]
         if rivals:
             lines.append(f"- On the front of {MEANING.get(quantity, quantity)}: {'; '.join(rivals)}.")
     for quantity in quantities:
         better = [(r, o) for r in rows for o in rows
-                  if r["whose"] == "rival" and o["method"] == "condensed" and (o["element"], o["n"]) == (r["element"], r["n"])
+                  if r["whose"] == "rival" and o["method"] == base
+                  and (o["element"], o["n"], o["dtsteps"]) == (r["element"], r["n"], r["dtsteps"])
                   and r[quantity] < 0.8 * o[quantity]]
         if better:
-            lines.append(f"- {MEANING.get(quantity, quantity)} with a smaller error than the condensed matrix on the same mesh: "
+            lines.append(f"- {MEANING.get(quantity, quantity)} with a smaller error than {base} on the same mesh: "
                          + "; ".join(f"{run_name(r)} ({100 * r[quantity]:.2g} against {100 * o[quantity]:.2g} %)" for r, o in better)
                          + ".")
     return lines or ["- Nowhere in this run."]
 
 
-def report(scene, rows, quantities):
-    lines = [f"## {scene}: for this error use this", "", *table(rows, quantities), "",
-             f"## {scene}: the same forms, one load step", "", *same_forms(rows), "",
-             f"## {scene}: where a rival is better", "", *better_rivals(rows, quantities), ""]
+def report(scene, rows, done, quantities):
+    """rows: all; done: those that finished."""
+    lines = [f"## {scene}: for this error use this", "", *table(done, quantities), "",
+             f"## {scene}: what it takes", "", *costs(rows), "",
+             f"## {scene}: where a rival is better", "", *better_rivals(done, quantities), ""]
+    failed = [f"{run_name(r)}: {r['outcome']}" for r in rows if r["outcome"] != "finished"]
+    lines += [f"Not finished: {'; '.join(failed)}.", ""] if failed else []
+    rows = done
     for quantity in quantities:
         names = "; ".join(f"{run_name(r)} ({r['seconds']:.2f} s, {100 * r[quantity]:.2g} %)" for r in front(rows, quantity))
         lines.append(f"Front of {MEANING.get(quantity, quantity)}: {names}.")

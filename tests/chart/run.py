@@ -1,97 +1,50 @@
-"""Speed against accuracy: runs every scene by every method, element and mesh, and says what to use.
+"""Speed against accuracy: runs every scene by every method, element, mesh and step, and says what to use.
 
 run.py [--quick] [--only TEXT] [--references] [--repeat N] [--again] [--store] [--out FOLDER]
-                                                       see the Makefile's targets chart and chart-quick
-Scenes are scripts that print `result NAME VALUE`; which meshes, elements and methods: scenes.csv, methods.csv. All runs of a
-repetition are done before the next one begins, every other one backwards, so that a machine that slows down does so for all.
-Seconds are CPU seconds from the space to the equilibrium, without the start of the script and its mesh; the median is kept,
-and the spread, half of the largest minus the smallest over the median. Errors are relative, against the exact solution, or,
-where there is none, against references.csv: numbers of a fine run with the difference to a coarser one as their own error, below which no error is given.
-Results in the folder, for scene hertz: hertz.csv (one row for a method, element and mesh), hertz.png, hertz.md (the tables),
-matrices.csv, matrices.png. A run that fails ends the chart; an error above WRONG on the finest mesh gives exit status 1.
+                                       see the Makefile's targets chart, chart-quick and references
+Scenes are scripts that print `result NAME VALUE` and `curve NAME x value x value ...`; which methods, meshes and steps: scenes.csv,
+methods.csv. All runs of a repetition are done before the next one begins, every other one backwards, so that a machine that slows
+down does so for all. Seconds are CPU seconds from the space to the equilibrium, without the start of the script and its mesh; the
+median is kept, and the spread, half of the largest minus the smallest over the median; megabytes are the peak of the whole process.
+Quantities: NAME=0 is an error already, against the exact solution; NAME=run, NAME=1,2,4 (largest error over these quarters of
+the program, each in the CSV, too), NAME=curve (relative L2 norm over the run's own nodes) are relative, against references.csv
+and curves.csv: a fine run with the difference to a coarser one as its own error, below which no error is given. A run that stops early,
+takes too long or is not to be trusted says so under outcome and has no place on a front.
+Results in the folder, for scene hertz: hertz.csv (one row for a method, element, mesh and step), hertz.png, hertz.md (the tables),
+matrices.csv, matrices.png. An error above WRONG (--quick: WRONG_QUICK) in an exact or a
+global quantity of a finished run of a scene's last element on the finest mesh gives exit status 1.
 """
 import argparse
 import csv
+import math
 import os
 import re
 import shutil
 import statistics
-import subprocess
 import sys
 import time
 
 import draw
 import matrices
 import report
+from scene_files import HERE, curve_error, methods, read_curves, read_references, run, scenes, write_references
 
-HERE = os.path.dirname(os.path.abspath(__file__))
 ELEMENTS = ["P1", "P2"]
-WRONG = 0.1
-
-
-def rows_of(name, width):
-    with open(os.path.join(HERE, name)) as f:
-        for line in f:
-            if not line.startswith("#") and line.strip():
-                parts = [part.strip() for part in line.split(";")]
-                if len(parts) != width:
-                    sys.exit(f"chart: {name}: {len(parts)} entries instead of {width}: {line.strip()}")
-                yield parts
-
-
-def methods():
-    return [{"name": n, "whose": w, "options": o.split(), "matrix": m == "matrix", "meaning": meaning}
-            for n, w, o, m, meaning in rows_of("methods.csv", 5)]
-
-
-def scenes():
-    for name, script, quick, full, reference, quantities in rows_of("scenes.csv", 6):
-        options, meshes = reference.split(":")
-        yield {"name": name, "script": script, "quick": [int(n) for n in quick.split()], "full": [int(n) for n in full.split()],
-               "reference": (options.split(), [int(n) for n in meshes.split()]),
-               "quantities": dict(word.split("=") for word in quantities.split())}
-
-
-def run(script, options):
-    """Results of one run by name."""
-    command = [os.environ["BURNISH"], os.path.join(HERE, script + ".edp"), *options]
-    done = subprocess.run(command, cwd=HERE, capture_output=True, text=True, timeout=1000, errors="replace")
-    found = dict(re.findall(r"^result (\S+) (\S+)$", done.stdout, re.MULTILINE))
-    if done.returncode != 0 or "seconds" not in found:
-        sys.exit(f"chart: exit status {done.returncode} of {' '.join(command)}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    return {name: float(value) for name, value in found.items()}
-
-
-def read_references():
-    path = os.path.join(HERE, "references.csv")
-    with open(path) as f:
-        return {(row["scene"], row["quantity"]): (float(row["value"]), float(row["error"])) for row in csv.DictReader(f)}
-
-
-def make_references():
-    """A fine run of every scene; its own error is the difference to a coarser one."""
-    with open(os.path.join(HERE, "references.csv"), "w", newline="") as f:
-        table = csv.writer(f, lineterminator="\n")
-        table.writerow(["scene", "quantity", "value", "error", "run"])
-        for scene in scenes():
-            options, meshes = scene["reference"]
-            coarse, fine = (run(scene["script"], options + ["-n", str(n)]) for n in meshes)
-            for quantity, kind in scene["quantities"].items():
-                if kind == "run":
-                    error = abs(coarse[quantity] / fine[quantity] - 1)
-                    table.writerow([scene["name"], quantity, f"{fine[quantity]:.8g}", f"{error:.1e}",
-                                    " ".join(options + ["-n", str(meshes[1])])])
-                    print(f"  {scene['name']}: {quantity} {fine[quantity]:.8g}, differs from n = {meshes[0]} by {error:.1e}")
+WRONG, WRONG_QUICK = 0.1, 0.4
+GLOBAL = {"depth", "shift", "rotation", "torque", "a", "width"}
+ONCE = 4  # [s]
 
 
 def repeat_all(tasks, times):
-    """Results of every task, repeated in turns."""
+    """Results of every task, repeated in turns; a run that takes longer than ONCE is not repeated."""
     found = [[] for _ in tasks]
     begun, done = time.time(), 0
     for k in range(times):
         order = list(enumerate(tasks))
-        for i, (scene, method, element, n) in order if k % 2 == 0 else reversed(order):
-            found[i].append(run(scene["script"], method["options"] + ["-element", element, "-n", str(n)]))
+        for i, (scene, method, element, n, steps) in order if k % 2 == 0 else reversed(order):
+            if k == 0 or found[i][0]["seconds"] < ONCE:
+                extra = ["-steps", str(steps)] if steps else []
+                found[i].append(run(scene, method["options"] + ["-element", element, "-n", str(n)] + extra))
             done += 1
             if sys.stderr.isatty():
                 left = (time.time() - begun) * (times * len(tasks) - done) / done
@@ -101,20 +54,32 @@ def repeat_all(tasks, times):
     return found
 
 
-def row_of(task, results, references):
-    scene, method, element, n = task
+def errors_of(scene, result, references, curves):
+    """Errors by name of the quantity, and at every quarter; none where the run did not come so far."""
+    found = {}
+    for quantity, kind in scene["quantities"].items():
+        if kind == "0":
+            found[quantity] = abs(result[quantity]) if quantity in result else math.nan
+        elif kind == "curve":
+            found[quantity] = curve_error(result["curves"].get(quantity), curves[scene["name"], quantity])
+        else:
+            names = [quantity] if kind == "run" else [f"{quantity}_{k}" for k in kind.split(",")]
+            parts = {n: abs(result[n] / references[scene["name"], n][0] - 1) if n in result else math.nan for n in names}
+            found.update(parts)
+            found[quantity] = max(parts.values()) if all(v == v for v in parts.values()) else math.nan
+    return found
+
+
+def row_of(task, results, references, curves):
+    scene, method, element, n, steps = task
     seconds = [r["seconds"] for r in results]
     middle = statistics.median(seconds)
-    row = {"scene": scene["name"], "method": method["name"], "whose": method["whose"], "element": element, "n": n,
-           "seconds": middle, "spread": (max(seconds) - min(seconds)) / 2 / middle}
-    for name in ("dofs", "solves", "steps", "rejected"):
-        row[name] = int(results[0][name])
-    for quantity, kind in scene["quantities"].items():
-        value = results[0][quantity]
-        row[quantity] = abs(value)
-        if kind == "run":
-            row[quantity] = abs(value / references[scene["name"], quantity][0] - 1)
-    return row
+    row = {"scene": scene["name"], "method": method["name"], "whose": method["whose"], "element": element, "n": n, "dtsteps": steps,
+           "seconds": middle, "spread": (max(seconds) - min(seconds)) / 2 / max(middle, 1e-9), "repeats": len(results),
+           "megabytes": statistics.median(r["megabytes"] for r in results), "outcome": results[0]["outcome"]}
+    for name in ("dofs", "steps", "rejected", "factorizations", "solves"):
+        row[name] = int(results[0].get(name, 0))
+    return {**row, **errors_of(scene, results[0], references, curves)}
 
 
 def write(path, rows):
@@ -139,47 +104,60 @@ def read(path):
         return [{k: v if k in ("factor", "method") else value(v) for k, v in row.items()} for row in csv.DictReader(f)]
 
 
-def wrong_runs(scene, rows):
+def wrong_runs(scene, rows, bound):
     """Sentences of runs on the finest mesh that are off."""
-    finest = max(row["n"] for row in rows)
+    finest = max((row["n"], row["dtsteps"]) for row in rows)
     return [f"{row['method']}, {row['element']}, n = {row['n']}: {q} off by {100 * row[q]:.3g} %"
-            for row in rows if row["n"] == finest for q in scene["quantities"] if not row[q] < WRONG]
+            for row in rows if (row["n"], row["dtsteps"]) == finest and row["outcome"] == "finished"
+            and row["element"] == scene["trusted"] for q, kind in scene["quantities"].items()
+            if (kind == "0" or q in GLOBAL) and not row[q] < bound]
 
 
 def measure(scene, options):
     """Runs the scene and looks at its matrices."""
-    tasks = [(scene, m, e, n) for n in scene["quick" if options.quick else "full"] for e in ELEMENTS for m in methods()]
+    meshes, steps = scene["quick" if options.quick else "full"]
+    able = [m for m in methods() if not scene["methods"] or m["name"] in scene["methods"]]
+    tasks = [(scene, m, e, n, k) for n in meshes for k in steps for e in scene["elements"] for m in able
+             if m["whose"] == "ours" or e not in scene["ours"]]
     found = repeat_all(tasks, options.repeat or (2 if options.quick else 3))
-    references = read_references()
-    write(os.path.join(options.out, scene["name"] + ".csv"), [row_of(t, results, references) for t, results in zip(tasks, found)])
-    write(os.path.join(options.out, "matrices.csv"),
-          matrices.look(scene, [m for m in methods() if m["matrix"]], options.quick, options.out))
+    references, curves = read_references(), read_curves()
+    write(os.path.join(options.out, scene["name"] + ".csv"),
+          [row_of(t, results, references, curves) for t, results in zip(tasks, found)])
+    if scene["matrices"]:
+        write(os.path.join(options.out, "matrices.csv"),
+              matrices.look(scene, [m for m in methods() if m["matrix"]], options.quick, options.out))
 
 
 def show(scene, folder):
     """Pictures and tables of what is in the folder; returns the rows."""
-    rows, looked = read(os.path.join(folder, scene["name"] + ".csv")), read(os.path.join(folder, "matrices.csv"))
-    quantities = list(scene["quantities"])
+    rows, quantities = read(os.path.join(folder, scene["name"] + ".csv")), list(scene["quantities"])
     for (name, quantity), (_, uncertain) in read_references().items():
-        for row in rows if name == scene["name"] else []:
-            row[quantity] = max(row[quantity], uncertain)
-    draw.chart(rows, quantities, os.path.join(folder, scene["name"] + ".png"))
-    draw.matrices(looked, os.path.join(folder, "matrices.png"))
-    text = report.report(scene["name"], rows, quantities) + report.matrices(looked)
+        base, _, quarter = quantity.partition("_")
+        if name != scene["name"] or base not in quantities or (quarter and quarter not in scene["quantities"][base].split(",")):
+            continue
+        for row in rows:
+            row[base] = max(row[base], uncertain)
+    done = [r for r in rows if r["outcome"] == "finished" and all(r[q] == r[q] for q in quantities)]
+    draw.chart(done, quantities, os.path.join(folder, scene["name"] + ".png"))
+    text = report.report(scene["name"], rows, done, quantities)
+    if scene["matrices"]:
+        looked = read(os.path.join(folder, "matrices.csv"))
+        draw.matrices(looked, os.path.join(folder, "matrices.png"))
+        text += report.matrices(looked)
     with open(os.path.join(folder, scene["name"] + ".md"), "w") as f:
         f.write(text)
     print(text)
-    return rows
+    return rows, done
 
 
-def store(scene, rows, folder):
+def store(scene, rows, done, folder):
     """Picture into this folder, tables into README.md between <!-- chart NAME --> and <!-- end -->."""
-    for name in (scene["name"], "matrices"):
+    for name in (scene["name"], "matrices") if scene["matrices"] else (scene["name"],):
         shutil.copy(os.path.join(folder, name + ".png"), os.path.join(HERE, name + ".png"))
     path = os.path.join(os.path.dirname(os.path.dirname(HERE)), "README.md")
     with open(path) as f:
         text = f.read()
-    for name, lines in (("use", report.table(rows, list(scene["quantities"]))), ("forms", report.same_forms(rows))):
+    for name, lines in (("use", report.table(done, list(scene["quantities"]))), ("forms", report.costs(rows))):
         mark = f"<!-- chart {scene['name']} {name} -->"
         text, count = re.subn(re.escape(mark) + r"\n.*?<!-- end -->", lambda _: "\n".join([mark, *lines, "<!-- end -->"]), text,
                               flags=re.DOTALL)
@@ -194,6 +172,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="coarse meshes, twice instead of three times")
     parser.add_argument("--only", default="", help="scenes whose name holds this pattern")
     parser.add_argument("--references", action="store_true", help="run the reference runs first")
+    parser.add_argument("--none", action="store_true", help="with --references: nothing but them")
     parser.add_argument("--repeat", type=int, default=0, help="how often every run is made")
     parser.add_argument("--again", action="store_true", help="no runs: pictures and tables of the files in the folder")
     parser.add_argument("--store", action="store_true", help="picture and tables into README.md")
@@ -204,15 +183,17 @@ def main():
         sys.exit(f"chart: no name of a scene holds \"{options.only}\"")
     os.makedirs(options.out, exist_ok=True)
     if options.references:
-        make_references()
+        write_references(chosen)
+        if options.none:
+            sys.exit(0)
     complaints = []
     for scene in chosen:
         if not options.again:
             measure(scene, options)
-        rows = show(scene, options.out)
-        complaints += wrong_runs(scene, rows)
+        rows, done = show(scene, options.out)
+        complaints += wrong_runs(scene, rows, WRONG_QUICK if options.quick else WRONG)
         if options.store:
-            store(scene, rows, options.out)
+            store(scene, rows, done, options.out)
     for line in complaints:
         print("wrong: " + line)
     sys.exit(bool(complaints))
