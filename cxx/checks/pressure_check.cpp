@@ -19,7 +19,7 @@ int tool_of(const AcceptedStep<Dim>& step, const std::vector<int>& candidate, co
   return tool;
 }
 
-// Integral of the fitted pressure per tool [force].
+// Integral of the reported pressure per tool [force].
 template <int Dim> Eigen::VectorXd integrals(const AcceptedStep<Dim>& step, const Eigen::VectorXd& pressure) {
   const std::vector<int> candidate = step.model.candidate_of_node(step.mesh.num_nodes);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(step.model.tools.size()));
@@ -54,7 +54,7 @@ void judge(const AcceptedStep<Dim>& step, int tool, const CheckOptions& options,
   finding->value = value;
   finding->bound = bound;
   std::ostringstream text;
-  text << "tool \"" << step.tool_name(tool) << "\": its fitted pressures add up to " << known.sum
+  text << "tool \"" << step.tool_name(tool) << "\": its reported pressures add up to " << known.sum
        << ", its nodal forces to " << known.load << ", t = " << known.t
        << ": mid nodes of a curved surface off its curve (straight=), or a contact that the mesh does not "
           "resolve";
