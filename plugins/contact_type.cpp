@@ -6,7 +6,7 @@
 //     tolerance=          residual over the load, 1e-4; above 1e-2 only with loose=true
 //     gaptolerance=       gap and slip over the spacing of the nodes, 1e-6
 //     maxiterations=, memory= (Anderson), terms="complete" | "article" | "none"
-//     tied=true           P2: stick and slip at corners, by forces shared with the mid nodes; false: node by node
+//     tied=true           P2: stick and slip at corners, by forces shared with the mid nodes, instead of node by node
 //     axisymmetric=true   x is the radius (as in rcMaterial)
 //     surfaceplaces=      where the mid nodes of P2 edges lie on the true curve: Vh [X, Y] = [...]; X[]. Without it they lie on
 //                         the curve through the vertices, arc by arc; straight=true: on the edges of the mesh
