@@ -163,11 +163,8 @@ void Predictor<Dim>::place_contact_nodes(bool may_stick, bool tied, ContactState
         place_contact_node(poses, i, may_stick, state, u);
   };
   for (auto& node : state.nodes) node.tied = node.tied && tied;
-  const std::vector<ContactNode<Dim>> before = state.nodes;
   place(false);
   if (tied) tie_edges(m_model, state);
-  for (int i = 0; !may_stick && i < n; ++i) // from event to event a tie stays where both ends slide, or they would cycle
-    state.nodes[i].tied = state.nodes[i].tied || before[i].tied;
   place(true);
   follow_ends(m_model, state);
   for (int i = 0; i < n; ++i) {
