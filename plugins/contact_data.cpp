@@ -5,8 +5,8 @@
 //     C.s, C.gap                             parameter on the tool; gap, positive = open [length]
 //     C.normalforce, C.tangentialforce       nodal forces of the tool on the body [force]
 //     C.pressure, C.traction                 the same over tributary lengths [stress]
-//     C.pressurefit, C.tractionfit           linear on every edge, fitted to the nodal forces [stress]
-//   Numbers: C.width, C.speed, C.spacing, C.residual, C.loadscale; C.count("sliding"); C.leftout (text)
+//     C.pressurefit, C.tractionfit           linear on every edge, of forces shared to the corners of P2 [stress]
+//   Numbers: C.width, C.stickshare (part of it that sticks), C.speed, C.spacing, C.residual, C.loadscale; C.count("sliding"); C.leftout (text)
 //     C.statistic("factorizations"), C.seconds("solve") (CPU)
 //   Event log as a table, i = 0 .. C.eventnumber-1: C.eventtime(i), C.eventkind(i), C.eventnode(i), C.eventtool(i),
 //     C.eventx(i), C.eventy(i)
@@ -67,6 +67,9 @@ Array parameters(Stack stack, H* const& h) {
 }
 double width(H* const& h) {
   return guarded([&] { return h->get().started() ? h->get().run().contact_width() : 0.; });
+}
+double stick_share(H* const& h) {
+  return guarded([&] { return h->get().started() ? report(h->get().run()).stick_share : 0.; });
 }
 double speed(H* const& h) {
   return guarded([&] { return h->get().started() ? h->get().run().contact_speed() : 0.; });
@@ -210,6 +213,7 @@ void register_contact_data() {
     Add<H*>(name, ".", new OneOperator1_<double, H*>(f));
   };
   number("width", width);
+  number("stickshare", stick_share);
   number("speed", speed);
   number("spacing", spacing);
   number("residual", residual);

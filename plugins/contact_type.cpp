@@ -6,6 +6,7 @@
 //     tolerance=          residual over the load, 1e-4; above 1e-2 only with loose=true
 //     gaptolerance=       gap and slip over the spacing of the nodes, 1e-6
 //     maxiterations=, memory= (Anderson), terms="complete" | "article" | "none"
+//     tied=true           P2: stick and slip at corners, by forces shared with the mid nodes, instead of node by node
 //     axisymmetric=true   x is the radius (as in rcMaterial)
 //     surfaceplaces=      where the mid nodes of P2 edges lie on the true curve: Vh [X, Y] = [...]; X[]. Without it they lie on
 //                         the curve through the vertices, arc by arc; straight=true: on the edges of the mesh
@@ -43,7 +44,7 @@ std::vector<long> labels_of(const Named& a, const char* where) {
 constexpr double LOOSE = 1e-2; // largest tolerance that nobody has to confirm
 
 struct Construct {
-  static const int n = 13;
+  static const int n = 14;
   static basicAC_F0::name_and_type names[n];
   static Made<ContactObject> call(const Named& a, pfes* space) {
     const std::vector<long> labels = labels_of(a, "contact");
@@ -70,6 +71,7 @@ struct Construct {
     options.anderson_memory =
         static_cast<int>(a.integer("memory", options.anderson_memory, 0, 1000, "contact"));
     options.terms = terms_of(a.text("terms", "complete"));
+    options.tied = a.boolean("tied", options.tied);
     auto object = std::make_shared<ContactObject>();
     object->friction = called("rcContact", [&] { return make_coulomb(a.real("friction", 0)); });
     for (const long label : labels) facets_with(mesh, {label}, "contact"); // each must be there
@@ -87,19 +89,14 @@ struct Construct {
     return made(a.stack(), std::move(object));
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {{"label", &typeid(long)},
-                                                {"labels", &typeid(KN_<long>)},
-                                                {"fixed", &typeid(KN_<double>)},
-                                                {"friction", &typeid(double)},
-                                                {"tolerance", &typeid(double)},
-                                                {"gaptolerance", &typeid(double)},
-                                                {"maxiterations", &typeid(long)},
-                                                {"memory", &typeid(long)},
-                                                {"terms", &typeid(string*)},
-                                                {"axisymmetric", &typeid(bool)},
-                                                {"surfaceplaces", &typeid(KN_<double>)},
-                                                {"straight", &typeid(bool)},
-                                                {"loose", &typeid(bool)}};
+basicAC_F0::name_and_type Construct::names[] = {
+    {"label", &typeid(long)},         {"labels", &typeid(KN_<long>)},
+    {"fixed", &typeid(KN_<double>)},  {"friction", &typeid(double)},
+    {"tolerance", &typeid(double)},   {"gaptolerance", &typeid(double)},
+    {"maxiterations", &typeid(long)}, {"memory", &typeid(long)},
+    {"terms", &typeid(string*)},      {"tied", &typeid(bool)},
+    {"axisymmetric", &typeid(bool)},  {"surfaceplaces", &typeid(KN_<double>)},
+    {"straight", &typeid(bool)},      {"loose", &typeid(bool)}};
 
 // Edges of the labels that a tool may touch; empty: all.
 std::vector<Facet<2>> reach_of(const Named& a, const ContactObject& contact) {

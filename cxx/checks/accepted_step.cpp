@@ -21,6 +21,7 @@ template <int Dim> std::string AcceptedStep<Dim>::at(const Vector<Dim>& x) const
 template <int Dim> void prepare(AcceptedStep<Dim>& step) {
   step.poses = step.model.poses(step.contact.q);
   step.touching.clear();
+  const auto deciding = deciding_forces(step.model, step.contact, step.poses, step.R);
   for (std::size_t i = 0; i < step.contact.nodes.size(); ++i) {
     const ContactNode<Dim>& node = step.contact.nodes[i];
     if (!in_contact(node.state)) continue;
@@ -30,6 +31,7 @@ template <int Dim> void prepare(AcceptedStep<Dim>& step) {
     const int mesh_node = step.model.candidates[i];
     const Vector<Dim> R = step.R.template segment<Dim>(Dim * mesh_node);
     touching.force = nodal_force(step.model, touching.candidate, touching.at.surface, R);
+    touching.deciding = deciding[i];
     touching.x = step.body.position(step.u, mesh_node);
     step.touching.push_back(std::move(touching));
   }

@@ -1,7 +1,7 @@
 #pragma once
 // The accepted end of a step as the self-checks of a run see it.
 #include "contact/body_view.hpp"
-#include "contact/contact_model.hpp"
+#include "contact/tied_edges.hpp"
 #include "workpiece/workpiece.hpp"
 
 namespace burnish {
@@ -9,9 +9,10 @@ namespace burnish {
 /// A node in contact, with what its tool exerts on it.
 template <int Dim> struct CheckedNode {
   int candidate = -1;
-  ContactPoint<Dim> at;  ///< of its tool
-  NodalForce<Dim> force; ///< of the tool on the node [force]
-  Vector<Dim> x;         ///< where the node is [length]
+  ContactPoint<Dim> at;        ///< of its tool
+  NodalForce<Dim> force;       ///< of the tool on the node [force]
+  DecidingForce<Dim> deciding; ///< by which its stick and slip are decided
+  Vector<Dim> x;               ///< where the node is [length]
 };
 
 /// Refers to what belongs to the run.

@@ -83,8 +83,10 @@ void ContactCheck<Dim>::look_at_forces(const AcceptedStep<Dim>& step, const Chec
       const SurfaceForce<Dim>& force = node.force.part;
       load += node.force.F.norm();
       tension.take(-force.N, i);
-      friction.take(-step.model.law(node.candidate, tool).reserve(force, contact.tributary_area), i);
-      if (contact.state == NodeState::SLIDING) friction.take(node.at.m.dot(force.T), i);
+      if (contact.tied) continue; // its friction is part of that of its ends
+      const DecidingForce<Dim>& at = node.deciding;
+      friction.take(-step.model.law(node.candidate, tool).reserve(at.force, at.area), i);
+      if (contact.state == NodeState::SLIDING) friction.take(node.at.m.dot(at.force.T), i);
     }
     known.load = std::max(known.load, load);
     if (tension.node >= 0) keep(step, tension, options.tension * load, known.tension);

@@ -19,18 +19,24 @@ int tool_of(const AcceptedStep<Dim>& step, const std::vector<int>& candidate, co
   return tool;
 }
 
-// Integral of the fitted pressure per tool [force].
-template <int Dim> Eigen::VectorXd integrals(const AcceptedStep<Dim>& step, const Eigen::VectorXd& pressure) {
+// What the reported pressures ask of the mid nodes less what these carry, per tool [force]. The integral over all nodes is the
+// sum of the forces by itself (METHOD.md 3.20).
+template <int Dim>
+Eigen::VectorXd lacking_at_middles(const AcceptedStep<Dim>& step, const SurfaceReport<Dim>& report) {
   const std::vector<int> candidate = step.model.candidate_of_node(step.mesh.num_nodes);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(step.model.tools.size()));
   for (const Facet<Dim>& facet : step.surface) {
     const std::vector<int> nodes = nodes_of(facet);
-    const Eigen::VectorXd part =
-        step.body.measure->masses(places_of(step.body, facet, step.u)).colwise().sum();
+    const Eigen::MatrixXd mass = step.body.measure->masses(places_of(step.body, facet, step.u));
     for (int v = 0; v < Dim; ++v) {
-      const int tool = tool_of(step, candidate, nodes, facet.vertex[v]);
-      if (tool >= 0 && candidate[facet.vertex[v]] >= 0)
-        sum[tool] += part[v] * pressure[candidate[facet.vertex[v]]];
+      const int tool = tool_of(step, candidate, nodes, facet.vertex[v]), i = candidate[facet.vertex[v]];
+      if (tool >= 0 && i >= 0)
+        sum[tool] += mass.col(v).tail(mass.rows() - Dim).sum() * report.pressure_fit[i];
+    }
+    for (std::size_t m = Dim; m < nodes.size(); ++m) {
+      const int i = candidate[nodes[m]];
+      if (i >= 0 && in_contact(step.contact.nodes[i].state))
+        sum[step.contact.nodes[i].tool] -= report.normal_force[i];
     }
   }
   return sum;
@@ -54,8 +60,8 @@ void judge(const AcceptedStep<Dim>& step, int tool, const CheckOptions& options,
   finding->value = value;
   finding->bound = bound;
   std::ostringstream text;
-  text << "tool \"" << step.tool_name(tool) << "\": its fitted pressures add up to " << known.sum
-       << ", its nodal forces to " << known.load << ", t = " << known.t
+  text << "tool \"" << step.tool_name(tool) << "\": its reported pressures ask for nodal forces of "
+       << known.sum << ", its nodal forces to " << known.load << ", t = " << known.t
        << ": mid nodes of a curved surface off its curve (straight=), or a contact that the mesh does not "
           "resolve";
   finding->text = text.str();
@@ -77,7 +83,7 @@ void PressureCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions&
     load[step.contact.nodes[node.candidate].tool] += node.force.part.N;
   const SurfaceReport<Dim> report =
       surface_report(step.model, step.body, step.contact, step.surface, step.u, step.R);
-  const Eigen::VectorXd sums = integrals(step, report.pressure_fit);
+  const Eigen::VectorXd sums = load + lacking_at_middles(step, report);
   for (int tool = 0; tool < tools; ++tool) {
     PressureState& known = state.pressure[tool];
     if (!(load[tool] > step.tolerance * step.load)) continue;

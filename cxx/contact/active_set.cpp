@@ -43,6 +43,22 @@ template <int Dim> Eigen::VectorXd of_nodes(const Eigen::VectorXd& window, const
   return part;
 }
 
+// Deciding forces of the window's active nodes under the forces on them.
+template <int Dim, class Force>
+std::vector<DecidingForce<Dim>> deciding_at(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                                            const std::vector<Pose<Dim>>& poses,
+                                            const std::vector<int>& window, const std::vector<int>& active,
+                                            const Force& force) {
+  std::vector<SurfaceForce<Dim>> own(state.nodes.size());
+  for (const int w : active) {
+    const ContactNode<Dim>& node = state.nodes[window[w]];
+    if (!in_contact(node.state)) continue;
+    const auto p = model.tools[node.tool]->point(poses[node.tool], node.place);
+    own[window[w]] = nodal_force(model, window[w], p, force(window[w])).part;
+  }
+  return deciding_forces(model, state, own);
+}
+
 // Linearizations of the active nodes at the start of the iteration, in the states of the trial.
 template <int Dim>
 std::vector<NodeLinearization<Dim>> linearize(const ContactModel<Dim>& model, const BodyView<Dim>& body,
@@ -50,6 +66,12 @@ std::vector<NodeLinearization<Dim>> linearize(const ContactModel<Dim>& model, co
                                               const WindowProblem<Dim>& problem,
                                               const std::vector<int>& active, Eigen::VectorXd& offset) {
   const auto poses = model.poses(start.q);
+  const auto force = [&](int candidate) { // a node that touches now carried no force yet
+    if (!in_contact(start.nodes[candidate].state)) return Vector<Dim>(Vector<Dim>::Zero());
+    return Vector<Dim>(problem.R->template segment<Dim>(Dim * model.candidates[candidate]));
+  };
+  const std::vector<DecidingForce<Dim>> deciding =
+      deciding_at(model, trial, poses, *problem.window, active, force);
   std::vector<NodeLinearization<Dim>> nodes;
   offset = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(active.size()));
   for (std::size_t a = 0; a < active.size(); ++a) {
@@ -57,9 +79,9 @@ std::vector<NodeLinearization<Dim>> linearize(const ContactModel<Dim>& model, co
     nodes.emplace_back();
     nodes.back().in_contact = in_contact(trial.nodes[candidate].state);
     if (!nodes.back().in_contact) continue;
-    Vector<Dim> R = Vector<Dim>::Zero(); // a node that touches now carried no force yet
-    if (in_contact(start.nodes[candidate].state)) R = problem.R->template segment<Dim>(Dim * mesh_node);
-    nodes.back() = linearize_node(model, trial.nodes[candidate], candidate, poses, R, problem.terms);
+    const NodeCones<Dim> cones = cones_of(model, trial, poses, deciding, candidate);
+    nodes.back() = linearize_node(model, trial.nodes[candidate], candidate, poses, force(candidate),
+                                  problem.terms, &cones);
     if (!model.couplings.empty()) eliminate_followers(model, start.q, problem.terms, nodes.back());
     offset.template segment<Dim>(Dim * a) =
         offset_to(model, candidate, nodes.back().point, body.position(*problem.u, mesh_node));
@@ -105,19 +127,25 @@ bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body,
     out.F.template segment<Dim>(Dim * active[a]) = block.F.template segment<Dim>(Dim * a);
     out.load.template segment<Dim>(Dim * active[a]) = block.load.template segment<Dim>(Dim * a);
   }
+  follow_ends(model, out.state);
   return true;
 }
 
 // A node in contact.
 template <int Dim>
 bool test_contact(const ContactModel<Dim>& model, int candidate, const std::vector<Pose<Dim>>& poses,
-                  const ContactNode<Dim>& solved, const Vector<Dim>& F, const ActiveSetOptions& options,
-                  ContactNode<Dim>& node) {
+                  const ContactNode<Dim>& solved, const Vector<Dim>& F, const DecidingForce<Dim>& deciding,
+                  const ActiveSetOptions& options, ContactNode<Dim>& node) {
   const TangentialLaw<Dim>& law = model.law(candidate, node.tool);
   const ContactPoint<Dim> at = contact_point(model, poses, solved);
-  const SurfaceForce<Dim> force = nodal_force(model, candidate, at.surface, F).part;
-  switch (law.test(node.state, force, slip_of(model, solved), at.m, node.tributary_area,
-                   options.tolerance_of(node.tool))) {
+  const double N = nodal_force(model, candidate, at.surface, F).part.N;
+  const ContactTolerance tolerance = options.tolerance_of(node.tool);
+  if (node.tied) {
+    if (N < -tolerance.force) make_free(node);
+    return !in_contact(node.state);
+  }
+  const SurfaceForce<Dim>& force = deciding.force;
+  switch (law.test(node.state, N, force, slip_of(model, solved), at.m, deciding.area, tolerance)) {
   case Change::NONE:
     return false;
   case Change::RELEASE:
@@ -162,13 +190,19 @@ int test_window(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
   const std::vector<int>& window = *problem.window;
   const auto poses = model.poses(solution.state.q);
   const Eigen::VectorXd du = problem.free_increment + problem.flexibility->matrix() * solution.load;
+  std::vector<int> all(window.size()), place(solution.state.nodes.size(), -1);
+  for (std::size_t w = 0; w < window.size(); ++w) place[window[w]] = all[w] = static_cast<int>(w);
+  const std::vector<DecidingForce<Dim>> deciding =
+      deciding_at(model, solution.state, poses, window, all, [&](int i) {
+        return Vector<Dim>(solution.F.template segment<Dim>(Eigen::Index{Dim} * place[i]));
+      });
   int changes = 0;
   for (std::size_t w = 0; w < window.size(); ++w) {
     const int i = window[w];
     const Vector<Dim> x = body.position(*problem.u, model.candidates[i]) + du.template segment<Dim>(Dim * w);
     const Vector<Dim> F = solution.F.template segment<Dim>(Dim * w);
-    changes += test_node(model, i, poses, solution.state.nodes[i], F, x, *problem.entry, problem.options,
-                         trial.nodes[i]);
+    changes += test_node(model, i, poses, solution.state.nodes[i], F, deciding[i], x, *problem.entry,
+                         problem.options, trial.nodes[i]);
   }
   return changes;
 }
@@ -177,10 +211,11 @@ int test_window(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
 
 template <int Dim>
 bool test_node(const ContactModel<Dim>& model, int candidate, const std::vector<Pose<Dim>>& poses,
-               const ContactNode<Dim>& solved, const Vector<Dim>& F, const Vector<Dim>& x,
-               EntryPlaces<Dim>& entry, const ActiveSetOptions& options, ContactNode<Dim>& node) {
+               const ContactNode<Dim>& solved, const Vector<Dim>& F, const DecidingForce<Dim>& deciding,
+               const Vector<Dim>& x, EntryPlaces<Dim>& entry, const ActiveSetOptions& options,
+               ContactNode<Dim>& node) {
   if (!in_contact(node.state)) return test_free(model, candidate, poses, x, entry, options.gap, node);
-  const bool changed = test_contact(model, candidate, poses, solved, F, options, node);
+  const bool changed = test_contact(model, candidate, poses, solved, F, deciding, options, node);
   if (!in_contact(node.state)) ++entry.releases[candidate];
   return changed;
 }
@@ -197,6 +232,7 @@ WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<
     if (problem.adapt) stick_unsupported(model, prescribed, trial, refused);
     if (problem.adapt && problem.added_stiffness.size() > 0 && trials < problem.options.max_neutral_trials)
       trials += stick_at_neutral_point(model, trial, refused);
+    follow_ends(model, trial);
     if (!solve_active(model, body, prescribed, state, trial, problem, solution)) break;
     if (!problem.adapt || solution.passes >= problem.options.max_passes) break;
     const ContactState<Dim> before = trial;
@@ -217,8 +253,9 @@ WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<
                                                  const PrescribedValues&, const ContactState<Dim>&,          \
                                                  const WindowProblem<Dim>&);                                 \
   template bool test_node<Dim>(const ContactModel<Dim>&, int, const std::vector<Pose<Dim>>&,                 \
-                               const ContactNode<Dim>&, const Vector<Dim>&, const Vector<Dim>&,              \
-                               EntryPlaces<Dim>&, const ActiveSetOptions&, ContactNode<Dim>&);
+                               const ContactNode<Dim>&, const Vector<Dim>&, const DecidingForce<Dim>&,       \
+                               const Vector<Dim>&, EntryPlaces<Dim>&, const ActiveSetOptions&,               \
+                               ContactNode<Dim>&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

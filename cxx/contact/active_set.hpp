@@ -3,6 +3,7 @@
 // for iterations by a sparse solver.
 #include "contact/body_view.hpp"
 #include "contact/contact_block.hpp"
+#include "contact/tied_edges.hpp"
 
 namespace burnish {
 
@@ -61,10 +62,12 @@ WindowSolution<Dim> solve_window(const ContactModel<Dim>& model, const BodyView<
 /// @param solved its place after the increment; @param F force of the tool on it then, of a free one zero [force]
 /// @param x      its position then [length]; @param poses of the tools then
 /// @param node   state that the increment was made with; changed
+/// @param deciding force by which its stick and slip are decided; a tied node is only released
 /// @returns whether it changed
 template <int Dim>
 bool test_node(const ContactModel<Dim>& model, int candidate, const std::vector<Pose<Dim>>& poses,
-               const ContactNode<Dim>& solved, const Vector<Dim>& F, const Vector<Dim>& x,
-               EntryPlaces<Dim>& entry, const ActiveSetOptions& options, ContactNode<Dim>& node);
+               const ContactNode<Dim>& solved, const Vector<Dim>& F, const DecidingForce<Dim>& deciding,
+               const Vector<Dim>& x, EntryPlaces<Dim>& entry, const ActiveSetOptions& options,
+               ContactNode<Dim>& node);
 
 } // namespace burnish

@@ -1,6 +1,7 @@
 #include "contact/balance.hpp"
 #include "contact/coupling.hpp"
 #include "contact/driving_force.hpp"
+#include "contact/tied_edges.hpp"
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -78,22 +79,27 @@ double support_load(const ContactModel<Dim>& model, const BodyView<Dim>& body, c
 // Residual and state test of one node in contact.
 template <int Dim>
 void contact_node(const ContactModel<Dim>& model, int candidate, const ContactNode<Dim>& node,
-                  const ContactPoint<Dim>& at, const SurfaceForce<Dim>& force, const Vector<Dim>& x,
-                  const BalanceTolerance& tolerance, Balance& result) {
+                  const ContactPoint<Dim>& at, double N, const DecidingForce<Dim>& deciding,
+                  const Vector<Dim>& x, const BalanceTolerance& tolerance, Balance& result) {
   const TangentialLaw<Dim>& law = model.law(candidate, node.tool);
+  const SurfaceForce<Dim>& force = deciding.force;
+  const ContactTolerance limits{tolerance.force_of(node.tool), tolerance.gap};
+  const bool off = offset_to(model, candidate, at.surface, x).norm() > tolerance.offset;
+  if (node.tied) { // its friction is part of that of its ends
+    result.inconsistent += off || N < -limits.force;
+    return;
+  }
   result.friction += force.T.norm();
-  result.friction_limit += law.capacity(force.N, node.tributary_area);
+  result.friction_limit += law.capacity(force.N, deciding.area);
   if (node.state == NodeState::SLIDING) {
-    const double r = tolerance.weight(node.tool) * law.sliding_residual(force, at.m, node.tributary_area);
+    const double r = tolerance.weight(node.tool) * law.sliding_residual(force, at.m, deciding.area);
     if (worse(r, result)) {
       result.residual = r;
       result.worst_dof = result.worst_coordinate = -1;
     }
   }
-  const bool off = offset_to(model, candidate, at.surface, x).norm() > tolerance.offset;
-  result.inconsistent +=
-      off || law.contradicts(node.state, force, slip_of(model, node), at.m, node.tributary_area,
-                             {tolerance.force_of(node.tool), tolerance.gap});
+  result.inconsistent += off || law.test(node.state, N, force, slip_of(model, node), at.m, deciding.area,
+                                         limits) != Change::NONE;
 }
 
 // Motion of a tool's points with its coordinate k, for one that its drive holds without contact.
@@ -174,6 +180,7 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
   result.tool_load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.tools.size()));
   Eigen::VectorXd lever = Eigen::VectorXd::Zero(nq);
   const auto poses = model.poses(state.q);
+  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, state, poses, R);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const ContactNode<Dim>& node = state.nodes[i];
     const int candidate = static_cast<int>(i);
@@ -195,7 +202,7 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
       result.generalized_force[first + k] += at.surface.x_q.col(k).dot(force.F);
       lever[first + k] = std::max(lever[first + k], at.surface.x_q.col(k).norm());
     }
-    contact_node(model, candidate, node, at, force.part, x, tolerance, result);
+    contact_node(model, candidate, node, at, force.part.N, deciding[i], x, tolerance, result);
   }
   pass_on_forces(model, state.q, result.generalized_force);
   complete_levers(model, prescribed, poses, state.q, lever);

@@ -1,6 +1,7 @@
 #include "contact/condensation.hpp"
 #include "base/error.hpp"
 #include "contact/coupling.hpp"
+#include "contact/tied_edges.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -47,6 +48,7 @@ void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::V
                                   const Eigen::VectorXd& R, const PrescribedValues& prescribed,
                                   GeometricTerms terms, RightHandSide right) {
   const auto poses = m_model.poses(state.q);
+  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(m_model, state, poses, R);
   m_nodes.clear();
   m_contact_of.assign(m_body.X.size() / Dim, -1);
   m_known_increment = Eigen::VectorXd::Zero(m_body.X.size());
@@ -55,7 +57,8 @@ void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::V
     const int node = m_model.candidates[i];
     const Vector<Dim> Rn = R.template segment<Dim>(Dim * node);
     m_contact_of[node] = static_cast<int>(m_nodes.size());
-    m_nodes.push_back(linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, Rn, terms));
+    const NodeCones<Dim> cones = cones_of(m_model, state, poses, deciding, static_cast<int>(i));
+    m_nodes.push_back(linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, Rn, terms, &cones));
     if (!m_model.couplings.empty()) eliminate_followers(m_model, state.q, terms, m_nodes.back());
     const auto& linear = m_nodes.back();
     Vector<Dim> known = Vector<Dim>::Zero();
@@ -70,12 +73,21 @@ void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::V
 }
 
 template <int Dim> typename Condensation<Dim>::Map Condensation<Dim>::map_of(int node) const {
-  if (m_contact_of[node] < 0) return {Tensor<Dim>::Identity(), Tensor<Dim>::Identity(), nullptr};
-  Map map{Tensor<Dim>::Zero(), Tensor<Dim>::Zero(), &m_nodes[m_contact_of[node]]};
-  if (map.node->sliding) {
-    map.W.template leftCols<Dim - 1>() = map.node->W;
-    map.A.template leftCols<Dim - 1>() = map.node->point.E;
+  Map map;
+  map.node = m_contact_of[node] < 0 ? nullptr : &m_nodes[m_contact_of[node]];
+  if (!map.node) {
+    map.part[map.num++] = {node, Tensor<Dim>::Identity(), Tensor<Dim>::Identity()};
+    return map;
   }
+  const auto add = [&map](int of, const Tangents<Dim>& W, const Tangents<Dim>& A) {
+    Part& part = map.part[map.num++];
+    part = {of, Tensor<Dim>::Zero(), Tensor<Dim>::Zero()};
+    part.W.template leftCols<Dim - 1>() = W;
+    part.A.template leftCols<Dim - 1>() = A;
+  };
+  if (map.node->sliding) add(node, map.node->W, map.node->point.E);
+  for (const TiedRow<Dim>& tied : map.node->ties)
+    add(m_model.candidates[tied.end], tied.W, 0.5 * map.node->point.E);
   return map;
 }
 
@@ -88,30 +100,44 @@ template <int Dim> void Condensation<Dim>::add_blocks(const NodeBlockMatrix<Dim>
     for (int k = K.row_start[m]; k < K.row_start[m + 1]; ++k) {
       const Map column = map_of(K.col[k]);
       const Eigen::Map<const Block> block(K.block(k));
-      const Tensor<Dim> WK = row.W.transpose() * block;
-      const Tensor<Dim> local = WK * column.A;
-      for (int a = 0; a < Dim; ++a) { // the block's place is known: K's pattern comes first in each row
-        const std::size_t place = m_full.row_start[Dim * m + a] + Dim * (k - K.row_start[m]);
-        for (int b = 0; b < Dim; ++b) m_full.value[place + b] += local(a, b);
-      }
-      if (column.node) {
+      for (const Part& r : row) {
+        const Tensor<Dim> WK = r.W.transpose() * block;
+        for (const Part& c : column) {
+          const Tensor<Dim> local = WK * c.A;
+          const bool own = r.node == m && c.node == K.col[k]; // K's pattern comes first in each row
+          for (int a = 0; a < Dim; ++a) {
+            double* const first =
+                own ? &m_full.value[m_full.row_start[Dim * m + a] + Dim * (k - K.row_start[m])]
+                    : &at(Dim * r.node + a, Dim * c.node);
+            for (int b = 0; b < Dim; ++b) first[b] += local(a, b);
+          }
+        }
+        if (!column.node) continue;
         const PerCoordinate<Dim> q = WK * column.node->x_q;
         for (int a = 0; a < Dim; ++a)
           for (Eigen::Index l = 0; l < q.cols(); ++l)
-            at(Dim * m + a, ndof + column.node->at[static_cast<std::size_t>(l)]) += q(a, l);
+            at(Dim * r.node + a, ndof + column.node->at[static_cast<std::size_t>(l)]) += q(a, l);
       }
-      if (!row.node) continue;
-      const Eigen::MatrixXd qK = row.node->x_q.transpose() * block;
-      for (Eigen::Index l = 0; l < qK.rows(); ++l) {
-        const int r = ndof + row.node->at[static_cast<std::size_t>(l)];
-        const Eigen::RowVectorXd values = qK.row(l) * column.A;
-        for (int b = 0; b < Dim; ++b) at(r, Dim * K.col[k] + b) += values[b];
-        if (!column.node) continue;
-        const Eigen::RowVectorXd qq = qK.row(l) * column.node->x_q;
-        for (Eigen::Index j = 0; j < qq.size(); ++j)
-          at(r, ndof + column.node->at[static_cast<std::size_t>(j)]) += qq[j];
-      }
+      if (row.node) add_coordinate_rows(*row.node, row.node->x_q.transpose() * block, column);
     }
+  }
+}
+
+// X_k' K in the rows of the coordinates, for one block of K.
+template <int Dim>
+void Condensation<Dim>::add_coordinate_rows(const NodeLinearization<Dim>& node, const Eigen::MatrixXd& qK,
+                                            const Map& column) {
+  const int ndof = static_cast<int>(m_body.X.size());
+  for (Eigen::Index l = 0; l < qK.rows(); ++l) {
+    const int r = ndof + node.at[static_cast<std::size_t>(l)];
+    for (const Part& c : column) {
+      const Eigen::RowVectorXd values = qK.row(l) * c.A;
+      for (int b = 0; b < Dim; ++b) at(r, Dim * c.node + b) += values[b];
+    }
+    if (!column.node) continue;
+    const Eigen::RowVectorXd qq = qK.row(l) * column.node->x_q;
+    for (Eigen::Index j = 0; j < qq.size(); ++j)
+      at(r, ndof + column.node->at[static_cast<std::size_t>(j)]) += qq[j];
   }
 }
 
@@ -127,6 +153,18 @@ template <int Dim> void Condensation<Dim>::add_geometric_terms() {
       for (Eigen::Index k = 0; k < node.geo_sq.cols(); ++k) {
         at(row + a, q(k)) += node.geo_sq(a, k);
         at(q(k), row + a) += node.geo_qs(a, k);
+      }
+    }
+    for (const TiedRow<Dim>& tied : node.ties) {
+      const int end = Dim * m_model.candidates[tied.end];
+      for (int a = 0; a < Dim - 1; ++a) {
+        for (const TiedRow<Dim>& other : node.ties)
+          for (int b = 0; b < Dim - 1; ++b)
+            at(end + a, Dim * m_model.candidates[other.end] + b) += tied.geo_ss(a, b);
+        for (Eigen::Index k = 0; k < tied.geo_sq.cols(); ++k) {
+          at(end + a, q(k)) += tied.geo_sq(a, k);
+          at(q(k), end + a) += tied.geo_qs(a, k);
+        }
       }
     }
   }
@@ -159,7 +197,8 @@ void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const
   for (int m = 0; m < K.num_nodes; ++m) {
     const Map row = map_of(m);
     const Vector<Dim> f = force.template segment<Dim>(Eigen::Index{Dim} * m);
-    m_full.rhs.template segment<Dim>(Eigen::Index{Dim} * m) = row.W.transpose() * f;
+    for (const Part& r : row)
+      m_full.rhs.template segment<Dim>(Eigen::Index{Dim} * r.node) += r.W.transpose() * f;
     if (!row.node) continue;
     if (row.node->sliding && total)
       m_full.rhs.template segment<Dim - 1>(Eigen::Index{Dim} * m) -= row.node->constant;
@@ -185,6 +224,8 @@ void Condensation<Dim>::move_geometric_columns(const PrescribedValues& prescribe
       if (node.sliding)
         m_full.rhs.template segment<Dim - 1>(Dim * m_model.candidates[node.candidate]) -=
             dq * node.geo_sq.col(k);
+      for (const TiedRow<Dim>& tied : node.ties)
+        m_full.rhs.template segment<Dim - 1>(Dim * m_model.candidates[tied.end]) -= dq * tied.geo_sq.col(k);
     }
   for (Eigen::Index k = 0; k < m_drive.slope.cols(); ++k)
     if (prescribed.is_motion[k])
@@ -293,6 +334,8 @@ typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::Vec
       result.slip.col(node.candidate) = z.template segment<Dim - 1>(dof);
       du += node.point.E * z.template segment<Dim - 1>(dof);
     }
+    for (const TiedRow<Dim>& tied : node.ties)
+      du += 0.5 * node.point.E * z.template segment<Dim - 1>(Dim * m_model.candidates[tied.end]);
     for (Eigen::Index k = 0; k < node.x_q.cols(); ++k) {
       const int q = node.at[static_cast<std::size_t>(k)];
       if (!m_given[ndof + q]) du += node.x_q.col(k) * z[ndof + q];

@@ -54,15 +54,23 @@ public:
   Expansion expand(const Eigen::VectorXd& z) const;
 
 private:
+  struct Part {
+    int node;         // whose unknowns it belongs to
+    Tensor<Dim> W, A; // local rows and columns
+  };
   struct Map {
-    Tensor<Dim> W, A;                   // local rows and columns
     const NodeLinearization<Dim>* node; // nullptr for a free node
+    std::array<Part, 2> part;           // its own, or of a tied node those of the ends that slide
+    int num = 0;
+    const Part* begin() const { return part.data(); }
+    const Part* end() const { return part.data() + num; }
   };
   void build_pattern(const NodeBlockMatrix<Dim>& K);
   Map map_of(int node) const;
   void linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
                  const PrescribedValues& prescribed, GeometricTerms terms, RightHandSide right);
   void add_blocks(const NodeBlockMatrix<Dim>& K);
+  void add_coordinate_rows(const NodeLinearization<Dim>& node, const Eigen::MatrixXd& qK, const Map& column);
   void add_geometric_terms();
   void add_drive();
   void keep_candidate_rows(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& R);

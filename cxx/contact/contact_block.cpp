@@ -2,6 +2,7 @@
 #include "contact/coupling.hpp"
 #include "contact/driving_force.hpp"
 #include <cmath>
+#include <map>
 
 namespace burnish {
 namespace {
@@ -10,7 +11,8 @@ namespace {
 // contact first, coordinates after them.
 template <int Dim> struct Columns {
   Eigen::MatrixXd A, W;
-  std::vector<int> first; // per node: its first column, -1 for a sticking one
+  std::vector<int> first;          // per node: its first column, -1 for one without
+  std::map<int, int> of_candidate; // the same of those that slide
   int num_nodal = 0;
 };
 
@@ -30,6 +32,7 @@ Columns<Dim> assemble_columns(const ContactModel<Dim>& model,
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const int unknowns = !nodes[a].in_contact ? count[a] : nodes[a].sliding ? Dim - 1 : 0;
     c.first.push_back(unknowns > 0 ? c.num_nodal : -1);
+    if (nodes[a].in_contact && nodes[a].sliding) c.of_candidate[nodes[a].candidate] = c.num_nodal;
     c.num_nodal += unknowns;
   }
   const auto rows = static_cast<Eigen::Index>(free.size());
@@ -49,6 +52,11 @@ Columns<Dim> assemble_columns(const ContactModel<Dim>& model,
       c.A.template block<1, Dim - 1>(r, c.first[a]) = node.point.E.row(component);
       c.W.template block<1, Dim - 1>(r, c.first[a]) = node.W.row(component);
     }
+    for (const TiedRow<Dim>& tied : node.ties) {
+      const int end = c.of_candidate.at(tied.end);
+      c.A.template block<1, Dim - 1>(r, end) = 0.5 * node.point.E.row(component);
+      c.W.template block<1, Dim - 1>(r, end) = tied.W.row(component);
+    }
     for (std::size_t k = 0; k < node.at.size(); ++k)
       c.A(r, c.num_nodal + node.at[k]) = c.W(r, c.num_nodal + node.at[k]) =
           node.x_q(component, static_cast<Eigen::Index>(k));
@@ -65,6 +73,15 @@ void add_geometric_terms(const std::vector<NodeLinearization<Dim>>& nodes, const
     const Eigen::Index nq = node.x_q.cols(), s = c.first[a];
     const auto at = [&](Eigen::Index k) { return c.num_nodal + node.at[static_cast<std::size_t>(k)]; };
     if (node.sliding) matrix.template block<Dim - 1, Dim - 1>(s, s) += node.geo_ss;
+    for (const TiedRow<Dim>& tied : node.ties) {
+      const int row = c.of_candidate.at(tied.end);
+      for (const TiedRow<Dim>& other : node.ties)
+        matrix.template block<Dim - 1, Dim - 1>(row, c.of_candidate.at(other.end)) += tied.geo_ss;
+      for (Eigen::Index k = 0; k < nq; ++k) {
+        matrix.template block<Dim - 1, 1>(row, at(k)) += tied.geo_sq.col(k);
+        matrix.template block<1, Dim - 1>(at(k), row) += tied.geo_qs.col(k).transpose();
+      }
+    }
     for (Eigen::Index k = 0; k < nq; ++k) {
       for (Eigen::Index l = 0; l < nq; ++l) matrix(at(k), at(l)) += node.geo_qq(k, l);
       if (!node.sliding) continue;

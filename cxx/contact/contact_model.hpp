@@ -22,12 +22,17 @@ template <int Dim> struct ContactModel {
   std::vector<ConstrainedComponents<Dim>> constrained; ///< per candidate; empty: none is
   std::vector<std::vector<char>> reach; ///< per tool and candidate: may touch; empty: every candidate
 
+  /// Per candidate: the ends of the edge that it is the mid node of, or -1; empty: linear facets, or in space.
+  std::vector<std::array<int, 2>> edge_ends;
+
   std::vector<Coupling> couplings; ///< relations between coordinates; what follows is followed by nothing
 
   /// The relation that coordinate k follows, null if it is independent.
   const Coupling* coupling_of(int k) const;
   /// Coordinates that follow k.
   std::vector<int> followers(int k) const;
+  /// Whether the candidate is the mid node of an edge both ends of which are candidates.
+  bool is_middle(int candidate) const { return !edge_ends.empty() && edge_ends[candidate][0] >= 0; }
   int tool_of(int k) const; ///< tool that entry k of q belongs to
   bool is_constrained(int candidate) const;
   bool may_touch(int candidate, int tool) const;

@@ -23,8 +23,9 @@ template <int Dim> struct ContactNode {
   SurfacePlace<Dim> place;       ///< contact point on the tool
   SurfacePlace<Dim> slip_origin; ///< where it sticks; the slip of the step is counted from here
   Vector<Dim> slip_direction =
-      Vector<Dim>::Zero();   ///< of a node that slides against friction: unit tangent; else zero
-  double slip_rate = 0;      ///< slip of the last step along it over the time [length/time]
+      Vector<Dim>::Zero(); ///< of a node that slides against friction: unit tangent; else zero
+  bool tied = false;    ///< mid node that follows the slips of the ends of its edge (contact/tied_edges.hpp)
+  double slip_rate = 0; ///< slip of the last step along it over the time [length/time]
   double tributary_area = 1; ///< METHOD.md (3.13), at the start of the step [length or area]
 };
 
@@ -46,6 +47,7 @@ template <int Dim> void make_slide(ContactNode<Dim>& node, const Vector<Dim>& di
 }
 template <int Dim> void make_free(ContactNode<Dim>& node) {
   node.state = NodeState::FREE;
+  node.tied = false;
   node.slip_direction.setZero();
 }
 

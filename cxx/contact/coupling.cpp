@@ -98,6 +98,10 @@ void eliminate_followers(const ContactModel<Dim>& model, const Eigen::VectorXd& 
   node.x_q = (node.x_q * to.B).eval();
   node.geo_sq = (node.geo_sq * to.B).eval();
   node.geo_qs = (node.geo_qs * to.B).eval();
+  for (TiedRow<Dim>& tied : node.ties) {
+    tied.geo_sq = (tied.geo_sq * to.B).eval();
+    tied.geo_qs = (tied.geo_qs * to.B).eval();
+  }
   node.geo_qq = (to.B.transpose() * node.geo_qq * to.B).eval();
   for (std::size_t k = 0; terms == GeometricTerms::COMPLETE && k < old.size(); ++k)
     if (const Coupling* coupling = model.coupling_of(old[k]))

@@ -1,4 +1,5 @@
 #include "contact/events.hpp"
+#include "contact/tied_edges.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,8 +42,7 @@ double crossing(double start, double end, double tolerance) {
 // What decides the events of a node in contact at one end of the step.
 template <int Dim> struct Forces {
   SurfaceForce<Dim> force;
-  double reserve; ///< what is left before it slides [force]
-  Param<Dim> m;   ///< direction of its slip
+  Param<Dim> m; ///< direction of its slip
   SurfacePoint<Dim> point;
 };
 
@@ -52,8 +52,21 @@ Forces<Dim> forces(const ContactModel<Dim>& model, int candidate, const std::vec
   const ContactPoint<Dim> at = contact_point(model, poses, node);
   const Vector<Dim> Rn = R.segment<Dim>(Dim * model.candidates[candidate]);
   const SurfaceForce<Dim> force = nodal_force(model, candidate, at.surface, Rn).part;
-  const double reserve = model.law(candidate, node.tool).reserve(force, node.tributary_area);
-  return {force, reserve, at.m, at.surface};
+  return {force, at.m, at.surface};
+}
+
+// Deciding forces at both ends of the step, with the ties of the step.
+template <int Dim> struct BothEnds {
+  std::vector<Pose<Dim>> poses0, poses1;
+  std::vector<DecidingForce<Dim>> deciding0, deciding1;
+};
+template <int Dim> BothEnds<Dim> both_ends(const ContactModel<Dim>& model, const StepEnds<Dim>& step) {
+  BothEnds<Dim> ends{model.poses(step.start->q), model.poses(step.end->q), {}, {}};
+  ContactState<Dim> start = *step.start;
+  for (std::size_t i = 0; i < start.nodes.size(); ++i) start.nodes[i].tied = step.end->nodes[i].tied;
+  ends.deciding0 = deciding_forces(model, start, ends.poses0, *step.R_start);
+  ends.deciding1 = deciding_forces(model, *step.end, ends.poses1, *step.R_end);
+  return ends;
 }
 
 // Fraction at which a free node meets a tool, refined on the true gap by regula falsi.
@@ -111,22 +124,24 @@ ContactEvent<Dim> make_event(const BodyView<Dim>& body, const StepEnds<Dim>& ste
 // Earliest event of a candidate in contact, fraction NEVER if none.
 template <int Dim>
 ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                                const StepEnds<Dim>& step, const std::vector<Pose<Dim>>& poses0,
-                                const std::vector<Pose<Dim>>& poses1, std::size_t i,
+                                const StepEnds<Dim>& step, const BothEnds<Dim>& ends, std::size_t i,
                                 const EventTolerance& tolerance, bool support) {
   const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
   const int candidate = static_cast<int>(i);
-  const auto a = forces(model, candidate, poses0, n0, *step.R_start);
-  const auto b = forces(model, candidate, poses1, n1, *step.R_end);
+  const auto a = forces(model, candidate, ends.poses0, n0, *step.R_start);
+  const auto b = forces(model, candidate, ends.poses1, n1, *step.R_end);
   const TangentialLaw<Dim>& law = model.law(candidate, n0.tool);
   const Surface<Dim>& surface = model.tools[n0.tool]->surface();
   double release = crossing(a.force.N, b.force.N, tolerance.force_of(n0.tool)), change = NEVER;
   EventKind kind = EventKind::STICK_TO_SLIP;
-  if (n0.state == NodeState::SLIDING) {
+  const auto reserve = [&](const DecidingForce<Dim>& at) { return law.reserve(at.force, at.area); };
+  if (n1.tied) {
+    // only released: its ends decide over stick and slip
+  } else if (n0.state == NodeState::SLIDING) {
     kind = EventKind::SLIP_TO_STICK;
     if (!law.frictionless()) change = stick_fraction(surface, n0, n1, a.m, step.dt, tolerance.gap);
   } else if (!support && !law.friction().sticks_always()) {
-    change = crossing(a.reserve, b.reserve, tolerance.force_of(n0.tool));
+    change = crossing(reserve(ends.deciding0[i]), reserve(ends.deciding1[i]), tolerance.force_of(n0.tool));
     if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released
     release = NEVER;
   }
@@ -137,18 +152,18 @@ ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<D
     return make_event(body, step, model, i, EventKind::NEXT_PIECE, passage, n0.tool);
   if (release <= change) return make_event(body, step, model, i, EventKind::RELEASE, release, n0.tool);
   auto event = make_event(body, step, model, i, kind, change, n0.tool);
-  event.slip_direction = in_tool_frame(poses1[n0.tool], b.point, law.slip_against(b.force.T));
+  event.slip_direction =
+      in_tool_frame(ends.poses1[n0.tool], b.point, law.slip_against(ends.deciding1[i].force.T));
   return event;
 }
 
 // Earliest event of any candidate.
 template <int Dim>
 ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                             const StepEnds<Dim>& step, const std::vector<Pose<Dim>>& poses0,
-                             const std::vector<Pose<Dim>>& poses1, std::size_t i,
+                             const StepEnds<Dim>& step, const BothEnds<Dim>& ends, std::size_t i,
                              const EventTolerance& tolerance, bool support) {
   const ContactNode<Dim>& node = step.start->nodes[i];
-  if (in_contact(node.state)) return contact_event(model, body, step, poses0, poses1, i, tolerance, support);
+  if (in_contact(node.state)) return contact_event(model, body, step, ends, i, tolerance, support);
   const double f =
       node.state == NodeState::FREE ? touch_fraction(model, body, step, i, tolerance.gap) : NEVER;
   return make_event(body, step, model, i, EventKind::TOUCH, f, node.tool);
@@ -160,12 +175,12 @@ template <int Dim>
 std::vector<ContactEvent<Dim>> earliest_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                                const StepEnds<Dim>& step, const EventTolerance& tolerance,
                                                const std::vector<int>& supports) {
-  const auto poses0 = model.poses(step.start->q), poses1 = model.poses(step.end->q);
+  const BothEnds<Dim> ends = both_ends(model, step);
   std::vector<ContactEvent<Dim>> found;
   double earliest = NEVER;
   for (std::size_t i = 0; i < model.candidates.size(); ++i) {
     const bool support = std::find(supports.begin(), supports.end(), static_cast<int>(i)) != supports.end();
-    const auto event = node_event(model, body, step, poses0, poses1, i, tolerance, support);
+    const auto event = node_event(model, body, step, ends, i, tolerance, support);
     if (!(event.fraction <= 1)) continue;
     earliest = std::min(earliest, event.fraction);
     found.push_back(event);
@@ -194,7 +209,7 @@ std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, con
     else if (c0 && !c1) {
       const double N = forces(model, static_cast<int>(i), poses0, n0, *step.R_start).force.N;
       add(EventKind::RELEASE, N <= 0 ? 0 : 0.5, n0.tool);
-    } else if (c0 && c1 && sticks(n0.state) != sticks(n1.state)) {
+    } else if (c0 && c1 && !n1.tied && sticks(n0.state) != sticks(n1.state)) {
       add(sticks(n1.state) ? EventKind::SLIP_TO_STICK : EventKind::STICK_TO_SLIP, 0.5, n1.tool);
     }
     if (!c0 || !c1 || n0.tool != n1.tool) continue;

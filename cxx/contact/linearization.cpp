@@ -1,15 +1,36 @@
 #include "contact/linearization.hpp"
 
 namespace burnish {
+namespace {
+
+// Half of the rows and terms of a sliding node, in the rows of an end; a quarter where a slip counts twice.
+template <int Dim>
+TiedRow<Dim> tied_row(const SurfacePoint<Dim>& p, const Vector<Dim>& F,
+                      const typename NodeCones<Dim>::End& end, GeometricTerms terms) {
+  const SlidingRows<Dim> rows = TangentialLaw<Dim>::rows(p, F, end.m, end.cone);
+  TiedRow<Dim> tied{end.candidate, 0.5 * rows.W, Curvature<Dim>::Zero(), {}, {}};
+  tied.geo_sq = tied.geo_qs = Eigen::MatrixXd::Zero(Dim - 1, p.x_q.cols());
+  if (terms != GeometricTerms::NONE) {
+    tied.geo_ss = 0.25 * rows.by_slip;
+    tied.geo_sq = 0.5 * rows.by_q;
+  }
+  for (Eigen::Index a = 0; terms == GeometricTerms::COMPLETE && a < Dim - 1; ++a)
+    tied.geo_qs.row(a) = 0.5 * F.transpose() * p.E_q[static_cast<std::size_t>(a)];
+  return tied;
+}
+
+} // namespace
 
 template <int Dim>
 NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node,
                                       int candidate, const std::vector<Pose<Dim>>& poses,
-                                      const Vector<Dim>& R, GeometricTerms terms) {
+                                      const Vector<Dim>& R, GeometricTerms terms,
+                                      const NodeCones<Dim>* cones) {
   NodeLinearization<Dim> result;
   result.candidate = candidate;
   result.tool = node.tool;
-  result.sliding = node.state == NodeState::SLIDING && !model.is_constrained(candidate);
+  const bool tied = cones && cones->tied;
+  result.sliding = node.state == NodeState::SLIDING && !model.is_constrained(candidate) && !tied;
   const ContactPoint<Dim> at = contact_point(model, poses, node);
   const SurfacePoint<Dim>& p = result.point = at.surface;
   result.x_q = p.x_q;
@@ -21,7 +42,9 @@ NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const Cont
   result.geo_sq = result.geo_qs = Eigen::MatrixXd::Zero(Dim - 1, nq);
   result.geo_qq = Eigen::MatrixXd::Zero(nq, nq);
   if (result.sliding) {
-    const SlidingRows<Dim> rows = model.law(candidate, node.tool).rows(p, F, at.m, node.tributary_area);
+    const TangentialLaw<Dim>& law = model.law(candidate, node.tool);
+    const SlidingRows<Dim> rows =
+        cones ? law.rows(p, F, at.m, cones->own) : law.rows(p, F, at.m, node.tributary_area);
     result.W = rows.W;
     result.constant = rows.constant;
     if (terms != GeometricTerms::NONE) {
@@ -31,16 +54,18 @@ NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const Cont
     for (Eigen::Index a = 0; terms == GeometricTerms::COMPLETE && a < Dim - 1; ++a)
       result.geo_qs.row(a) = F.transpose() * p.E_q[static_cast<std::size_t>(a)];
   }
+  for (std::size_t e = 0; tied && e < cones->ends.size(); ++e)
+    result.ties.push_back(tied_row(p, F, cones->ends[e], terms));
   if (terms == GeometricTerms::COMPLETE)
     for (Eigen::Index k = 0; k < nq; ++k) result.geo_qq.row(k) = F.transpose() * p.x_qq[k];
   return result;
 }
 
 template NodeLinearization<2> linearize_node<2>(const ContactModel<2>&, const ContactNode<2>&, int,
-                                                const std::vector<Pose<2>>&, const Vector<2>&,
-                                                GeometricTerms);
+                                                const std::vector<Pose<2>>&, const Vector<2>&, GeometricTerms,
+                                                const NodeCones<2>*);
 template NodeLinearization<3> linearize_node<3>(const ContactModel<3>&, const ContactNode<3>&, int,
-                                                const std::vector<Pose<3>>&, const Vector<3>&,
-                                                GeometricTerms);
+                                                const std::vector<Pose<3>>&, const Vector<3>&, GeometricTerms,
+                                                const NodeCones<3>*);
 
 } // namespace burnish

@@ -11,6 +11,14 @@ enum class GeometricTerms {
   NONE,
 };
 
+/// What a tied mid node moves by, and adds to the row of, the slip of a sliding end of its edge (METHOD.md 3.19).
+template <int Dim> struct TiedRow {
+  int end = -1;                   ///< candidate
+  Tangents<Dim> W;                ///< part of the end's rows; its columns are half of the tangents E
+  Curvature<Dim> geo_ss;          ///< in these rows, with the slip of every end that has one
+  Eigen::MatrixXd geo_sq, geo_qs; ///< as those of a sliding node
+};
+
 /// One contact node. F is the internal nodal force = force of the tool on the node. Columns A: E for its slip, x_q for
 /// the coordinates of its tool; rows: W'F + constant = 0, and x_q'F for the coordinates.
 template <int Dim> struct NodeLinearization {
@@ -28,12 +36,27 @@ template <int Dim> struct NodeLinearization {
   Curvature<Dim> geo_ss = Curvature<Dim>::Zero();
   Eigen::MatrixXd geo_sq, geo_qs; ///< Dim-1 x coordinates of this tool; and its counterpart, transposed
   Eigen::MatrixXd geo_qq;
+  std::vector<TiedRow<Dim>> ties; ///< of a tied mid node, which has no slip of its own
+};
+
+/// The cone that counts for a sliding node, and for a tied one those of the ends of its edge; see cones_of.
+template <int Dim> struct NodeCones {
+  bool tied = false;
+  ConeTangent own;
+  struct End {
+    int candidate;
+    Param<Dim> m; ///< direction of its slip
+    ConeTangent cone;
+  };
+  std::vector<End> ends; ///< of a tied node: those that slide
 };
 
 /// @param R internal minus external nodal force at the linearization point, Dim [force]
+/// @param cones null: the node's own
 template <int Dim>
 NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const ContactNode<Dim>& node,
                                       int candidate, const std::vector<Pose<Dim>>& poses,
-                                      const Vector<Dim>& R, GeometricTerms terms);
+                                      const Vector<Dim>& R, GeometricTerms terms,
+                                      const NodeCones<Dim>* cones = nullptr);
 
 } // namespace burnish

@@ -1,5 +1,6 @@
 #include "contact/slip_motion.hpp"
 #include "contact/coupling.hpp"
+#include "contact/tied_edges.hpp"
 
 namespace burnish {
 
@@ -21,10 +22,11 @@ void move_by(const ContactModel<Dim>& model, const typename Condensation<Dim>::E
   follow(model, state.q);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
-    if (node.state != NodeState::SLIDING) continue;
+    if (node.state != NodeState::SLIDING || node.tied) continue;
     const Param<Dim> slip = increment.slip.col(static_cast<Eigen::Index>(i));
     node.place = model.tools[node.tool]->surface().moved(node.place, slip);
   }
+  follow_ends(model, state);
 }
 
 template <int Dim>

@@ -1,5 +1,5 @@
 #include "contact/surface_report.hpp"
-#include "contact/facet_fit.hpp"
+#include "contact/corner_shares.hpp"
 
 namespace burnish {
 namespace {
@@ -26,6 +26,34 @@ void read_forces(const ContactModel<Dim>& model, const BodyView<Dim>& body, cons
   }
 }
 
+// See SurfaceReport::stick_share.
+template <int Dim>
+double share_that_sticks(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                         const CornerShares<Dim>& shares, const SurfaceReport<Dim>& report) {
+  double sticking = 0, all = 0;
+  const auto add = [&](double area, bool sticks) {
+    all += area;
+    sticking += sticks ? area : 0;
+  };
+  for (std::size_t i = 0; shares.empty() && i < state.nodes.size(); ++i)
+    if (in_contact(state.nodes[i].state))
+      add(report.area[static_cast<Eigen::Index>(i)], sticks(state.nodes[i].state));
+  if (!shares.empty()) {
+    const Eigen::VectorXd N = shares.shared(report.normal_force);
+    Eigen::MatrixXd T(Dim - 1, N.size());
+    for (int a = 0; a < Dim - 1; ++a)
+      T.row(a) = shares.shared(report.tangential_force.row(a).transpose()).transpose();
+    for (Eigen::Index c = 0; c < N.size(); ++c) {
+      const int corner = shares.corners()[static_cast<std::size_t>(c)];
+      const int tool = state.nodes[corner].tool;
+      if (tool < 0) continue; // a vertex on the axis has touched nothing
+      const double area = shares.areas()[c], limit = model.law(corner, tool).capacity(N[c], area);
+      add(area, T.col(c).norm() < NEAR_LIMIT * limit);
+    }
+  }
+  return all > 0 ? sticking / all : 0;
+}
+
 } // namespace
 
 template <int Dim>
@@ -39,14 +67,15 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
   const Eigen::VectorXd area = (report.area.array() > least).select(report.area, INFINITY);
   report.pressure = report.normal_force.cwiseQuotient(area);
   report.traction_tangential = report.tangential_force * area.cwiseInverse().asDiagonal();
-  const FacetFit<Dim> facet_fit(model, body, state, facets, u, report.area);
+  const CornerShares<Dim> shares(model, body, state, facets, u, report.area);
   report.pressure_fit = report.pressure;
   report.traction_fit = report.traction_tangential;
-  if (facet_fit.empty()) return report;
-  report.pressure_fit = facet_fit.fit(report.normal_force, report.pressure);
+  report.stick_share = share_that_sticks(model, state, shares, report);
+  if (shares.empty()) return report;
+  report.pressure_fit = shares.traction(report.normal_force, report.pressure);
   for (int a = 0; a < Dim - 1; ++a)
     report.traction_fit.row(a) =
-        facet_fit.fit(report.tangential_force.row(a), report.traction_tangential.row(a)).transpose();
+        shares.traction(report.tangential_force.row(a), report.traction_tangential.row(a)).transpose();
   for (Eigen::Index i = 0; i < area.size(); ++i) {
     if (report.area[i] > least) continue;
     report.pressure[i] = report.pressure_fit[i];

@@ -4,9 +4,12 @@
 
 namespace burnish {
 
+/// Part of the largest friction from which a corner counts as one that slides in SurfaceReport::stick_share.
+inline constexpr double NEAR_LIMIT = 0.97;
+
 /// State of the candidates, one entry each. Pressure and traction are nodal forces over the node's tributary area in the
-/// present configuration. A node without such an area (a vertex on the axis of quadratic elements) takes the fitted
-/// values.
+/// present configuration. A node without such an area (a vertex on the axis of quadratic elements) takes the values
+/// by shares.
 template <int Dim> struct SurfaceReport {
   Eigen::VectorXd gap;          ///< positive = open, zero in contact [length]
   Eigen::VectorXd normal_force; ///< N >= 0 [force]
@@ -15,11 +18,14 @@ template <int Dim> struct SurfaceReport {
   Eigen::VectorXd area;     ///< tributary area [length, in space and axisymmetric: area]
   Eigen::VectorXd pressure; ///< [stress]
   Eigen::MatrixXd traction_tangential; ///< on the body, Dim-1 x candidates [stress]
-  /// The pressure and traction that are linear on every facet and whose consistent nodal forces fit the nodal
-  /// forces in least squares (zero at free ends; middle nodes: mean of the ends): without the alternation of
-  /// quadratic elements. Linear facets: as above.
+  /// Pressure and traction that are linear on every facet, of forces shared to the corners (CornerShares): without the
+  /// alternation of quadratic elements, within the cone at every corner, and with the sum of the nodal forces. Linear
+  /// facets: as above.
   Eigen::VectorXd pressure_fit; ///< [stress]
   Eigen::MatrixXd traction_fit; ///< [stress]
+  /// Share of the area in contact that sticks, 0 without contact: of quadratic facets the corners whose shared friction is
+  /// below NEAR_LIMIT of its limit, of linear ones the nodes that stick.
+  double stick_share = 0;
 };
 
 /// @param R internal minus external nodal force [force]; @param u displacement

@@ -11,9 +11,10 @@ TangentialLaw<Dim>::TangentialLaw(std::shared_ptr<const FrictionLaw> friction)
 }
 
 template <int Dim>
-Change TangentialLaw<Dim>::test(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip,
-                                const Param<Dim>& m, double area, const ContactTolerance& tolerance) const {
-  const bool tension = force.N < -tolerance.force;
+Change TangentialLaw<Dim>::test(NodeState state, double N, const SurfaceForce<Dim>& force,
+                                const Param<Dim>& slip, const Param<Dim>& m, double area,
+                                const ContactTolerance& tolerance) const {
+  const bool tension = N < -tolerance.force;
   if (state == NodeState::SLIDING) {
     if (tension) return Change::RELEASE;
     return !frictionless() && slips_back(slip, m, tolerance.slip) ? Change::STICK : Change::NONE;
@@ -42,14 +43,19 @@ template <int Dim> Param<Dim> TangentialLaw<Dim>::slip_against(const Param<Dim>&
   return size > 0 ? Param<Dim>(-T / size) : Param<Dim>(Param<Dim>::Unit(0)); // without a force: any direction
 }
 
+template <int Dim> ConeTangent TangentialLaw<Dim>::cone(double N, double area) const {
+  const double slope = m_friction->slope(N, area);
+  return {slope, m_friction->limit(N, area) - slope * N};
+}
+
 template <int Dim>
 SlidingRows<Dim> TangentialLaw<Dim>::rows(const SurfacePoint<Dim>& p, const Vector<Dim>& F,
-                                          const Param<Dim>& m, double area) const {
-  const double N = F.dot(p.n), g = m_friction->limit(N, area), slope = m_friction->slope(N, area);
+                                          const Param<Dim>& m, const ConeTangent& cone) {
+  const double N = F.dot(p.n), slope = cone.slope;
   const Param<Dim> T = p.E.transpose() * F;
   SlidingRows<Dim> rows;
   rows.W = p.E + slope * p.n * m.transpose();
-  rows.constant = (g - slope * N) * m;
+  rows.constant = cone.constant * m;
   rows.by_slip = -N * p.B + slope * m * (p.B * T).transpose();
   rows.by_q.resize(Dim - 1, p.x_q.cols());
   for (Eigen::Index a = 0; a < rows.by_q.rows(); ++a)

@@ -22,6 +22,11 @@ struct ContactTolerance {
   double slip = 0;  ///< slip against the friction that does not count [length]
 };
 
+/// The cone at a normal force, linear in it: g(N) = slope N + constant.
+struct ConeTangent {
+  double slope = 0, constant = 0; ///< [-], [force]
+};
+
 /// Rows of a sliding node and their geometric terms, see NodeLinearization.
 template <int Dim> struct SlidingRows {
   Tangents<Dim> W;        ///< rows W'F + constant = 0
@@ -48,7 +53,13 @@ public:
   /// (A sticking node under tension first slides, only a sliding one is released: METHOD.md 5.4.)
   /// @param slip of the step, in E [length]; @param area tributary area
   Change test(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip, const Param<Dim>& m,
-              double area, const ContactTolerance& tolerance) const;
+              double area, const ContactTolerance& tolerance) const {
+    return test(state, force.N, force, slip, m, area, tolerance);
+  }
+  /// The same where other nodes hand their forces on. @param N the node's own normal force, which tells tension
+  /// @param force, area with what is handed on to it
+  Change test(NodeState state, double N, const SurfaceForce<Dim>& force, const Param<Dim>& slip,
+              const Param<Dim>& m, double area, const ContactTolerance& tolerance) const;
   /// Whether forces or slip contradict the state, by the same conditions.
   bool contradicts(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip,
                    const Param<Dim>& m, double area, const ContactTolerance& tolerance) const {
@@ -71,7 +82,13 @@ public:
 
   /// Linearization of T + m g(N) = 0 at the force F on the node (Dim numbers, space).
   SlidingRows<Dim> rows(const SurfacePoint<Dim>& point, const Vector<Dim>& F, const Param<Dim>& m,
-                        double area) const;
+                        double area) const {
+    return rows(point, F, m, cone(F.dot(point.n), area));
+  }
+  /// The same with the cone of a node that other nodes hand their forces to.
+  static SlidingRows<Dim> rows(const SurfacePoint<Dim>& point, const Vector<Dim>& F, const Param<Dim>& m,
+                               const ConeTangent& cone);
+  ConeTangent cone(double N, double area) const;
 
 private:
   std::shared_ptr<const FrictionLaw> m_friction;

@@ -28,6 +28,7 @@ ToolContact contact_of(const ContactModel<Dim>& model, const std::vector<Pose<Di
     result.normal = result.any ? Eigen::VectorXd(result.normal.cwiseMax(normal)) : normal;
     result.size = result.any ? Eigen::VectorXd(result.size.cwiseMax(size)) : size;
     result.any = true;
+    if (node.tied) continue; // its ends decide
     const std::pair<bool, double> slip(!refused.empty() && refused[i], slip_of(model, node).norm());
     if (result.least_slip >= 0 && slip >= smallest) continue;
     result.least_slip = static_cast<int>(i);
@@ -88,7 +89,7 @@ bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& s
     if (direction[node.tool].isZero()) direction[node.tool] = here;
     neutral = neutral || direction[node.tool].dot(here) < 0;
     const double slip = slip_of(model, node).norm();
-    if (refused[i] || (best >= 0 && slip >= smallest)) continue;
+    if (node.tied || refused[i] || (best >= 0 && slip >= smallest)) continue;
     best = static_cast<int>(i);
     smallest = slip;
   }

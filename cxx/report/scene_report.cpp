@@ -62,14 +62,14 @@ void SceneReport<Dim>::look_at_friction(const AcceptedStep<Dim>& step, int tool,
   FrictionUse& use = m_state.friction[tool];
   for (const auto& node : step.touching) {
     const ContactNode<Dim>& contact = step.contact.nodes[node.candidate];
-    if (contact.tool != tool || !(node.force.part.N > m_options.loaded * largest)) continue;
+    if (contact.tool != tool || contact.tied || !(node.force.part.N > m_options.loaded * largest)) continue;
     const TangentialLaw<Dim>& law = step.model.law(node.candidate, tool);
     if (law.frictionless() || law.friction().sticks_always()) continue;
-    const double limit = law.capacity(node.force.part.N, contact.tributary_area);
+    const double limit = law.capacity(node.deciding.force.N, node.deciding.area);
     if (!(limit > 0)) continue;
     ++use.nodes;
     use.sliding += contact.state == NodeState::SLIDING;
-    use.largest = std::max(use.largest, node.force.part.T.norm() / limit);
+    use.largest = std::max(use.largest, node.deciding.force.T.norm() / limit);
   }
 }
 

@@ -118,13 +118,13 @@ template <int Dim> PrescribedValues ContactRun<Dim>::start_values() const {
 // A coordinate under force goes on as in the last step, or stays where it is if its formulas end there.
 template <int Dim> Prediction<Dim> ContactRun<Dim>::predicted(const Eigen::VectorXd& u) const {
   if (m_stepping == Stepping::RATES) return m_predictor.rest(m_accepted.contact, u);
-  const bool carry = m_stepping == Stepping::IMPLICIT;
+  const bool carry = m_stepping == Stepping::IMPLICIT, tied = m_corrector.options().tied;
   try {
-    return m_predictor.predict(m_prescribed, m_accepted.contact, u, m_accepted.history, m_dt, carry);
+    return m_predictor.predict(m_prescribed, m_accepted.contact, u, m_accepted.history, m_dt, carry, tied);
   } catch (const FormulaDomainError&) {
     StepHistory<Dim> still = m_accepted.history;
     still.dq.setZero();
-    return m_predictor.predict(m_prescribed, m_accepted.contact, u, still, m_dt, carry);
+    return m_predictor.predict(m_prescribed, m_accepted.contact, u, still, m_dt, carry, tied);
   }
 }
 

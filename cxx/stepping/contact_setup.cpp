@@ -2,8 +2,29 @@
 #include "base/error.hpp"
 #include "contact/coupling.hpp"
 #include "contact/surface_curve.hpp"
+#include <algorithm>
 
 namespace burnish {
+namespace {
+
+// See ContactModel::edge_ends.
+template <int Dim>
+std::vector<std::array<int, 2>> ends_of_edges(const std::vector<Facet<Dim>>& surface,
+                                              const std::vector<int>& candidate) {
+  std::vector<std::array<int, 2>> ends;
+  for (const Facet<Dim>& facet : surface) {
+    if (Dim != 2 || facet.middle[0] < 0) continue;
+    const int a = candidate[facet.vertex[0]], b = candidate[facet.vertex[1]], m = candidate[facet.middle[0]];
+    if (ends.empty())
+      ends.assign(static_cast<std::size_t>(
+                      std::count_if(candidate.begin(), candidate.end(), [](int i) { return i >= 0; })),
+                  {-1, -1});
+    if (a >= 0 && b >= 0 && m >= 0) ends[m] = {a, b};
+  }
+  return ends;
+}
+
+} // namespace
 
 template <int Dim>
 ContactSetup<Dim>::ContactSetup(Mesh<Dim> mesh, std::vector<Facet<Dim>> surface, std::vector<char> fixed,
@@ -26,6 +47,7 @@ ContactSetup<Dim>::ContactSetup(Mesh<Dim> mesh, std::vector<Facet<Dim>> surface,
   }
   require(!m_model.candidates.empty(), "contact", "number of candidate nodes", 0,
           "at least one node on the labels that is not fixed");
+  m_model.edge_ends = ends_of_edges(m_surface, m_model.candidate_of_node(m_mesh.num_nodes));
   m_body.X = places_on_curve(m_mesh, m_surface);
   m_body.fixed = std::move(fixed);
   m_body.measure = std::move(measure);

@@ -283,13 +283,19 @@ template <int Dim> void Corrector<Dim>::project(Eigen::VectorXd& u, bool keep_fr
   const auto poses = m_model.poses(m_state.q);
   for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
     ContactNode<Dim>& node = m_state.nodes[i];
-    if (!in_contact(node.state)) continue;
-    const int mesh_node = m_model.candidates[i];
-    const Vector<Dim> x = m_body.position(u, mesh_node);
+    if (!in_contact(node.state) || node.tied) continue;
+    const Vector<Dim> x = m_body.position(u, m_model.candidates[i]);
     const auto& tool = *m_model.tools[node.tool];
     node.place =
         sticks(node.state) ? node.slip_origin : tool.foot(poses[node.tool], x, node.place.hint).place;
-    if (keep_fresh && m_fresh[i]) continue;
+  }
+  follow_ends(m_model, m_state);
+  for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
+    const ContactNode<Dim>& node = m_state.nodes[i];
+    if (!in_contact(node.state) || (keep_fresh && m_fresh[i])) continue;
+    const int mesh_node = m_model.candidates[i];
+    const Vector<Dim> x = m_body.position(u, mesh_node);
+    const auto& tool = *m_model.tools[node.tool];
     u.template segment<Dim>(Dim * mesh_node) +=
         offset_to(m_model, static_cast<int>(i), tool.point(poses[node.tool], node.place), x);
   }

@@ -7,6 +7,7 @@ namespace burnish {
 
 template <int Dim> void Corrector<Dim>::prepare_condensed() {
   if (m_adapt) stick_unsupported(m_model, m_prescribed, m_state, m_refused);
+  follow_ends(m_model, m_state);
 }
 
 // Elastic moduli while points go to and fro between elastic and plastic; none once the residual falls (ALGORITHMS.md 5.8).
@@ -29,17 +30,26 @@ bool Corrector<Dim>::change_states(const typename Condensation<Dim>::Expansion& 
   const auto poses = m_model.poses(solved.q);
   const ActiveSetOptions options = active_set_options();
   const std::vector<ContactNode<Dim>> before = m_state.nodes;
+  std::vector<SurfaceForce<Dim>> own(before.size());
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (in_contact(before[i].state)) {
+      const auto p = m_model.tools[before[i].tool]->point(poses[before[i].tool], solved.nodes[i].place);
+      const Vector<Dim> F = increment.F.template segment<Dim>(Dim * i);
+      own[i] = nodal_force(m_model, static_cast<int>(i), p, F).part;
+    }
+  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(m_model, solved, own);
   bool any = false;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const int candidate = static_cast<int>(i), node = m_model.candidates[i];
     const Vector<Dim> F = increment.F.template segment<Dim>(Dim * i);
     const Vector<Dim> x = m_body.position(u, node) + increment.du.template segment<Dim>(Dim * node);
-    const bool changed =
-        test_node(m_model, candidate, poses, solved.nodes[i], F, x, m_entry, options, m_state.nodes[i]);
+    const bool changed = test_node(m_model, candidate, poses, solved.nodes[i], F, deciding[i], x, m_entry,
+                                   options, m_state.nodes[i]);
     if (changed && sticks(before[i].state) && m_state.nodes[i].state == NodeState::SLIDING) m_refused[i] = 1;
     any = any || changed;
     if (changed && m_passes >= m_options.max_together) break; // the rest is tested in the next pass
   }
+  follow_ends(m_model, m_state);
   return any;
 }
 

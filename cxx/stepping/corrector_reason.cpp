@@ -49,14 +49,15 @@ std::string wedged_node(const ContactModel<Dim>& model, const ContactState<Dim>&
                         double tolerance) {
   if (R.size() == 0 || u.size() != R.size()) return "";
   const auto poses = model.poses(state.q);
+  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, state, poses, R);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const ContactNode<Dim>& node = state.nodes[i];
-    if (!in_contact(node.state) || model.law(static_cast<int>(i), node.tool).frictionless()) continue;
+    if (!in_contact(node.state) || node.tied || model.law(static_cast<int>(i), node.tool).frictionless())
+      continue;
     const int candidate = static_cast<int>(i), mesh_node = model.candidates[i];
     const ContactPoint<Dim> at = contact_point(model, poses, node);
-    const Vector<Dim> force = R.template segment<Dim>(Dim * mesh_node);
-    const SurfaceForce<Dim> part = nodal_force(model, candidate, at.surface, force).part;
-    const double reserve = model.law(candidate, node.tool).reserve(part, node.tributary_area);
+    const SurfaceForce<Dim>& part = deciding[i].force;
+    const double reserve = model.law(candidate, node.tool).reserve(part, deciding[i].area);
     const bool wedged =
         sticks(node.state) ? reserve < -tolerance : part.N > 0 && slip_of(model, node).dot(at.m) < 0;
     if (!wedged) continue;

@@ -1,5 +1,6 @@
 #include "stepping/predictor.hpp"
 #include "contact/coupling.hpp"
+#include "contact/tied_edges.hpp"
 #include <cmath>
 
 namespace burnish {
@@ -122,6 +123,7 @@ void Predictor<Dim>::carry_states(const ContactState<Dim>& old, const std::vecto
       if (!in_contact(from.state) || from.tool != t) continue;
       const bool slides = m_model.law(static_cast<int>(i), t).frictionless();
       node.state = slides ? NodeState::SLIDING : from.state;
+      node.tied = from.tied;
       if (!slides) node.slip_direction = from.slip_direction;
       if (node.tool != t) place_at(node, from.place);
       node.tool = t;
@@ -130,37 +132,54 @@ void Predictor<Dim>::carry_states(const ContactState<Dim>& old, const std::vecto
   }
 }
 
-// Contact nodes onto their tools at the predicted coordinates.
+// Place of a contact node that is not tied: foot of its predicted place, or where it sticks.
 template <int Dim>
-void Predictor<Dim>::place_contact_nodes(bool may_stick, ContactState<Dim>& state, Eigen::VectorXd& u) const {
+void Predictor<Dim>::place_contact_node(const std::vector<Pose<Dim>>& poses, int candidate, bool may_stick,
+                                        ContactState<Dim>& state, const Eigen::VectorXd& u) const {
+  ContactNode<Dim>& node = state.nodes[candidate];
+  if (node.state == NodeState::SLIDING) {
+    const Vector<Dim> x = m_body.position(u, m_model.candidates[candidate]);
+    node.place = m_model.tools[node.tool]->foot(poses[node.tool], x, node.slip_origin.hint).place;
+    const Param<Dim> m = contact_point(m_model, poses, node).m;
+    if (may_stick && !m_model.law(candidate, node.tool).frictionless() &&
+        TangentialLaw<Dim>::slips_back(slip_of(m_model, node), m, 0))
+      node.state = NodeState::STICKING;
+  }
+  if (!sticks(node.state)) return;
+  const NodeState kept = node.state;
+  make_stick(node);
+  node.state = kept;
+}
+
+// Contact nodes onto their tools at the predicted coordinates: first the corners, which decide over the ties.
+template <int Dim>
+void Predictor<Dim>::place_contact_nodes(bool may_stick, bool tied, ContactState<Dim>& state,
+                                         Eigen::VectorXd& u) const {
   const auto poses = m_model.poses(state.q);
-  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-    ContactNode<Dim>& node = state.nodes[i];
+  const int n = static_cast<int>(state.nodes.size());
+  const auto place = [&](bool middles) {
+    for (int i = 0; i < n; ++i)
+      if (in_contact(state.nodes[i].state) && !state.nodes[i].tied && m_model.is_middle(i) == middles)
+        place_contact_node(poses, i, may_stick, state, u);
+  };
+  for (auto& node : state.nodes) node.tied = node.tied && tied;
+  place(false);
+  if (tied) tie_edges(m_model, state);
+  place(true);
+  follow_ends(m_model, state);
+  for (int i = 0; i < n; ++i) {
+    const ContactNode<Dim>& node = state.nodes[i];
     if (!in_contact(node.state)) continue;
-    const auto& tool = *m_model.tools[node.tool];
-    const int candidate = static_cast<int>(i), a = m_model.candidates[i];
-    const Vector<Dim> x = m_body.position(u, a);
-    if (node.state == NodeState::SLIDING) {
-      node.place = tool.foot(poses[node.tool], x, node.slip_origin.hint).place;
-      const Param<Dim> m = contact_point(m_model, poses, node).m;
-      if (may_stick && !m_model.law(candidate, node.tool).frictionless() &&
-          TangentialLaw<Dim>::slips_back(slip_of(m_model, node), m, 0))
-        node.state = NodeState::STICKING;
-    }
-    if (sticks(node.state)) {
-      const NodeState kept = node.state;
-      make_stick(node);
-      node.state = kept;
-    }
-    u.template segment<Dim>(Dim * a) +=
-        offset_to(m_model, candidate, tool.point(poses[node.tool], node.place), x);
+    const int a = m_model.candidates[i];
+    u.template segment<Dim>(Dim * a) += offset_to(
+        m_model, i, m_model.tools[node.tool]->point(poses[node.tool], node.place), m_body.position(u, a));
   }
 }
 
 template <int Dim>
 Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, const ContactState<Dim>& state,
                                         const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt,
-                                        bool carry) const {
+                                        bool carry, bool tied) const {
   Prediction<Dim> result;
   const bool known = history.dt > 0 && history.du.size() == u.size();
   const double ratio = known ? dt / history.dt : 0;
@@ -183,7 +202,10 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
   }
   // Without a step before, the nodes stay where they are: the first iteration brings them to the tool by an
   // offset.
-  if (known) place_contact_nodes(carry, result.state, result.u);
+  if (known)
+    place_contact_nodes(carry, tied, result.state, result.u);
+  else if (tied)
+    tie_edges(m_model, result.state);
   return result;
 }
 
@@ -192,6 +214,7 @@ Prediction<Dim> Predictor<Dim>::rest(const ContactState<Dim>& state, const Eigen
   Prediction<Dim> start{u, state, {}};
   for (auto& node : start.state.nodes) {
     if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
+    node.tied = false;
     node.slip_origin = node.place;
   }
   start.entry = start.state.nodes;

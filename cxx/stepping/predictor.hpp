@@ -30,9 +30,10 @@ public:
 
   /// @param state, u accepted state at the start of the step; slips are counted from here
   /// @param carry also carry the contact states along (false: states stay, event stepping)
+  /// @param tied  ties edges in contact by the states that come of it (contact/tied_edges.hpp)
   Prediction<Dim> predict(const PrescribedValues& prescribed, const ContactState<Dim>& state,
-                          const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt,
-                          bool carry) const;
+                          const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt, bool carry,
+                          bool tied = true) const;
   /// The accepted state as it is: the start of a step of pure rates.
   Prediction<Dim> rest(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
 
@@ -46,7 +47,9 @@ private:
   std::vector<ContactNode<Dim>> entry_nodes(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
   void carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions,
                     ContactState<Dim>& state) const;
-  void place_contact_nodes(bool may_stick, ContactState<Dim>& state, Eigen::VectorXd& u) const;
+  void place_contact_nodes(bool may_stick, bool tied, ContactState<Dim>& state, Eigen::VectorXd& u) const;
+  void place_contact_node(const std::vector<Pose<Dim>>& poses, int candidate, bool may_stick,
+                          ContactState<Dim>& state, const Eigen::VectorXd& u) const;
 
   const Mesh<Dim>& m_mesh;
   const ContactModel<Dim>& m_model;

@@ -1,6 +1,6 @@
-// The report of an axisymmetric contact surface: rings' areas, pressures recovered up to the axis, where vertices of
+// The report of an axisymmetric contact surface: rings' areas, pressures up to the axis, where vertices of
 // quadratic elements have no area.
-#include "contact/facet_fit.hpp"
+#include "contact/corner_shares.hpp"
 #include "contact/surface_report.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
@@ -136,34 +136,48 @@ TEST(AxisymmetricReport, ConstrainedNodeOnTheAxis) {
   }
 }
 
-// Linear along quadratic edges: recovered to the last node, the axis included.
-TEST(AxisymmetricReport, LinearPressureFitted) {
-  const Cone cone(true, 0.75);
+// Linear along quadratic edges: the shares are those of linear edges under the same pressure, with the radius of the rings,
+// to the last node, the axis included; and friction of mu p has mu times these shares.
+TEST(AxisymmetricReport, SharesAreConsistentWithLinearEdges) {
+  const Cone cone(true, 0.75), linear(false, 0.75);
   const auto pressure = [](double r) { return 100 - 8 * r; };
-  const auto report = cone.report(pressure);
-  for (int a = 0; a < 7; ++a) {
-    EXPECT_NEAR(report.pressure_fit[a], pressure(cone.radius(a)), 1e-9) << a;
-    EXPECT_NEAR(report.traction_fit(0, a), 0.2 * pressure(cone.radius(a)), 1e-9) << a;
+  const auto report = cone.report(pressure), expected = linear.report(pressure);
+  const CornerShares<2> shares(cone.model, cone.body, cone.state, cone.edges, cone.u, report.area);
+  const Eigen::VectorXd N = shares.shared(report.normal_force),
+                        T = shares.shared(report.tangential_force.row(0).transpose());
+  const double scale = report.normal_force.cwiseAbs().maxCoeff();
+  ASSERT_EQ(N.size(), 4);
+  for (int c = 0; c < 4; ++c) {
+    const int corner = shares.corners()[c];
+    EXPECT_NEAR(N[c], expected.normal_force[corner], 1e-13 * scale) << corner;
+    EXPECT_NEAR(T[c], 0.2 * N[c], 1e-13 * scale) << corner;
+    EXPECT_NEAR(shares.areas()[c], expected.area[corner], 1e-13 * report.area.maxCoeff()) << corner;
+    EXPECT_NEAR(report.pressure_fit[corner], expected.pressure[corner], 1e-10) << corner;
   }
-  EXPECT_NEAR(report.pressure[0], 100, 1e-9) << "without an area the fitted value";
+  EXPECT_EQ(report.pressure[0], report.pressure_fit[0]) << "without an area that by shares";
 }
 
-// Contact from the axis to r = 6, linear to zero there. The free node takes no force, though a ring's consistent force
-// is not zero at its end: the fit is near, not exact.
-TEST(AxisymmetricReport, ZeroAtTheFreeEnd) {
+// Contact from the axis to r = 6, linear to zero there: what is reported adds up to the forces.
+TEST(AxisymmetricReport, SumAtAFreeEnd) {
   Cone cone(true);
   for (const int free : {2, 3, 6}) cone.state.nodes[free] = {};
-  const auto pressure = [](double r) { return r < 6 ? 100 - 100 * r / 6 : 0; };
-  const auto report = cone.report(pressure);
-  for (int a = 0; a < 7; ++a) EXPECT_NEAR(report.pressure_fit[a], pressure(cone.radius(a)), 0.5) << a;
+  const auto report = cone.report([](double r) { return r < 6 ? 100 - 100 * r / 6 : 0; });
+  double sum = 0;
+  for (const Facet<2>& edge : cone.edges) {
+    const double a = cone.radius(edge.vertex[0]), b = cone.radius(edge.vertex[1]),
+                 pa = report.pressure_fit[edge.vertex[0]], pb = report.pressure_fit[edge.vertex[1]];
+    sum += 2 * M_PI * std::abs(b - a) * ((2 * a + b) * pa + (a + 2 * b) * pb) / 6;
+  }
+  EXPECT_NEAR(sum, report.normal_force.sum(), 1e-12 * sum);
   for (const int free : {2, 3, 6}) EXPECT_EQ(report.pressure_fit[free], 0);
+  EXPECT_NEAR(report.pressure_fit[1], 100 * 4 / 6., 1);
 }
 
-TEST(AxisymmetricReport, LinearFacetsAreNotFitted) {
+TEST(AxisymmetricReport, LinearFacetsHaveNoShares) {
   const Cone linear(false), quadratic(true);
   const auto empty = [](const Cone& cone) {
     const Eigen::VectorXd area = tributary_areas(cone.model, cone.body, cone.edges, cone.u);
-    return FacetFit<2>(cone.model, cone.body, cone.state, cone.edges, cone.u, area).empty();
+    return CornerShares<2>(cone.model, cone.body, cone.state, cone.edges, cone.u, area).empty();
   };
   EXPECT_TRUE(empty(linear));
   EXPECT_FALSE(empty(quadratic));

@@ -1,4 +1,5 @@
-// The report of the contact surface: tributary lengths, uniform and linear pressure recovered, gaps.
+// The report of the contact surface: tributary lengths, uniform pressure recovered, forces shared to corners, gaps.
+#include "contact/corner_shares.hpp"
 #include "contact/surface_report.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
@@ -83,22 +84,58 @@ TEST(SurfaceReport, UniformPressureRecovered) {
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(report.pressure.size());
     expect_close(report.pressure, 5 * ones, 5, 1e-14, "pressure");
     expect_close(report.traction_tangential, ones, 1, 1e-14, "traction");
-    expect_close(report.pressure_fit, 5 * ones, 5, 1e-13, "fitted pressure");
-    expect_close(report.traction_fit, ones, 1, 1e-13, "fitted traction");
+    expect_close(report.pressure_fit, 5 * ones, 5, 1e-13, "shared pressure");
+    expect_close(report.traction_fit, ones, 1, 1e-13, "shared traction");
     EXPECT_NEAR(report.normal_force.sum(), 5 * 12, 1e-12);
     EXPECT_NEAR(report.tangential_force.sum(), 12, 1e-12);
   }
 }
 
-// On quadratic edges a pressure that is linear along the surface is recovered by the fit.
-TEST(SurfaceReport, LinearPressureFitted) {
-  const Sample surface(true);
-  const auto report = surface.report(surface.loads(3, 0.5));
-  for (int a = 0; a < 7; ++a) {
-    const double expected = 3 + 0.5 * surface.body.X.segment<2>(2 * a).norm();
-    EXPECT_NEAR(report.pressure_fit[a], expected, 1e-12) << a;
-    EXPECT_NEAR(report.traction_fit(0, a), 0.2 * expected, 1e-12) << a;
+// On quadratic edges a pressure that is linear along the surface has the shares of linear edges, h/3 p_a + h/6 p_b, to
+// rounding, and friction that is mu p everywhere is mu times them: the cone holds with equality at every corner.
+TEST(SurfaceReport, SharesAreConsistentWithLinearEdges) {
+  const Sample quadratic(true), linear(false);
+  const auto report = quadratic.report(quadratic.loads(3, 0.5));
+  const CornerShares<2> shares(quadratic.model, quadratic.body, quadratic.state, quadratic.edges, quadratic.u,
+                               report.area);
+  ASSERT_EQ(shares.corners().size(), 4u);
+  const Eigen::VectorXd N = shares.shared(report.normal_force),
+                        T = shares.shared(report.tangential_force.row(0).transpose()),
+                        expected = linear.report(linear.loads(3, 0.5)).normal_force;
+  for (int c = 0; c < 4; ++c) {
+    const int corner = shares.corners()[c];
+    EXPECT_NEAR(N[c], expected[corner], 1e-13 * 6) << corner;
+    EXPECT_NEAR(T[c], 0.2 * N[c], 1e-13 * 6) << corner;
+    EXPECT_NEAR(shares.areas()[c], linear.report(linear.loads(3, 0.5)).area[corner], 1e-14 * 6);
+    EXPECT_DOUBLE_EQ(report.pressure_fit[corner], N[c] / shares.areas()[c]);
   }
+  for (int e = 0; e < 3; ++e)
+    EXPECT_DOUBLE_EQ(report.pressure_fit[4 + e], 0.5 * (report.pressure_fit[e] + report.pressure_fit[e + 1]));
+}
+
+// The integral of the reported pressure is the sum of the nodal forces, wherever the contact ends.
+TEST(SurfaceReport, SharedPressureAddsUpToTheForces) {
+  for (const std::vector<int>& free : {std::vector<int>{}, {3}, {3, 6}, {3, 6, 2}, {0, 1, 2, 3, 4, 6}}) {
+    Sample surface(true);
+    for (const int a : free) surface.state.nodes[a] = {};
+    const auto report = surface.report(surface.loads(3, 0.5));
+    double sum = 0;
+    for (int e = 0; e < 3; ++e) sum += (e + 1) * (report.pressure_fit[e] + report.pressure_fit[e + 1]);
+    EXPECT_NEAR(sum, report.normal_force.sum(), 1e-13 * sum) << free.size();
+    EXPECT_GT(sum, 0);
+  }
+}
+
+TEST(SurfaceReport, ShareThatSticks) {
+  Sample surface(true);
+  for (auto& node : surface.state.nodes)
+    node.state = NodeState::SLIDING; // what counts is the friction, 0.2 of 0.3
+  const Eigen::VectorXd loads = surface.loads(5, 0);
+  EXPECT_EQ(surface.report(loads).stick_share, 1);
+  surface.model.laws = {TangentialLaw<2>(make_coulomb(0.201))};
+  EXPECT_EQ(surface.report(loads).stick_share, 0);
+  Sample nodes(false);
+  EXPECT_NEAR(nodes.report(nodes.loads(5, 0)).stick_share, 0.5, 1e-14) << "by states: 3 and 3 of 12";
 }
 
 TEST(SurfaceReport, FreeNodesHaveGapsAndNoForce) {

@@ -1,0 +1,44 @@
+#pragma once
+// Nodal forces of quadratic facets shared to their vertices, and the tractions that follow (METHOD.md 3.20).
+#include "contact/tributary_area.hpp"
+
+namespace burnish {
+
+/// Corners are the vertices in contact, those without a tributary area, which have no force of their own to be in contact
+/// by, and the ends of a mid node that touches alone. A mid node gives half of its force to both ends of its edge, all of it
+/// to the one that is a corner. Where both ends are corners the shares are the integrals of the traction with the linear
+/// functions of the vertices, whatever the traction, in the plane and over rings.
+template <int Dim> class CornerShares {
+public:
+  /// @param area tributary areas of the candidates
+  CornerShares(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
+               const std::vector<Facet<Dim>>& facets, const Eigen::VectorXd& u, const Eigen::VectorXd& area);
+  bool empty() const { return m_corners.empty(); }
+  /// Candidates that are corners.
+  const std::vector<int>& corners() const { return m_corners; }
+  /// Integral of the linear function of each corner over its facets [length or area]. Beside a vertex that is no candidate
+  /// it is 1 on the whole edge.
+  const Eigen::VectorXd& areas() const { return m_areas; }
+  /// Shares of the corners, one each. @param force one number per candidate [force]
+  Eigen::VectorXd shared(const Eigen::VectorXd& force) const;
+  /// Tractions of the candidates, linear on every facet: share over area at corners, means of their ends at mid nodes, zero
+  /// at other vertices of these facets; `nodal` stays elsewhere. Their integral is the sum of the forces.
+  /// @param force nodal forces [force]; @param nodal [stress]
+  Eigen::VectorXd traction(const Eigen::VectorXd& force, Eigen::VectorXd nodal) const;
+
+private:
+  struct Middle {
+    int node;
+    std::array<int, 2> end;       // candidates, -1: none
+    std::array<double, 2> weight; // of its force
+  };
+  void choose_corners(const ContactState<Dim>& state, const Eigen::VectorXd& area);
+  void find_middles(const std::vector<std::vector<int>>& facets);
+
+  std::vector<int> m_corners, m_number; // candidates; per candidate its place among them, -1: none
+  Eigen::VectorXd m_areas;
+  std::vector<Middle> m_middles; // of quadratic facets
+  std::vector<char> m_reported;  // per candidate: a node of a facet with a corner
+};
+
+} // namespace burnish

@@ -1,0 +1,136 @@
+#include "contact/tied_edges.hpp"
+
+namespace burnish {
+namespace {
+
+// Mid node and ends touch one tool.
+template <int Dim> bool together(const ContactModel<Dim>& model, const ContactState<Dim>& state, int middle) {
+  const ContactNode<Dim>& node = state.nodes[middle];
+  if (!model.is_middle(middle) || !in_contact(node.state)) return false;
+  for (const int end : model.edge_ends[middle])
+    if (!in_contact(state.nodes[end].state) || state.nodes[end].tool != node.tool) return false;
+  return true;
+}
+
+template <int Dim> bool is_tied(const ContactModel<Dim>& model, const ContactState<Dim>& state, int i) {
+  return state.nodes[i].tied && together(model, state, i);
+}
+
+// The first end that slides, -1: none.
+template <int Dim>
+int sliding_end(const ContactModel<Dim>& model, const ContactState<Dim>& state, int middle) {
+  for (const int end : model.edge_ends[middle])
+    if (state.nodes[end].state == NodeState::SLIDING) return end;
+  return -1;
+}
+
+// Friction of a law that knows both stick and slip, at nodes that supports do not guide.
+template <int Dim> bool may_tie(const ContactModel<Dim>& model, const ContactState<Dim>& state, int middle) {
+  const int tool = state.nodes[middle].tool;
+  for (const int i : {middle, model.edge_ends[middle][0], model.edge_ends[middle][1]}) {
+    const TangentialLaw<Dim>& law = model.law(i, tool);
+    if (law.frictionless() || law.friction().sticks_always()) return false;
+  }
+  return true;
+}
+
+} // namespace
+
+template <int Dim> void tie_edges(const ContactModel<Dim>& model, ContactState<Dim>& state) {
+  for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) {
+    ContactNode<Dim>& node = state.nodes[i];
+    const bool was_tied = node.tied;
+    node.tied = false;
+    if (!together(model, state, i) || !may_tie(model, state, i)) continue;
+    const auto& [a, b] = model.edge_ends[i];
+    node.tied = sticks(state.nodes[a].state) || sticks(state.nodes[b].state);
+    if (!node.tied && was_tied && sticks(node.state)) make_slide(node, state.nodes[a].slip_direction);
+  }
+}
+
+template <int Dim> void follow_ends(const ContactModel<Dim>& model, ContactState<Dim>& state) {
+  for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) {
+    ContactNode<Dim>& node = state.nodes[i];
+    if (!node.tied) continue;
+    node.tied = is_tied(model, state, i);
+    if (!node.tied) continue;
+    const int slides = sliding_end(model, state, i);
+    if (slides < 0) {
+      make_stick(node);
+      continue;
+    }
+    make_slide(node, state.nodes[slides].slip_direction);
+    Param<Dim> slip = Param<Dim>::Zero();
+    for (const int end : model.edge_ends[i])
+      if (state.nodes[end].state == NodeState::SLIDING) slip += 0.5 * slip_of(model, state.nodes[end]);
+    node.place = model.tools[node.tool]->surface().moved(node.slip_origin, slip);
+  }
+}
+
+template <int Dim>
+std::vector<DecidingForce<Dim>> deciding_forces(const ContactModel<Dim>& model,
+                                                const ContactState<Dim>& state,
+                                                const std::vector<SurfaceForce<Dim>>& own) {
+  std::vector<DecidingForce<Dim>> result(own.size());
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (in_contact(state.nodes[i].state)) result[i] = {own[i], state.nodes[i].tributary_area};
+  for (int i = 0; i < static_cast<int>(own.size()); ++i) {
+    if (!is_tied(model, state, i)) continue;
+    for (const int end : model.edge_ends[i]) {
+      result[end].force.N += 0.5 * own[i].N;
+      result[end].force.T += 0.5 * own[i].T;
+      result[end].area += 0.5 * state.nodes[i].tributary_area;
+    }
+  }
+  return result;
+}
+
+template <int Dim>
+std::vector<DecidingForce<Dim>>
+deciding_forces(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                const std::vector<Pose<Dim>>& poses, const Eigen::VectorXd& R) {
+  std::vector<SurfaceForce<Dim>> own(state.nodes.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const ContactNode<Dim>& node = state.nodes[i];
+    if (!in_contact(node.state)) continue;
+    const SurfacePoint<Dim> p = model.tools[node.tool]->point(poses[node.tool], node.place);
+    const Vector<Dim> force = R.template segment<Dim>(Eigen::Index{Dim} * model.candidates[i]);
+    own[i] = nodal_force(model, static_cast<int>(i), p, force).part;
+  }
+  return deciding_forces(model, state, own);
+}
+
+template <int Dim>
+NodeCones<Dim> cones_of(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                        const std::vector<Pose<Dim>>& poses, const std::vector<DecidingForce<Dim>>& deciding,
+                        int candidate) {
+  const auto cone = [&](int i) {
+    return model.law(i, state.nodes[i].tool).cone(deciding[i].force.N, deciding[i].area);
+  };
+  NodeCones<Dim> cones;
+  cones.tied = is_tied(model, state, candidate);
+  if (!cones.tied) {
+    if (state.nodes[candidate].state == NodeState::SLIDING) cones.own = cone(candidate);
+    return cones;
+  }
+  for (const int end : model.edge_ends[candidate])
+    if (state.nodes[end].state == NodeState::SLIDING)
+      cones.ends.push_back({end, contact_point(model, poses, state.nodes[end]).m, cone(end)});
+  return cones;
+}
+
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template void tie_edges<Dim>(const ContactModel<Dim>&, ContactState<Dim>&);                                \
+  template void follow_ends<Dim>(const ContactModel<Dim>&, ContactState<Dim>&);                              \
+  template std::vector<DecidingForce<Dim>> deciding_forces<Dim>(                                             \
+      const ContactModel<Dim>&, const ContactState<Dim>&, const std::vector<SurfaceForce<Dim>>&);            \
+  template std::vector<DecidingForce<Dim>> deciding_forces<Dim>(                                             \
+      const ContactModel<Dim>&, const ContactState<Dim>&, const std::vector<Pose<Dim>>&,                     \
+      const Eigen::VectorXd&);                                                                               \
+  template NodeCones<Dim> cones_of<Dim>(const ContactModel<Dim>&, const ContactState<Dim>&,                  \
+                                        const std::vector<Pose<Dim>>&,                                       \
+                                        const std::vector<DecidingForce<Dim>>&, int);
+BURNISH_INSTANTIATE(2)
+BURNISH_INSTANTIATE(3)
+
+} // namespace burnish

@@ -1,0 +1,42 @@
+#pragma once
+// Edges of quadratic elements in contact with friction: stick and slip are decided at the corners, by forces that the mid
+// nodes share with them, and a mid node is tied to the slips of its ends (METHOD.md 3.19).
+#include "contact/linearization.hpp"
+
+namespace burnish {
+
+/// Ties every mid node that touches, with friction, the same tool as both ends of its edge, one of which sticks at least;
+/// unties all others. One that was tied while both ends have begun to slide slides with the first of them.
+/// @param state states of a step before its iteration; places stay, see follow_ends
+template <int Dim> void tie_edges(const ContactModel<Dim>& model, ContactState<Dim>& state);
+
+/// Tied mid nodes take state and place from their ends: they stick at their slip_origin if both do, else they slide by half
+/// the sum of their slips. A tie is dropped where the mid node or an end is not in contact any more, or on another tool; the
+/// node goes on alone, as it is.
+template <int Dim> void follow_ends(const ContactModel<Dim>& model, ContactState<Dim>& state);
+
+/// Force and area by which stick and slip of a contact node are decided: its own, and half of those of the mid nodes that
+/// are tied to it.
+template <int Dim> struct DecidingForce {
+  SurfaceForce<Dim> force; ///< [force]
+  double area = 1;         ///< [length or area]
+};
+/// Of all candidates; zero for those not in contact. A tied node keeps its own, which decide nothing but its release.
+/// @param own forces on the candidates in the frames of their surface points [force]
+template <int Dim>
+std::vector<DecidingForce<Dim>> deciding_forces(const ContactModel<Dim>& model,
+                                                const ContactState<Dim>& state,
+                                                const std::vector<SurfaceForce<Dim>>& own);
+/// The same at the poses of the tools. @param R internal minus external nodal force, num_dofs [force]
+template <int Dim>
+std::vector<DecidingForce<Dim>>
+deciding_forces(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                const std::vector<Pose<Dim>>& poses, const Eigen::VectorXd& R);
+
+/// Cones for linearize_node.
+template <int Dim>
+NodeCones<Dim> cones_of(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                        const std::vector<Pose<Dim>>& poses, const std::vector<DecidingForce<Dim>>& deciding,
+                        int candidate);
+
+} // namespace burnish
