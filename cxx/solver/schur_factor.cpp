@@ -33,7 +33,8 @@ template <int Dim> struct SchurFactor<Dim>::Impl {
     require(static_cast<std::size_t>(load.y.size()) == triangle.order.size(), where, "size of the swept load",
             load.y.size(), "that of the factor");
   }
-  Eigen::VectorXd permuted(const Eigen::VectorXd& b, const char* where) const; // checked, in the order of elimination
+  Eigen::VectorXd permuted(const Eigen::VectorXd& b,
+                           const char* where) const; // checked, in the order of elimination
   Eigen::VectorXd on_nodes(const Eigen::VectorXd& y) const;
   std::vector<int> free_candidate_dofs() const;
   Eigen::MatrixXd with_fixed_dofs(const Eigen::MatrixXd& free, double diagonal) const;
@@ -118,11 +119,13 @@ template <int Dim> FactorStatus SchurFactor<Dim>::factorize(const NodeBlockMatri
   m_impl->load(matrix);
   ++m_impl->factorizations;
   const FactorStatus status = m_impl->factor.factorize();
-  if (status == FactorStatus::OK) m_impl->trailing = m_impl->factor.trailing_factor(m_impl->triangle.num_interior);
+  if (status == FactorStatus::OK)
+    m_impl->trailing = m_impl->factor.trailing_factor(m_impl->triangle.num_interior);
   return status;
 }
 
-template <int Dim> Eigen::VectorXd SchurFactor<Dim>::Impl::permuted(const Eigen::VectorXd& b, const char* where) const {
+template <int Dim>
+Eigen::VectorXd SchurFactor<Dim>::Impl::permuted(const Eigen::VectorXd& b, const char* where) const {
   require(static_cast<std::size_t>(b.size()) == fixed.size(), where, "b.size()", b.size(), "Dim*num_nodes");
   Eigen::VectorXd y(static_cast<Eigen::Index>(triangle.order.size()));
   for (std::size_t p = 0; p < triangle.order.size(); ++p) {
