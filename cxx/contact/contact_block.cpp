@@ -113,6 +113,23 @@ void leave_out_followers(const ContactModel<Dim>& model, Eigen::Index first, Eig
   }
 }
 
+// The coordinate that moves most in the null vector of a singular matrix, found by inverse iteration, of several the last
+// one (a turn, where places come first); -1 if displacements or slips move far more than all coordinates do.
+int weakest_coordinate(const Eigen::MatrixXd& scaled, Eigen::Index first) {
+  constexpr double shift = 1e-13, share = 0.1, alike = 0.9;
+  const Eigen::Index n = scaled.rows();
+  if (first == n) return -1;
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(scaled + shift * Eigen::MatrixXd::Identity(n, n));
+  Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(n, 1, 2);
+  for (int i = 0; i < 3; ++i) v = lu.solve(v).normalized().eval();
+  if (!v.allFinite()) return -1;
+  const Eigen::VectorXd moved = v.tail(n - first).cwiseAbs();
+  if (moved.maxCoeff() < share * v.cwiseAbs().maxCoeff()) return -1;
+  Eigen::Index k = moved.size() - 1;
+  while (moved[k] < alike * moved.maxCoeff()) --k;
+  return static_cast<int>(k);
+}
+
 // Solves with rows and columns equilibrated; reports the coordinate that nothing resists.
 bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eigen::Index first,
                   Eigen::VectorXd& z, int& weakest) {
@@ -130,11 +147,11 @@ bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eig
       return false;
     }
   }
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(scale.asDiagonal() * matrix * scale.asDiagonal());
-  if (!(lu.rcond() > least_rcond)) {
-    Eigen::Index pivot;
-    lu.matrixLU().diagonal().cwiseAbs().minCoeff(&pivot);
-    weakest = pivot >= first ? static_cast<int>(pivot - first) : -1;
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(scaled);
+  const bool pivots = lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0; // rcond takes them for granted
+  if (!pivots || !(lu.rcond() > least_rcond)) {
+    weakest = weakest_coordinate(scaled, first);
     return false;
   }
   z = scale.asDiagonal() * lu.solve(Eigen::VectorXd(scale.asDiagonal() * rhs));

@@ -32,13 +32,14 @@ def fastest(rows, quantity, level, whose):
     return min(able, key=lambda r: r["seconds"], default=None)
 
 
-def cell(rows, row, quantity, whose):
+def cell(rows, row, quantity, whose, level):
     if row:
         return f"{run_name(row)}: {row['seconds']:.2f} s"
     best = min((r for r in rows if r["whose"] == whose), key=lambda r: r[quantity], default=None)
     if best is None:
         return "no run finished"
-    return f"not reached ({100 * best[quantity]:.2g} % by {run_name(best)})"
+    kept = "" if best[quantity] > level else ", by chance: not on finer meshes"
+    return f"not reached ({100 * best[quantity]:.2g} % by {run_name(best)}{kept})"
 
 
 def verdict(ours, rival):
@@ -57,8 +58,8 @@ def table(rows, quantities):
     for quantity in quantities:
         for level in LEVELS:
             ours, rival = (fastest(rows, quantity, level, whose) for whose in ("ours", "rival"))
-            lines.append(f"| {MEANING.get(quantity, quantity)}: {100 * level:g} % | {cell(rows, ours, quantity, 'ours')} | "
-                         f"{cell(rows, rival, quantity, 'rival')} | {verdict(ours, rival)} |")
+            lines.append(f"| {MEANING.get(quantity, quantity)}: {100 * level:g} % | {cell(rows, ours, quantity, 'ours', level)} | "
+                         f"{cell(rows, rival, quantity, 'rival', level)} | {verdict(ours, rival)} |")
     return lines
 
 

@@ -151,10 +151,10 @@ def show(scene, folder):
 
 
 def store(scene, rows, done, folder):
-    """Picture into this folder, tables into README.md between <!-- chart NAME --> and <!-- end -->."""
+    """Picture into this folder, tables into README.md beside it between <!-- chart NAME --> and <!-- end -->."""
     for name in (scene["name"], "matrices") if scene["matrices"] else (scene["name"],):
         shutil.copy(os.path.join(folder, name + ".png"), os.path.join(HERE, name + ".png"))
-    path = os.path.join(os.path.dirname(os.path.dirname(HERE)), "README.md")
+    path = os.path.join(HERE, "README.md")
     with open(path) as f:
         text = f.read()
     for name, lines in (("use", report.table(done, list(scene["quantities"]))), ("forms", report.costs(rows))):
