@@ -99,6 +99,8 @@ public:
   void set_held(double force) { m_held = force; }
 
 private:
+  static constexpr const char* UNSTABLE =
+      "the tangent is not positive definite: loss of stability or limit load";
   double balance_at(const Eigen::VectorXd& u, const Eigen::VectorXd& R);
   bool window_covers(const Eigen::VectorXd& u) const;
   StepStatus backtrack(Eigen::VectorXd& u);
