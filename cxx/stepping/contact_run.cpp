@@ -3,6 +3,7 @@
 #include "base/formula.hpp"
 #include "contact/coupling.hpp"
 #include "contact/driving_force.hpp"
+#include "contact/slip_motion.hpp"
 #include "contact/tributary_area.hpp"
 #include "stepping/approach.hpp"
 #include "stepping/contact_window.hpp"
