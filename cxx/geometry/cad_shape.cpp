@@ -1,12 +1,15 @@
 #include "geometry/cad_shape.hpp"
+#include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/memory_limit.hpp"
+#include "base/temporary.hpp"
 #include "geometry/cad_text.hpp"
 #include "geometry/occ_guard.hpp"
 #include <BRepLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <BinTools.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_CheckIterator.hxx>
@@ -21,8 +24,11 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <unistd.h>
 
 namespace burnish {
 
@@ -32,6 +38,7 @@ constexpr const char* WHERE = "CadFile";
 constexpr const char* DAMAGED = "the text is damaged or cut short";
 // Memory that reading may take [bytes]; a STEP file of 7 MB takes 36 MB.
 constexpr double MEMORY = 5e8, MEMORY_PER_BYTE = 200;
+constexpr unsigned SECONDS = 60; // that reading a STEP file may take
 
 // The first failure of a list of checks, with the entity that it is about.
 std::string first_fail(Interface_CheckIterator checks, const Handle(Interface_InterfaceModel) & model) {
@@ -73,19 +80,63 @@ std::string read_brep(const std::string& path, TopoDS_Shape& shape) {
   return "";
 }
 
-void read(const std::string& path, TopoDS_Shape& shape) {
+// What reading a file came to: words of what is wrong, what OpenCASCADE printed, and the shape.
+struct Reading {
   std::string said, printed;
-  {
-    const OccGuard guard;
-    const MemoryLimit limit(MEMORY + MEMORY_PER_BYTE * static_cast<double>(std::filesystem::file_size(path)));
-    const bool brep = file_extension(path) == ".brep";
-    const std::string thrown =
-        guard.run([&] { said = brep ? read_brep(path, shape) : read_step(path, shape); });
-    printed = guard.printed();
-    if (!thrown.empty()) said = std::string(DAMAGED) + " (" + thrown + ")";
+  TopoDS_Shape shape;
+};
+
+Reading read_here(const std::string& path) {
+  Reading reading;
+  const OccGuard guard;
+  const MemoryLimit limit(MEMORY + MEMORY_PER_BYTE * static_cast<double>(std::filesystem::file_size(path)));
+  const bool brep = file_extension(path) == ".brep";
+  const std::string thrown = guard.run(
+      [&] { reading.said = brep ? read_brep(path, reading.shape) : read_step(path, reading.shape); });
+  reading.printed = guard.printed();
+  if (!thrown.empty()) reading.said = std::string(DAMAGED) + " (" + thrown + ")";
+  return reading;
+}
+
+// In a process of its own: a damaged STEP file leaves OpenCASCADE's reader in a state in which it may be busy for ever with
+// the next one.
+Reading read_apart(const std::string& path) {
+  const TemporaryFolder folder;
+  const ChildEnd end = run_in_child(
+      [&] {
+        alarm(SECONDS);
+        const Reading reading = read_here(path);
+        std::ostringstream text;
+        text << reading.said.size() << ' ' << reading.printed.size() << ' ' << reading.said
+             << reading.printed;
+        if (reading.said.empty()) BinTools::Write(reading.shape, text);
+        return text.str();
+      },
+      folder.path() + "/log");
+  Reading reading;
+  if (!end.returned) {
+    reading.said =
+        end.signal == SIGALRM ? "reading it takes more than " + std::to_string(SECONDS) + " s" : DAMAGED;
+    return reading;
   }
-  if (said.empty()) return;
-  fail(WHERE, "\"" + path + "\": " + said + (printed.empty() ? "" : "; OpenCASCADE says: " + printed));
+  std::istringstream text(end.result);
+  std::size_t said = 0, printed = 0;
+  text >> said >> printed;
+  text.get();
+  reading.said.resize(said);
+  reading.printed.resize(printed);
+  text.read(reading.said.data(), static_cast<std::streamsize>(said));
+  text.read(reading.printed.data(), static_cast<std::streamsize>(printed));
+  if (reading.said.empty()) BinTools::Read(reading.shape, text);
+  return reading;
+}
+
+void read(const std::string& path, TopoDS_Shape& shape) {
+  const Reading reading = file_extension(path) == ".brep" ? read_here(path) : read_apart(path);
+  shape = reading.shape;
+  if (reading.said.empty()) return;
+  fail(WHERE, "\"" + path + "\": " + reading.said +
+                  (reading.printed.empty() ? "" : "; OpenCASCADE says: " + reading.printed));
 }
 
 // "Geom_BSplineCurve" is a BSpline.
