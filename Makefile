@@ -228,13 +228,18 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	@echo "compile $<"
 	@$(CXX) $(FLAGS) $(GROUP_FLAGS) $(READ_BEFORE) -MMD -MP -c $< -o $@
 
-# Eigen and the standard library are read once for the core, and once with GoogleTest for the tests: a third of the time.
+# Eigen and the standard library are read once for the core, once with FreeFEM's headers for the plugin, and once with GoogleTest
+# for the tests: a third of the time.
 $(BUILD)/obj/cxx/%:              READ_BEFORE = -include $(BUILD)/read/core.hpp
+$(BUILD)/obj/plugins/%:          READ_BEFORE = -include $(BUILD)/read/plugins.hpp
 $(BUILD)/obj/tests/unit/%:         READ_BEFORE = -include $(BUILD)/read/tests.hpp
 $(BUILD)/obj/tests/verification/%: READ_BEFORE = -include $(BUILD)/read/tests.hpp
 $(call objects,$(CXX_SOURCES) $(GMSH_SOURCES)): $(BUILD)/read/core.hpp.gch
+$(call objects,$(PLUGIN_SOURCES)): $(BUILD)/read/plugins.hpp.gch
 $(call objects,$(SOURCES_unit) $(SOURCES_verification)): $(BUILD)/read/tests.hpp.gch
 $(BUILD)/read/core.hpp.gch:  cxx/base/precompiled.hpp
+$(BUILD)/read/plugins.hpp.gch: plugins/precompiled.hpp cxx/base/precompiled.hpp
+$(BUILD)/read/plugins.hpp.gch: GROUP_FLAGS = $(PLUGIN_FLAGS)
 $(BUILD)/read/tests.hpp.gch: tests/support/precompiled.hpp cxx/base/precompiled.hpp
 $(BUILD)/read/tests.hpp.gch: GROUP_FLAGS = -Itests $(TEST_OPTIMIZE)
 $(BUILD)/read/%.hpp.gch: $(BUILD)/flags
