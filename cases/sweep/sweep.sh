@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs a case for every combination of some of its options, in parallel:
 #   make sweep CASE=rolling VARY="R=14e-3:20e-3:4 mu=0.2,0.3" [OPTIONS="-outer 80"] [RESULT="depth,Q_phi"] [JOBS=4]
-#   make sweep CASE=bending TARGET="springback=2" BY=punchangle=70:90 [TOLERANCE=1e-3]     the option for a result: target.py
+#   make sweep CASE=rolling TARGET="depth=85" BY=R=14e-3:20e-3 [TOLERANCE=1e-3]     the option for a result: target.py
 #     CASE     name of a case, or path of a script of one's own that reads its options as cases do
 #     VARY     name=first:last:number (equally spaced), name=first:last:number:log, name=value,value,... (numbers or words),
 #              name=first:last:random or name=first:last:latin (SAMPLES=20 points, SEED=1) for each option: values.py

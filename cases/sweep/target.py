@@ -1,4 +1,4 @@
-"""Finds the value of one option for which a result has a given value:  make sweep CASE=bending TARGET="springback=2" BY=angle
+"""Finds the value of one option for which a result has a given value:  make sweep CASE=rolling TARGET="depth=85" BY=R=14e-3:20e-3
   TARGET   name=value, a name of "results" or "final" of summary.json
   BY       option=first:last, the ends of the range; or option alone: from 0.8 to 1.25 times its default, wider where needed
   TOLERANCE  largest distance from the target over its size, default 1e-3
@@ -58,7 +58,7 @@ class Result:
 def parse_target(text):
     name, equals, value = text.rpartition("=")
     if not equals or not name.strip():
-        raise SweepError(f"TARGET: \"{text}\" is not name=value, such as springback=2")
+        raise SweepError(f"TARGET: \"{text}\" is not name=value, such as depth=85")
     return name.strip(), to_number(value, f"TARGET: {name.strip()}")
 
 
