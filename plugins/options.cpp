@@ -1,7 +1,8 @@
 // Options of a script, -name value after its name on the command line; read all of them in one block.
 //   real R = rcReal("-R", 15e-3, "m", "radius of the roller");      default, unit and meaning for the help; or without them
 //   int n = rcInt("-n", 10);  string e = rcText("-element", "P2");
-//   rcRange("-n -nx", 1, 1000);  rcPositive("-R -E");   refuse values outside 1 to 1000; not > 0
+//   rcRange("-n -nx", 1, 1000);  rcPositive("-R -E");   refuse values outside 1 to 1000; not > 0, or
+//                                   in one unit and more than a factor of 1e8 apart
 //   rcOptionsEnd(0);                refuses unknown options; with -h the help is printed and the script ends there,
 //                                   with -options list all options with their values, as one line of JSON
 //   rcOptionsJson(0)                the values used, "R": 0.015, ...;  rcScriptFolder(0) folder of the script

@@ -14,7 +14,9 @@ const std::vector<std::string> FREEFEM{"-f",    "-v",     "-nw",  "-ng",        
                                        "-glut", "-fglut", "-gff", "-check_plugin", "-?"};
 const std::vector<std::string> FREEFEM_WITH_VALUE{"-f", "-v", "-glut", "-fglut", "-gff", "-check_plugin"};
 
-constexpr double LARGEST = 1e15; // of a length, a force, a modulus in any unit
+constexpr double LARGEST =
+    1e15;                     // of a length, a force, a modulus in any unit; its reciprocal is the smallest
+constexpr double APART = 1e8; // of two numbers in one unit; FreeFEM numbers places in a mesh by 31 bits
 
 bool among(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
@@ -79,16 +81,16 @@ ScriptOptions::Option& ScriptOptions::note(const std::string& name, const std::s
   return *known = option;
 }
 
-double ScriptOptions::number(const std::string& name) const {
+const ScriptOptions::Option& ScriptOptions::number(const std::string& name) const {
   for (const Option& option : m_options)
-    if (option.name == name && option.number) return *option.number;
+    if (option.name == name && option.number) return option;
   fail("option " + name, "it has not been read as a number, its range cannot be checked");
 }
 
 void ScriptOptions::range(const std::string& names, double least, double most) const {
   std::istringstream list(names);
   for (std::string name; list >> name;) {
-    const double value = number(name);
+    const double value = *number(name).number;
     if (value >= least && value <= most) continue;
     throw std::invalid_argument("option " + name + " is " + json_number(value) + ", expected " +
                                 json_number(least) + " to " + json_number(most));
@@ -96,12 +98,22 @@ void ScriptOptions::range(const std::string& names, double least, double most) c
 }
 
 void ScriptOptions::positive(const std::string& names) const {
+  std::vector<const Option*> together;
   std::istringstream list(names);
   for (std::string name; list >> name;) {
-    const double value = number(name);
-    if (value > 0 && value <= LARGEST) continue;
-    throw std::invalid_argument("option " + name + " is " + json_number(value) + ", expected > 0" +
-                                (value > 0 ? " and at most " + json_number(LARGEST) : ""));
+    const Option& option = number(name);
+    const double value = *option.number;
+    if (!(value > 0 && value <= LARGEST && value >= 1 / LARGEST))
+      throw std::invalid_argument(
+          "option " + name + " is " + json_number(value) + ", expected > 0" +
+          (value > 0 ? ", " + json_number(1 / LARGEST) + " to " + json_number(LARGEST) : ""));
+    for (const Option* other : together) // a mesh of such a body is beyond FreeFEM's generator
+      if (!option.unit.empty() && option.unit != "-" && option.unit == other->unit &&
+          (value > APART * *other->number || *other->number > APART * value))
+        throw std::invalid_argument("options " + other->name + " and " + name + " are " + other->json +
+                                    " and " + option.json + " " + option.unit +
+                                    ", expected at most a factor of " + json_number(APART) + " apart");
+    together.push_back(&option);
   }
 }
 

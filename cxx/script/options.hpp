@@ -24,7 +24,7 @@ public:
   /// @param names of numbers that were read, "-R -a -E"; @param least, most the values allowed, both included
   /// @throws std::invalid_argument for a value outside, and a name that is none of a number
   void range(const std::string& names, double least, double most) const;
-  /// The same, > 0 and at most 1e15.
+  /// The same, > 0, 1e-15 to 1e15; those in the same unit, lengths of one body, at most a factor of 1e8 apart.
   void positive(const std::string& names) const;
 
   /// @throws std::invalid_argument naming a word that is no option that was asked for, and those that are
@@ -47,7 +47,7 @@ private:
   const std::string* find(const std::string& name) const;
   Option& note(const std::string& name, const std::string& value, const std::string& json,
                const std::string& unit, const std::string& meaning);
-  double number(const std::string& name) const;
+  const Option& number(const std::string& name) const;
 
   std::string m_script;
   std::vector<Given> m_given;    // words of the script in pairs, without FreeFEM's own

@@ -30,6 +30,8 @@ bending -nx 0
 bending -dieangle 200
 cam -n -3
 cam -left 2
+cam -W 1e-300
+cam -W 1e-9
 crank-press -n -3
 crank-press -W -1
 cyclic -n 1000000

@@ -141,6 +141,23 @@ TEST(ScriptOptionsErrors, Numbers) {
       "option -n has the value \"1e16\", expected a whole number");
 }
 
+TEST(ScriptOptionsErrors, Positive) {
+  const auto lengths = [](const std::string& R, const std::string& W) {
+    ScriptOptions options = given({"-R", R, "-W", W, "-mu", "1e-12"});
+    for (const char* name : {"-R", "-W"}) options.real(name, 1, "mm", "");
+    options.real("-mu", 1, "-", "");
+    options.positive("-R -W -mu");
+  };
+  EXPECT_NO_THROW(lengths("12", "40"));
+  EXPECT_NO_THROW(lengths("1e8", "1")); // just allowed
+  EXPECT_NO_THROW(lengths("1e-15", "1e-15"));
+  expect_invalid([&] { lengths("0", "40"); }, "option -R is 0, expected > 0");
+  expect_invalid([&] { lengths("1", "1e-300"); }, "option -W is 1e-300, expected > 0, 1e-15 to 1e+15");
+  expect_invalid([&] { lengths("1", "2e15"); }, "option -W is 2e+15, expected > 0, 1e-15 to 1e+15");
+  expect_invalid([&] { lengths("12", "1e-9"); },
+                 "options -R and -W are 12 and 1e-09 mm, expected at most a factor of 1e+08 apart");
+}
+
 TEST(ScriptOptionsErrors, NoValue) {
   expect_invalid([] { real({"-R"}); }, "option -R has no value");
   expect_invalid([] { integer({"-R", "3", "-n"}); }, "option -n has no value");
