@@ -38,7 +38,7 @@ PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
 # --- sources and products ----------------------------------------------------------------------------------
 sources   = $(sort $(shell find $(wildcard $(1)) -name '*.cpp' 2>/dev/null </dev/null))
 objects   = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
-SUITES   := unit plugin verification regression long
+SUITES   := unit plugin verification regression long labs
 PROGRAMS := unit verification long benchmark
 CORE     := $(BUILD)/libburnish.a
 PLUGIN   := $(BUILD)/plugins/burnish.so
@@ -153,6 +153,7 @@ test-plugin: ## the plugin through scripts, and every error message: tests/plugi
 test-verification: ## problems with known answers, tests/verification
 test-regression: ## coarse cases against stored numbers, tests/regression
 test-long: ## slow tests, tests/long
+test-labs: ## scripts, answers and plots of the labs in cases/labs (their CPU time: half an hour)
 $(SUITES:%=test-%): test-%: packages
 	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
 	@$(TEST) $(call suite,$*)
