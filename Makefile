@@ -104,7 +104,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep stability chart references chart-quick test $(SUITES:%=test-%) bench install uninstall packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep stability chart references chart-quick test $(SUITES:%=test-%) bench install uninstall docs packages format format-check clean help FORCE
 .PHONY: compile programs sanitize sanitized fuzz
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -209,6 +209,15 @@ install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines 
 
 uninstall: ## remove what make install has put there
 	rm -rf $(DESTDIR)$(PREFIX)/bin/burnish $(DESTDIR)$(PREFIX)/lib/burnish $(SHARE)
+
+docs: ## the manual as a site, out/docs/index.html: works offline, without JavaScript
+	@$(PACKAGES) docs
+	@rm -rf out/docs && mkdir -p out/docs
+	@$(PYTHON) edp/manual/reference/generate.py out/reference
+	@$(PYTHON) -m sphinx -q -W --keep-going -b html -c edp/manual -d $(BUILD)/doctrees . out/docs
+	@cp edp/manual/redirect.html out/docs/index.html
+	@$(PYTHON) edp/manual/links.py out/docs
+	@echo "out/docs/index.html"
 
 packages: ## look for the Debian packages needed and install what is missing
 	@$(PACKAGES)

@@ -10,9 +10,8 @@ sys.path.insert(0, str(HERE))
 
 project, author, copyright = "Burnish", "the authors of Burnish", "the authors of Burnish, GPL-3.0-or-later"
 root_doc = "edp/manual/index"
-generated = os.path.relpath(os.environ.get("BURNISH_REFERENCE", TOP / "out/reference"), TOP)
 include_patterns = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "cxx/*.md", "cases/README.md", "cases/*/README.md", "cases/labs/*.md",
-                    "cases/labs/*/*.md", "tests/chart/README.md", "edp/manual/*.md", "edp/manual/*/*.md", f"{generated}/*.md"]
+                    "cases/labs/*/*.md", "tests/chart/README.md", "edp/manual/*.md", "edp/manual/*/*.md", "out/reference/*.md"]
 exclude_patterns = ["build/**", "**/key.md", "out/docs/**"]
 extensions = ["myst_parser", "mathml"]
 source_suffix = {".md": "markdown"}
@@ -29,17 +28,17 @@ html_copy_source = False
 html_show_sphinx = False
 html_math_renderer = "mathml"
 
-LINK = re.compile(r"(\]\()([^)#\s]+/)(\))")
+LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)#\s]+/)\)")
 FENCES = {"freefem": "cpp"}
 
 
 def to_site(app, document, source):
-    """Links to a folder go to its README, scripts are colored as C++."""
+    """Links to a folder go to its README, or are left out; scripts are colored as C++."""
     folder = TOP / Path(document).parent
 
     def readme(link):
-        page = Path(link[2]) / "README.md"
-        return f"{link[1]}{page}{link[3]}" if (folder / page).is_file() else f"{link[1]}{link[2].rstrip('/')}{link[3]}"
+        page = Path(link[3]) / "README.md"
+        return f"[{link[2]}]({page})" if (folder / page).is_file() else link[2]
 
     text = LINK.sub(readme, source[0])
     for name, other in FENCES.items():
