@@ -1,30 +1,83 @@
 // Script type `stepcontrol`: the length of the steps, and the loop over them turned inside out (edp/rcRun.idp).
-//   stepcontrol S(tend, dtmax=0.05);         also named: dtmin, stepsperwidth=14, output=times hit exactly,
-//     accuracy=0.01 chooses the steps by that error (S.error); without it they are fixed by dtmax and the contact width;
-//     scheme="implicit" | "event" | "article"; elementevents="none" | "log" | "cut": yield and unloading of points
-//     ("log": located in every accepted step and logged; "cut": the step is cut at them and at user-defined events);
-//     eventtolerance=1e-3 events this close to the earliest one are taken with it, fraction of the step;
-//     eventnoise=1e-4 stress that the residual's tolerance leaves, over the yield stress (event steps);
-//     nodesperstep=1 a rolling step is at least this many node spacings long; widthsteps=14 as stepsperwidth, for narrow
-//     contacts; maxpieces=100, maxretries=4: scheme "article", pieces of a step, changes of state at one instant
-//   A run:   S.start(C, M);   long task = S.next(u[], R);   what has to be done next:
-//     rcProgram  set every coordinate for S.target     rcForces  M.update(u, S.piece, S.iteration), nodal forces into R
-//     rcTangent  C.factorize(M, u)    rcSolve  condense, solve, expand    rcRecord  a step has been accepted
-//     rcFinished  rcStopped: S.reason tells why, S.atfloor whether no step is short enough
-//     S.condensed(true)  every iteration is an rcSolve: the condensed matrix for a solver of the script
-//     S.scheme("event")  another scheme from the next step on
-//     S.accuracy(0.01)  as the name in brackets, before S.start
-//     S.refuse(text)  the task cannot be done: the step is tried shorter;   S.stop(text)  ends the run at the accepted state
-//     S.count("steps" | "rejected" | "pieces" | "pileups" | "atonce" | "blind"), S.excess (article: largest q/sigma_y - 1)
-//     S.report, S.statements, ...  what the run says of its scene: scene_report.cpp
-//     S.checks(false)  no self-checks (contact_findings.cpp), no report;   S.halted: one of them ended the run
-//     S.measures, S.measured(name)  names of the numbers that they measured, "a,b,"; the worst of each
-//     S.purerates: the present piece is one of scheme "article"
-//     S.crawls, S.lastrejection, S.rejecteddt: steps far below dtmax after a failure; why the last step was rejected
-//     S.error: estimated relative error that the length of the steps makes in the plastic strain increments, -1: none
-//     S.nodesrolled: node spacings that the contact rolls in a step, mean; 0: it does not roll
-//   A user-defined loop:   S.propose(width, speed), S.accepted(), S.rejected() (false: below the floor), S.cut(f)
-//   S.t, S.dt, S.tend, S.finished, S.atoutput
+//   > stepcontrol S(1., dtmax=0.05);
+//   > rcRun(C, M, u[], S, program, record)
+//   stepcontrol(tend)   the program runs from t = 0 to tend
+//     tend      end of the program | time | | > 0
+//     dtmax=    largest step | time | tend/100 | finite > 0
+//     dtmin=    smallest step: a run that needs a shorter one ends | time | 1e-7 tend | 0 < dtmin <= dtmax
+//     stepsperwidth=   steps at least while the contact rolls its width, 0: no such limit | - | 14 | >= 0
+//     accuracy=   chooses the steps by the relative error of the plastic strain increments, S.error | - | fixed by dtmax and
+//       the contact width | finite > 0
+//     output=   instants that a step ends at, real[int] | time | none
+//     scheme=   way through a step | | "implicit" | "implicit", "event", "article"
+//     elementevents=   yield and unloading of points: "log": located in every accepted step and logged; "cut": the step is
+//       cut at them and at user-defined events | | "none", with scheme article "cut" | "none", "log", "cut", "default"
+//     eventtolerance=   events this close to the earliest one are taken with it, fraction of the step | - | 1e-3 | finite > 0
+//     eventnoise=   stress that the residual's tolerance leaves, over the yield stress (event steps) | - | 1e-4 | finite > 0
+//     nodesperstep=   a rolling step is at least this many node spacings long | - | 1 | finite > 0
+//     widthsteps=   as stepsperwidth, for narrow contacts: the contact counts as that many spacings wide | - | 14 | finite > 0
+//     maxpieces=   article: pieces of a step between events | - | 100 | 1 to 999999
+//     maxretries=   article: changes of state at one instant | - | 4 | 1 to 999999
+//     ! , expected implicit, event or article
+//     ! , expected none, log, cut or default
+//   S.start(C, M)   a run begins
+//     C         contact
+//     M         material on the same mesh
+//   S.next(u, R)   what has to be done next, a task such as rcForces | -
+//     u         displacement of the run: only rcSolve may change it | length
+//     R         nodal forces | force
+//     ! no run has been started, call start first
+//     ! : the run's displacement was changed by
+//   rcProgram, rcForces, rcTangent, rcSolve, rcRecord, rcFinished, rcStopped   tasks of S.next: set every coordinate for
+//       S.target; M.update(u, S.piece, S.iteration) and nodal forces into R; C.factorize(M, u); condense, solve, expand; a
+//       step has been accepted; the end is reached; the run has ended early, S.reason tells why
+//   S.condensed(on)   every iteration is an rcSolve: the condensed matrix for a solver of the script
+//     on        true or false | | false
+//   S.scheme(name)   another scheme from the next step on
+//     name      "implicit", "event", "article"
+//   S.accuracy(value)   as accuracy=, before S.start
+//     value     relative error | - | | finite > 0
+//     ! the run has been started, state an accuracy before
+//   S.refuse(text)   the task cannot be done: the step is tried shorter
+//     text      why
+//   S.stop(text)   ends the run at the accepted state
+//     text      why
+//   S.count(name)   counts of the run | -
+//     name      "steps", "rejected", "pieces", "pileups", "atonce", "blind"
+//     ! , expected steps, rejected, pieces, pileups, atonce or blind
+//   S.excess    article: largest q/sigma_y - 1 | -
+//   S.checks(on)   false: no self-checks (contact_findings.cpp), no report
+//     on        true or false | | true
+//   S.halted    a self-check ended the run
+//   S.measures   names of the numbers that the self-checks measured, "a,b,"
+//   S.measured(name)   the worst of one | its own
+//     name      one of S.measures
+//     ! no check has measured
+//   S.purerates   the present piece is one of scheme article
+//   S.crawls    steps are far below dtmax after a failure
+//   S.lastrejection   why the last step was rejected
+//   S.rejecteddt   its length, 0: none was | time
+//   S.error     estimated relative error that the length of the steps makes in the plastic strain increments, -1: none | -
+//   S.nodesrolled   node spacings that the contact rolls in a step, mean; 0: it does not roll | -
+//   S.t         start of the step to come: end of the accepted one | time
+//   S.dt        length of the step to come, or of the present one | time
+//   S.tend      end of the program | time
+//   S.target    end of the present step, for program | time
+//   S.piece     length of the present piece of the step | time
+//   S.iteration   number of the iteration in it, from 0 | -
+//   S.finished   the end is reached
+//   S.atoutput   S.t is one of output= or the end
+//   S.atfloor   the run ended since no step is short enough
+//   S.reason    why the run ended early
+//   S.propose(width, speed)   a user-defined loop: length of the next step | time
+//     width     of the contact, 0: unknown | length
+//     speed     of the contact along the body, 0: unknown | length/time
+//     ! a run is under way; this verb is for a loop of the script's own
+//   S.accepted()   the step was taken
+//     ! there is no step yet, call propose first
+//   S.rejected()   it was not: S.dt is shorter now; false: below the floor
+//   S.cut(fraction)   shortens the present step; returns its length | time
+//     fraction   part that is kept | - | | 0 < fraction <= 1
 #include "step_control.hpp"
 #include "base/error.hpp"
 #include "named.hpp"
