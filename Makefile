@@ -78,8 +78,13 @@ define WRAPPER_TEXT
 usage() {
   echo "usage: burnish SCRIPT.edp [OPTIONS]      runs a FreeFEM script with Burnish"
   echo "       burnish SCRIPT.edp -h             lists the script's options with default, unit and meaning"
+  echo "       burnish help [NAME]               the reference: contact.add, rcRun, tolerance=, summary, exit, ..."
   echo "FreeFEM's own options, such as -v 1 (its messages) and -wg (its windows), go before the script."
 }
+if [ "$$1" = help ]; then
+  shift
+  exec "$${PYTHON:-$(PYTHON)}" -B "$(CURDIR)/edp/manual/reference/help.py" "$$@"
+fi
 script=
 for word in "$$@"; do
   case $$word in *.edp) script=$$word; break ;; esac

@@ -126,6 +126,10 @@ def ranges(text):
     return found
 
 
+def uncommented(text):
+    return re.sub(r"^//.*$", "", text, flags=re.M)
+
+
 def options_of(text):
     allowed = ranges(text)
     return [Option(name, TYPES[kind], default, unit, " ".join(meaning.split()), allowed.get(name, ""))
@@ -137,7 +141,7 @@ def read_case_options(top):
     options, own = {}, {}
     for script in sorted((top / "cases").glob("*/*.edp")):
         texts = [path.read_text(encoding="utf-8") for path in [script, *sorted(script.parent.glob("*.idp"))]]
-        code = "\n".join(re.sub(r"^//.*$", "", text, flags=re.M) for text in texts)
+        code = "\n".join(uncommented(text) for text in texts)
         before = code.split("rcCaseOptions(")[0]
         options[script.parent.name] = options_of(code)
         own[script.parent.name] = dict(re.findall(r"\b(rc[A-Z]\w+) = ([^;]+);", before))

@@ -111,7 +111,7 @@ def add_entry(reference, by_name, entry, path):
 def read_reference(top=TOP):
     calls, named = sources.read_callables((top / "edp/manual/reference/callables.txt").read_text(encoding="utf-8"))
     declared = sources.read_declarations(top)
-    common = sources.options_of((top / "edp/rcCase.idp").read_text(encoding="utf-8"))
+    common = sources.options_of(sources.uncommented((top / "edp/rcCase.idp").read_text(encoding="utf-8")))
     cases, own = sources.read_case_options(top)
     settings = {one.name: one for one in declared if one.kind == "setting"}
     reference = Reference(heads.read_heads(top), {}, calls + declared, named, common, cases, own, settings)
