@@ -31,6 +31,11 @@ def spelled(word):
     return ALIASES.get(bare, bare)
 
 
+def last_part(key):
+    """A method without its type, a column without its file: contact.add add, summary.json final.t t."""
+    return key.partition(" ")[2].split(".")[-1] or key.split(".")[-1]
+
+
 def table(kind, reference):
     name = plain.TABLES[kind]
     yield {"exit": "exit statuses of a script"}.get(kind, f"{name}, see edp/rcOutput.idp and edp/rcSummary.idp")
@@ -60,7 +65,7 @@ def lookup_part(name, reference):
     """A method without its type, a column without its file, a named parameter, an option: all of that name."""
     lines, bare = [], name.strip("-=")
     for key, topic in reference.topics.items():
-        if re.split(r"[. ](?=[^. ]+$)", key)[-1] == name:
+        if last_part(key) == name:
             lines += [*plain.topic_text(topic, reference), ""]
     lines += plain.named_text(bare + "=", reference) if not name.startswith("-") else []
     options = [(option, None) for option in reference.common]
@@ -73,7 +78,7 @@ def lookup_part(name, reference):
 
 def all_names(reference):
     names = set(reference.topics) | set(plain.TABLES) | set(GROUPS) | set(reference.cases) | set(OBJECTS.values()) | {"options"}
-    names |= {key.split(".")[-1] for key in reference.topics if "." in key}
+    names |= {last_part(key) for key in reference.topics}
     names |= {name for parameters in reference.named.values() for name in parameters}
     names |= {option.name for options in [reference.common, *reference.cases.values()] for option in options}
     return names

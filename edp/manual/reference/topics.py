@@ -10,6 +10,8 @@ TOP = Path(__file__).resolve().parents[3]
 OF_ANY = {"C": "contact", "M": "material", "S": "stepcontrol", "T": "tool", "Vh": "fespace of the displacement"}
 PAGES = [("plugins/contact", "contact"), ("plugins/tool", "tool"), ("plugins/material", "material"),
          ("plugins/step_control", "stepcontrol"), ("plugins/scene_report", "stepcontrol")]
+FIRST = ["plugins/contact_type.cpp", "plugins/tool_type.cpp", "plugins/material_type.cpp", "plugins/step_control.cpp",
+         "edp/rcRun.idp", "edp/rcRunState.idp", "edp/rcCase.idp", "plugins/options.cpp", "edp/rcOutput.idp"]  # then by name
 FILES = ("history.csv", "events.csv", "surface.csv", "tools.csv", "fields.vtu", "summary.json", "event")
 
 
@@ -44,7 +46,8 @@ class Topic:
 
     @property
     def anchor(self):
-        return re.sub(r"[^a-z0-9]+", "-", spell(self.key).lower()).strip("-")
+        name = re.sub(r"[^a-z0-9]+", "-", spell(self.key).lower()).strip("-")
+        return f"type-{name}" if self.kind == "constructor" else name  # contact is the name of a page, too
 
 
 @dataclass
@@ -114,7 +117,9 @@ def read_reference(top=TOP):
     common = sources.options_of(sources.uncommented((top / "edp/rcCase.idp").read_text(encoding="utf-8")))
     cases, own = sources.read_case_options(top)
     settings = {one.name: one for one in declared if one.kind == "setting"}
-    reference = Reference(heads.read_heads(top), {}, calls + declared, named, common, cases, own, settings)
+    found = heads.read_heads(top)
+    found.sort(key=lambda head: FIRST.index(head.path) if head.path in FIRST else len(FIRST))
+    reference = Reference(found, {}, calls + declared, named, common, cases, own, settings)
     by_name = {}
     for one in reference.calls:
         by_name.setdefault(one.name, []).append(one)
