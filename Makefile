@@ -11,6 +11,7 @@ PACKAGES ?= .ci/packages
 OPTIMIZE ?= -O2
 TEST_OPTIMIZE ?= -O1
 JOBS     ?= $(shell nproc)
+PREFIX   ?= /usr/local
 OPTIONS  ?=
 CASE     ?= rolling
 # an empty environment will do: bash finds the programs, and hands the path on
@@ -38,7 +39,7 @@ PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
 # --- sources and products ----------------------------------------------------------------------------------
 sources   = $(sort $(shell find $(wildcard $(1)) -name '*.cpp' 2>/dev/null </dev/null))
 objects   = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
-SUITES   := unit plugin verification regression long
+SUITES   := unit plugin verification regression long labs
 PROGRAMS := unit verification long benchmark
 CORE     := $(BUILD)/libburnish.a
 PLUGIN   := $(BUILD)/plugins/burnish.so
@@ -108,7 +109,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep stability chart references chart-quick test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep stability chart references chart-quick test $(SUITES:%=test-%) bench install uninstall packages format format-check clean help FORCE
 .PHONY: compile programs sanitize sanitized fuzz
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -158,6 +159,7 @@ test-plugin: ## the plugin through scripts, and every error message: tests/plugi
 test-verification: ## problems with known answers, tests/verification
 test-regression: ## coarse cases against stored numbers, tests/regression
 test-long: ## slow tests, tests/long
+test-labs: ## scripts, answers and plots of the labs in cases/labs (their CPU time: half an hour)
 $(SUITES:%=test-%): test-%: packages
 	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
 	@$(TEST) $(call suite,$*)
@@ -194,6 +196,25 @@ bench: ## time the core's kernels (Google Benchmark, tests/benchmark); nothing p
 	@$(PACKAGES) bench
 	$(COMPILE) $(or $(call program,benchmark),$(error no programs in tests/benchmark))
 	@$(call program,benchmark) $(OPTIONS)
+
+# What a script needs at run time: plugin, script library, pictures and sweeps, the wrapper with the paths of that place.
+SHARE = $(DESTDIR)$(PREFIX)/share/burnish
+install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines for plain FreeFem++ are printed
+	@install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/burnish $(SHARE)/cases
+	@install -m 644 $(PLUGIN) $(GMSH) $(DESTDIR)$(PREFIX)/lib/burnish
+	@rm -rf $(SHARE)/edp $(SHARE)/plugins $(SHARE)/cases && install -d $(SHARE)/cases
+	@cp -r edp $(SHARE)/edp && cp -r cases/plotting cases/sweep $(SHARE)/cases && find $(SHARE) -name __pycache__ -exec rm -rf {} +
+	@cp --parents plugins/*.cpp cases/*/*.edp cases/*/*.idp $(SHARE)  # their heads and options: burnish help
+	@sed -e 's#$(abspath $(BUILD))/plugins#@@/lib/burnish#g' -e 's#$(abspath $(WRAPPER))#@@/bin/burnish#g' \
+	  -e 's#$(CURDIR)#@@/share/burnish#g' -e 's#@@#$(PREFIX)#g' $(WRAPPER) >$(DESTDIR)$(PREFIX)/bin/burnish
+	@chmod 755 $(DESTDIR)$(PREFIX)/bin/burnish
+	@printf '%s\n' 'loadpath += "$(PREFIX)/lib/burnish"' 'loadpath += "$(FREEFEM_LOAD)"' 'includepath += "$(PREFIX)/share/burnish/edp"' \
+	  'includepath += "$(FREEFEM_IDP)"' >$(SHARE)/freefem++.pref
+	@echo "installed: $(PREFIX)/bin/burnish SCRIPT.edp. For plain FreeFem++ add to ~/.freefem++.pref the lines of $(PREFIX)/share/burnish/freefem++.pref:"
+	@cat $(SHARE)/freefem++.pref
+
+uninstall: ## remove what make install has put there
+	rm -rf $(DESTDIR)$(PREFIX)/bin/burnish $(DESTDIR)$(PREFIX)/lib/burnish $(SHARE)
 
 packages: ## look for the Debian packages needed and install what is missing
 	@$(PACKAGES)

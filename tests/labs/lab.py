@@ -1,0 +1,111 @@
+"""A lab of cases/labs: its scripts are run, the answers of its solution compared, its plot drawn.
+
+lab.py NAME: reads cases/labs/NAME/lab.json:
+  "runs": [{"script": "solution.edp", "options": "-n 8", "status": 0, "text": ["words of the output"]}, ...]
+  "answers": {"name": [value, tolerance], ...}   of solution.edp; relative tolerance, absolute where 0 is expected
+A script with gaps ends with status 20 and "gap 1 is open"; solution.edp has none; the key names every gap.
+plot.py FOLDER FILE draws the answers' plot from the results of solution.edp; expected.png beside it is one.
+"""
+import csv
+import json
+import os
+import re
+import resource
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+SECTIONS = ["Objectives", "Theory", "Predict first", "Steps", "Questions", "What the plot must show", "Limits"]
+MINUTES = 20                 # CPU, of all runs of a lab
+
+
+def run(folder, job, out):
+    """Errors of one run: wrong exit status, missing words."""
+    script = folder / job["script"]
+    words = [os.environ["BURNISH"], str(script.relative_to(TOP)), *job.get("options", "").split()]
+    if job.get("out", True):
+        words += ["-out", str(out / script.stem)]
+    done = subprocess.run(words, cwd=TOP, stdin=subprocess.DEVNULL, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    (out / f"{script.stem}.txt").write_text(done.stdout)
+    if done.returncode != job.get("status", 0):
+        yield f"{job['script']}: exit status {done.returncode} instead of {job.get('status', 0)}:\n{done.stdout[-1500:]}"
+    for text in job.get("text", []):
+        if text not in done.stdout:
+            yield f"{job['script']}: the output lacks \"{text}\":\n{done.stdout[-1500:]}"
+
+
+def answers_off(expected, file):
+    """Answers that are missing, unexpected or outside their tolerance."""
+    given = {row["name"]: float(row["value"]) for row in csv.DictReader(open(file))}
+    for name in sorted(set(expected) ^ set(given)):
+        yield f"answer \"{name}\" is {'missing' if name in expected else 'not in lab.json'}"
+    for name in sorted(set(expected) & set(given)):
+        value, tolerance = expected[name]
+        error = abs(given[name] - value) / (abs(value) or 1)
+        print(f"  {name}: {given[name]:.6g}, expected {value:.6g}, error {error:.1e}, allowed {tolerance:.1e}")
+        if not error <= tolerance:
+            yield f"answer \"{name}\" is {given[name]:.6g}, expected {value:.6g} within {tolerance:.1e}"
+
+
+def gaps_off(folder):
+    """Gaps that are numbered with holes, that the key forgets, that the solution leaves open."""
+    gap = re.compile(r"\brcGap(?:Text)?\((\d+)")
+    key = (folder / "key.md").read_text()
+    for script in sorted(folder.glob("*.edp")):
+        numbers = sorted({int(n) for n in gap.findall(script.read_text())})
+        if script.name == "solution.edp" and numbers:
+            yield f"solution.edp leaves gaps {numbers} open"
+        if numbers and numbers != list(range(1, len(numbers) + 1)):
+            yield f"{script.name}: gaps {numbers}, expected 1 to their number"
+        for n in numbers:
+            if not re.search(rf"\bgap {n}\b", key, re.IGNORECASE):
+                yield f"key.md does not tell of gap {n} of {script.name}"
+
+
+def size(png):
+    """Width and height of a PNG file, pixels."""
+    return struct.unpack(">II", png.read_bytes()[16:24])
+
+
+def plot_off(folder, out):
+    """The plot of the solution: drawn, of the size of the expected one."""
+    picture = out / "plot.png"
+    done = subprocess.run([os.environ["PYTHON"], str(folder / "plot.py"), str(out / "solution"), str(picture)], cwd=TOP, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode or not picture.is_file():
+        yield f"plot.py: exit status {done.returncode}:\n{done.stdout[-1500:]}"
+    elif size(picture) != size(folder / "expected.png"):
+        yield f"plot.py: {size(picture)} pixels, expected.png has {size(folder / 'expected.png')}"
+
+
+def text_off(folder):
+    """Sections that the lab's text lacks."""
+    heads = re.findall(r"^## (.*)$", (folder / "README.md").read_text(), re.MULTILINE)
+    return [f"README.md lacks the section \"{name}\"" for name in SECTIONS if name not in heads]
+
+
+def main(name):
+    folder, out = TOP / "cases/labs" / name, Path(os.environ["SCRATCH"])
+    lab = json.loads((folder / "lab.json").read_text())
+    wrong = text_off(folder) + list(gaps_off(folder))
+    for job in lab["runs"]:
+        wrong += run(folder, job, out)
+    if (out / "solution/answers.csv").is_file():
+        wrong += answers_off(lab["answers"], out / "solution/answers.csv")
+    else:
+        wrong.append("solution.edp has written no answers.csv")
+    wrong += plot_off(folder, out)
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = used.ru_utime + used.ru_stime
+    if seconds > 60 * MINUTES:
+        wrong.append(f"{seconds / 60:.1f} CPU minutes, at most {MINUTES} are a lab's")
+    print(f"{name}: {seconds:.0f} CPU s, {len(lab['answers'])} answers")
+    for line in wrong:
+        print("FAILED:", line)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
