@@ -9,11 +9,11 @@
 //   C.normalforce, C.tangentialforce   nodal forces of the tool on the body, pressing positive, along the tool's tangent | force
 //   C.pressure, C.traction   the same over tributary lengths | stress
 //   C.pressurefit, C.tractionfit   linear on every edge, of forces shared to the corners of P2 | stress
-//   C.width     length of the surface in contact | length
-//   C.stickshare   part of it that sticks | -
+//   C.width     contact width, of several tools the largest | length
+//   C.stickshare   part of the surface in contact that sticks | -
 //   C.speed     speed of the contact along the body in the last step | length/time
-//   C.spacing   mean distance of the candidates | length
-//   C.residual   largest nodal force out of balance, last step | force
+//   C.spacing   median distance of neighboring candidates | length
+//   C.residual   largest force out of balance, nodes and coordinates under force, last iteration | force
 //   C.loadscale   load that the tolerance refers to: largest contact resultant of the run so far | force
 //   C.count(state)   number of nodes in a state | -
 //     state     "free", "touched", "sliding", "sticking", "leaving", "receding", or "contact": touched, sliding or sticking

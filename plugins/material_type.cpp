@@ -11,15 +11,16 @@
 //     H=        hardening modulus, 0: perfect plasticity, < 0: softening | stress | required with "linear" | finite
 //     hardening=   "linear": sigY + H*ep; "perfect": sigY; any other text: a formula in ep | stress | "linear" |
 //       as "193e6*(1 + ep/0.002)^0.2"
-//     plasticstrain=   table of the yield stress, straight between, constant behind: plastic strains | - | none | ascending from 0
-//     yieldstress=   its yield stresses | stress | none | > 0
+//     plasticstrain=   table of the yield stress, straight between, constant behind: its plastic strains | - | none | 0, then
+//       growing
+//     yieldstress=   its yield stresses | stress | none | > 0, not falling without softening=true
 //     softening=   true: the yield stress may fall; the result then depends on the mesh | | false
 //     backstress=   kinematic hardening, beside any of the above | | "none" | "none", "prager", "armstrongfrederick"
 //     C=        modulus of the back stress | stress | required with a backstress | finite > 0
 //     gamma=    recovery of the back stress, armstrongfrederick | - | required with it | finite >= 0
 //     rate=     corotational rate of the stress | | "jaumann" | "jaumann", "greennaghdi", "logarithmic"
 //     update=   stress update (ALGORITHMS.md 2) | | "substepped" | "substepped", "single", "euler"
-//     pathlimit=   curvature of the strain path, 0: straight | - | 1.5 | >= 0
+//     pathlimit=   curvature of the strain path, 0: straight | - | 1.5 | >= 0, may be infinite
 //     axisymmetric=   x >= 0 is the radius, y the axis, [u, v] = [u_r, u_z], no torsion; forces are those of the whole ring.
 //       The script prescribes u_r = 0 on the axis: on(axis, u=0) | | false
 //     law=      "user": the script gives stress and moduli, M.stress, M.moduli; with G, nu, sigY, H it has J2's yield
@@ -49,7 +50,7 @@
 //   M.events(tolerance, noise)   without changes of q near the surface below the noise | -
 //     tolerance   fraction of the step | - | | >= 0
 //     noise     over the yield stress | - | | >= 0
-//   M.keepplastic(noise)   before accept: points at the surface but for the noise stay plastic
+//   M.keepplastic(noise)   before accept: points that flowed in the step and rest within the noise of the surface stay plastic
 //     noise     over the yield stress | - | | >= 0
 //   M.acceptevents()   after accept or revert: the points of the events found yield or unload; returns how many | -
 //   M.dropevents()   drops the events found

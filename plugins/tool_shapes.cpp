@@ -4,15 +4,18 @@
 //   tool(...)   parameters of the profile; those of the kinds not chosen are refused
 //     circle=   roller about the origin of the tool's frame: its radius | length | | > 0
 //     line=     straight line [x0, y0, x1, y1] from the first end to the second, body on the left | length | | two places
-//     chain=    [x0, y0, r0, x1, y1, r1, ...]: lines from corner to corner, each with the radius of its fillet | length | | r >= 0
+//     chain=    [x0, y0, r0, x1, y1, r1, ...]: lines from corner to corner, each with the radius of its fillet | length | |
+//       r >= 0
 //     closed=   chain: true: back to the first corner, body outside | | false
 //     cad=      curves of a .geo, .step or .brep file, exact, without facets | | | a path
-//     scale=    cad: length of the script over that of the file | - | 1 | > 0
+//     scale=    cad: unit of length of the script over that of the file (STEP: over a mm) | - | 1 | > 0
 //     curves=   cad: numbers of the curves in the file that make the profile | - | all
 //     geo=      cad: numbers for a .geo file, "R=3; H=8" | | ""
 //     inside=   true: the body on the other side, a circle is a hollow die; not with line= | | false
 //     > tool die(chain=[-0.1, 0, 0, 0, 0, 5e-3, 0, -0.1, 0]);
 //     ! number of values in line
+//     ! degrees without fillet; give it a radius > 0
+//     ! no room for the fillets between
 //     ! three per point: [x0,y0,r0, x1,y1,r1, ...]
 //     ! ; swap the ends of a line to turn it
 //   rcShapes(dummy)   all kinds of profiles with their parameters, a line each

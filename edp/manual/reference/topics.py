@@ -9,7 +9,7 @@ import sources
 TOP = Path(__file__).resolve().parents[3]
 OF_ANY = {"C": "contact", "M": "material", "S": "stepcontrol", "T": "tool", "Vh": "fespace of the displacement"}
 PAGES = [("plugins/contact", "contact"), ("plugins/tool", "tool"), ("plugins/material", "material"),
-         ("plugins/step_control", "stepcontrol"), ("plugins/scene_report", "stepcontrol")]
+         ("plugins/step_", "stepcontrol"), ("plugins/scene_report", "stepcontrol")]
 FIRST = ["plugins/contact_type.cpp", "plugins/tool_type.cpp", "plugins/material_type.cpp", "plugins/step_control.cpp",
          "edp/rcRun.idp", "edp/rcRunState.idp", "edp/rcCase.idp", "plugins/options.cpp", "edp/rcOutput.idp"]  # then by name
 FILES = ("history.csv", "events.csv", "surface.csv", "tools.csv", "fields.vtu", "summary.json", "event")
