@@ -68,7 +68,7 @@ class Checker:
                 self.fail(f"{path}: {name} is internal and has an entry")
         for key, topic in self.reference.topics.items():
             for use in topic.uses:
-                if not use.overloads and topic.kind not in topics.FILES and topic.kind != "exit":
+                if not use.overloads and topic.kind not in topics.FREE:
                     self.fail(f"{use.entry.place}: nothing callable is {use.signature.text}")
 
     def check_parameters(self):
@@ -136,7 +136,7 @@ class Checker:
             self.fail(f"option {name}: in one of the reference and cases/rolling/rolling.edp only")
         for name in listed.keys() & options.keys():
             default = topics.default_of(options[name], self.reference, "rolling")
-            if re.match(r'"|-?[\d.]', default) and plain(default) != plain(json.dumps(listed[name])) and name != "-out":
+            if re.match(r'"|-?[\d.]', default) and plain(default) != plain(json.dumps(listed[name])):
                 self.fail(f"option {name}: default {default}, the case says {listed[name]}")
 
     def entries_of(self, file):
@@ -180,7 +180,13 @@ class Checker:
                 self.fail(f"summary.json: no key {name} is written")
 
     def check_kinds(self):
-        """Kinds of events and exit statuses are those of the code."""
+        """Kinds of events, exit statuses and functions of formulas are those of the code."""
+        tape = read(TOP / "cxx/base/formula_tape.cpp")
+        known = set(re.findall(r'\{"(\w+)", \w', tape)) - {"conjugate", "real_part", "imag_part"}
+        known |= set(re.findall(r'"(\w+)"', tape.split("std::vector<std::string> list{")[1].split("}")[0]))
+        listed = {name.split("(")[0] for name in self.entries_of("formula") if "(" in name}
+        for name in known ^ (listed - {"sqrt", "pow"}) - {"sqrt", "pow"}:
+            self.fail(f"formula {name}: in one of cxx/base/formula_tape.cpp and the reference only")
         named = set(re.findall(r'return "([\w-]+)";', read(TOP / "cxx/contact/events.cpp")))
         for name in named ^ self.entries_of("event"):
             self.fail(f"event {name}: in one of cxx/contact/events.cpp and the reference only")

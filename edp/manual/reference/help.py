@@ -4,9 +4,9 @@ import os
 import re
 import sys
 
+import heads
 import plain
 import topics
-from heads import OBJECTS
 
 USAGE = """burnish help NAME    prints the reference of a name: contact.add, C.add, rcRun, tolerance=, -steps, summary, exit, rolling
   tool, contact, material, stepcontrol    the types of a scene: how they are declared, what they do and know
@@ -15,30 +15,32 @@ USAGE = """burnish help NAME    prints the reference of a name: contact.add, C.a
   constants     rcConverged, rcForces, ...
   options       options of every case; the name of a case: its own
   history, events, surface, tools, fields, summary    files of a run: columns, fields, keys with their units
+  formulas      functions that formulas of coordinates, forces, friction, hardening, events may call
   exit          exit statuses
 A value out of its range, and what else is wrong in a script, ends it with exit status 20 and a line that names the place, the
 value and what is allowed."""
 GROUPS = {"functions": ("function", "macro"), "settings": ("setting",), "constants": ("constant",)}
-ALIASES = {"status": "exit", "statuses": "exit", "columns": "history", "types": "topics", "column": "history", "event": "events"}
+ALIASES = {"status": "exit", "statuses": "exit", "columns": "history", "types": "topics", "column": "history", "event": "events", "formula": "formulas"}
 
 
 def spelled(word):
     """C.add is contact.add, history.csv the table of that name."""
     letter, dot, member = word.partition(".")
-    if dot and letter in OBJECTS:
-        return f"{OBJECTS[letter]}.{member}"
+    if dot and letter in heads.OBJECTS:
+        return f"{heads.OBJECTS[letter]}.{member}"
     bare = re.sub(r"\.(csv|vtu|json)$", "", word)
     return ALIASES.get(bare, bare)
 
 
 def last_part(key):
     """A method without its type, a column without its file: contact.add add, summary.json final.t t."""
-    return key.partition(" ")[2].split(".")[-1] or key.split(".")[-1]
+    return key.partition(" ")[2].split(".")[-1].split("(")[0] or key.split(".")[-1]
 
 
 def table(kind, reference):
     name = plain.TABLES[kind]
-    yield {"exit": "exit statuses of a script"}.get(kind, f"{name}, see edp/rcOutput.idp and edp/rcSummary.idp")
+    titles = {"exit": "exit statuses of a script", "formulas": "formulas that a script hands over as texts know"}
+    yield titles.get(kind, f"{name}, see edp/rcOutput.idp and edp/rcSummary.idp")
     yield from plain.group_text(name, reference)
     if kind == "events":
         yield "kinds of events"
@@ -48,7 +50,7 @@ def table(kind, reference):
 def lookup(word, reference):
     """Lines on a word, or None."""
     name = spelled(word)
-    if name in OBJECTS.values():
+    if name in heads.OBJECTS.values():
         return plain.type_text(name, reference)
     if name in reference.topics:
         return plain.topic_text(reference.topics[name], reference)
@@ -77,7 +79,7 @@ def lookup_part(name, reference):
 
 
 def all_names(reference):
-    names = set(reference.topics) | set(plain.TABLES) | set(GROUPS) | set(reference.cases) | set(OBJECTS.values()) | {"options"}
+    names = set(reference.topics) | set(plain.TABLES) | set(GROUPS) | set(reference.cases) | set(heads.OBJECTS.values()) | {"options"}
     names |= {last_part(key) for key in reference.topics}
     names |= {name for parameters in reference.named.values() for name in parameters}
     names |= {option.name for options in [reference.common, *reference.cases.values()] for option in options}
@@ -96,9 +98,13 @@ def main(words):
     if not words or words[0] in ("-h", "--help", "help", "topics"):
         print(USAGE)
         return 0
-    reference = topics.read_reference()
+    try:
+        reference = topics.read_reference()
+    except heads.HeadError as error:
+        print(f"burnish: {error}", file=sys.stderr)
+        return 20
     word = " ".join(words)
-    lines = lookup(word, reference)
+    lines = lookup(word, reference) or lookup(".".join(words), reference)
     if lines is None:
         return unknown(word, reference)
     print("\n".join(lines))

@@ -134,6 +134,16 @@ class Pages:
                 text += f'| <span id="{topic.anchor}"></span>{topic.key.split()[1]} | {self.linked(topic.uses[0].entry.meaning)} |\n'
         return text
 
+    def formulas_page(self):
+        text = "(formulas)=\n# Formulas\n"
+        prose = [head.prose for head in self.reference.heads if head.path.endswith("formulas.txt")][0]
+        text += self.linked(" ".join(prose)) + "\n\n| Name | Unit | Meaning |\n|---|---|---|\n"
+        for topic in self.reference.topics.values():
+            if topic.kind == "formula":
+                entry = topic.uses[0].entry
+                text += f'| <span id="{topic.anchor}"></span>`{topic.key[8:]}` | {escaped(entry.unit)} | {escaped(entry.meaning)} |\n'
+        return text
+
     def options_page(self):
         text = f"(options)=\n# Options\n{INTRO['options']}\n\n## Every case\n" + self.options(self.reference.common)
         for case, options in sorted(self.reference.cases.items()):
@@ -156,14 +166,14 @@ class Pages:
         for page in pages:
             found = sorted((topic for topic in self.reference.topics.values() if topic.page == page and page != "files"),
                            key=lambda topic: topic.key.lower())
-            if found and page != "statuses":
+            if found and page not in ("statuses", "formulas"):
                 text += f"**{page}** " + ", ".join(f"[`{topic.key.split('.')[-1]}`]({topic.anchor})" for topic in found) + "\n\n"
         return text
 
     def all(self):
         """{file name: text}."""
         pages = {page: self.callable_page(page) for page in ("tool", "contact", "material", "stepcontrol", "functions", "settings")}
-        pages.update(options=self.options_page(), files=self.files_page(), statuses=self.statuses_page())
+        pages.update(options=self.options_page(), files=self.files_page(), statuses=self.statuses_page(), formulas=self.formulas_page())
         pages["index"] = self.index(list(pages))
         return {f"{name}.md": text for name, text in pages.items()}
 

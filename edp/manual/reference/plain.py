@@ -5,7 +5,7 @@ import topics
 
 WIDTH = 118
 TABLES = {"history": "history.csv", "events": "events.csv", "surface": "surface.csv", "tools": "tools.csv", "fields": "fields.vtu",
-          "summary": "summary.json", "exit": "exit"}
+          "summary": "summary.json", "exit": "exit", "formulas": "formula"}
 KINDS = {"constructor": "type", "member": "value", "macro": "macro of edp/", "setting": "variable of edp/", "exit": "exit status"}
 
 

@@ -46,6 +46,8 @@ class Topic:
 
     @property
     def anchor(self):
+        if self.kind == "formula":
+            return "formula-" + "-".join(re.findall(r"\w+", self.key[8:]) or [f"{ord(letter):x}" for letter in self.key[8:].replace(" ", "")])
         name = re.sub(r"[^a-z0-9]+", "-", spell(self.key).lower()).strip("-")
         return f"type-{name}" if self.kind == "constructor" else name  # contact is the name of a page, too
 
@@ -63,6 +65,9 @@ class Reference:
     settings: dict
 
 
+FREE = (*FILES, "exit", "formula")  # nothing callable: held against files and sources by the test
+
+
 def spell(key):
     """Capitals that alone tell two names apart get a word: C.q and C.Q, surface.csv x and X."""
     return re.sub(r"(?<=[. ])([A-Z])$", r"capital-\1", key)
@@ -73,7 +78,7 @@ def unique(words):
 
 
 def kind_of(key, calls):
-    if key.split(" ")[0] in FILES or key.startswith("exit "):
+    if key.split(" ")[0] in FREE:
         return key.split(" ")[0]
     kinds = unique(one.kind for one in calls)
     return kinds[0] if kinds else "unknown"
@@ -82,8 +87,8 @@ def kind_of(key, calls):
 def page_of(key, kind, path):
     if kind in FILES:
         return "files"
-    if kind == "exit":
-        return "statuses"
+    if kind in ("exit", "formula"):
+        return {"exit": "statuses", "formula": "formulas"}[kind]
     if kind == "setting":
         return "settings"
     for start, page in PAGES:
@@ -157,6 +162,8 @@ def rows(reference, use, topic):
 def default_of(option, reference, case=None):
     """An option's default; that of a common one is the setting's, or the case's own."""
     value = option.default
+    if value == "rcFolder":
+        return f'"out/{case or "NAME"}"'
     if re.match(r"rc[A-Z]\w*$", value) and value in reference.settings:
         value = reference.own.get(case, {}).get(value, reference.settings[value].default)
     if value == "rcDraw":
