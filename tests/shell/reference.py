@@ -250,7 +250,8 @@ def defaults_of_structures():
 
 def defaults_of_calls():
     """Defaults where a named parameter is read: a.boolean("tied", false), with constants of the file in place."""
-    owner = {"contact_type": "rcContact", "contact_matrix": "contact.condense", "contact_step": None, "material_type": "rcMaterial"}
+    owner = {"contact_type": "rcContact", "contact_matrix": "contact.condense", "contact_step": None,
+             "material_type": "rcMaterial"}
     found = {}
     for path in sorted((TOP / "plugins").glob("*.cpp")):
         code = read(path)
@@ -260,8 +261,9 @@ def defaults_of_calls():
             constant = re.search(rf"\b{re.escape(value)} = ([\w.-]+)", code)
             value = constant[1] if constant else value
             key = owner.get(path.stem, {"integrity": "material.damage", "steps": "material.damage"}.get(name))
-            key = {"tolerance": "contact.events", "until": "contact.events", "events": "contact.begin", "kind": "material.tangent",
-                   "blend": "material.tangent"}.get(name, key) if path.stem in ("contact_step", "material_type") else key
+            methods = {"tolerance": "contact.events", "until": "contact.events", "events": "contact.begin",
+                       "kind": "material.tangent", "blend": "material.tangent"}
+            key = methods.get(name, key) if path.stem in ("contact_step", "material_type") else key
             if key and not (name in ("label", "internal") or value == "default"):
                 found[(key, name + "=")] = value
     return found
@@ -280,7 +282,8 @@ def main():
     checker.check_fields(folders)
     checker.check_summary(folders)
     checker.check_kinds()
-    print("\n".join(checker.wrong) if checker.wrong else f"{len(checker.reference.topics)} topics agree with plugin, sources and files")
+    agree = f"{len(checker.reference.topics)} topics agree with plugin, sources and files"
+    print("\n".join(checker.wrong) or agree)
     return 1 if checker.wrong else 0
 
 

@@ -30,7 +30,7 @@ change() { # file, what sed does to it, what must be said then
 }
 change plugins/contact_type.cpp '/^\/\/   C.couple/,/^\/\/     ! relations/d' "no entry for method contact.couple(string, string)"
 change plugins/contact_type.cpp '/^\/\/     tied=/,/^\/\/     axis/{/axis/!d}' "rcContact: no line for the parameter tied="
-change plugins/contact_type.cpp 's/^\/\/     memory=   \(.*\)| 8 |/\/\/     memory=   \1| 9 |/' "rcContact memory= has the default 9, in the code 8"
+change plugins/contact_type.cpp 's/^\(\/\/     memory= .*\)| 8 |/\1| 9 |/' "rcContact memory= has the default 9, in the code 8"
 change edp/manual/reference/callables.txt '/^member tool.q /d' "callables.txt lacks \"member tool.q -> real[int]\""
 change edp/rcNotes.idp '/^\/\/   rcNotedMean/d' "no entry for function rcNotedMean(string) of edp/rcNotes.idp"
 change edp/rcRunState.idp 's/^\/\/   rcQuiet /\/\/   rcSilent /' "nothing callable is rcSilent"
@@ -46,7 +46,8 @@ for text in "${wanted[@]}"; do grep -qF -- "$text" "$SCRATCH/said.txt" || fail "
 "$PYTHON" -B edp/manual/reference/generate.py "$SCRATCH/pages" || fail "generate.py"
 "$PYTHON" -B tests/shell/reference_pages.py "$SCRATCH/pages" || fail "the pages"
 for snippet in "$SCRATCH"/pages/snippet-*.edp; do
-  (cd "$SCRATCH" && "$BURNISH" "$snippet" -pictures 0 -steps 3 -nx 12 -check 0 >said.txt 2>&1) || { fail "$snippet"; cat "$SCRATCH/said.txt"; }
+  (cd "$SCRATCH" && "$BURNISH" "$snippet" -pictures 0 -steps 3 -nx 12 -check 0 >said.txt 2>&1) ||
+    { fail "$snippet"; cat "$SCRATCH/said.txt"; }
 done
 
 says() { # status, words of the output, words of the command

@@ -8,7 +8,7 @@ import heads
 import plain
 import topics
 
-USAGE = """burnish help NAME    prints the reference of a name: contact.add, C.add, rcRun, tolerance=, -steps, summary, exit, rolling
+USAGE = """burnish help NAME    prints the reference of a name: contact.add, C.add, rcRun, tolerance=, -steps, summary, rolling
   tool, contact, material, stepcontrol    the types of a scene: how they are declared, what they do and know
   functions     functions and macros: rcRun, rcCase, rcReal, ...
   settings      variables that a script sets or reads: rcQuiet, rcStatus, rcExternal, ...
@@ -20,7 +20,8 @@ USAGE = """burnish help NAME    prints the reference of a name: contact.add, C.a
 A value out of its range, and what else is wrong in a script, ends it with exit status 20 and a line that names the place, the
 value and what is allowed."""
 GROUPS = {"functions": ("function", "macro"), "settings": ("setting",), "constants": ("constant",)}
-ALIASES = {"status": "exit", "statuses": "exit", "columns": "history", "types": "topics", "column": "history", "event": "events", "formula": "formulas"}
+ALIASES = {"status": "exit", "statuses": "exit", "columns": "history", "types": "topics", "column": "history",
+           "event": "events", "formula": "formulas"}
 
 
 def spelled(word):
@@ -79,7 +80,7 @@ def lookup_part(name, reference):
 
 
 def all_names(reference):
-    names = set(reference.topics) | set(plain.TABLES) | set(GROUPS) | set(reference.cases) | set(heads.OBJECTS.values()) | {"options"}
+    names = {*reference.topics, *plain.TABLES, *GROUPS, *reference.cases, *heads.OBJECTS.values(), "options"}
     names |= {last_part(key) for key in reference.topics}
     names |= {name for parameters in reference.named.values() for name in parameters}
     names |= {option.name for options in [reference.common, *reference.cases.values()] for option in options}
@@ -90,7 +91,8 @@ def unknown(word, reference):
     lower = {name.lower(): name for name in all_names(reference)}
     near = difflib.get_close_matches(spelled(word).lower(), lower, 5, 0.6)
     names = ", ".join(lower[name] for name in near)
-    print(f"burnish: no help on \"{word}\"; " + (f"near it: {names}" if names else "burnish help lists the topics"), file=sys.stderr)
+    advice = f"near it: {names}" if names else "burnish help lists the topics"
+    print(f"burnish: no help on \"{word}\"; {advice}", file=sys.stderr)
     return 20
 
 

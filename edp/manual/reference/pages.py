@@ -5,14 +5,15 @@ import plain
 import topics
 
 INTRO = {
-    "contact": "The surface of a workpiece that tools may touch, the states of its nodes and what a run says of it. `C` is a contact.",
+    "contact": "The surface of a workpiece that tools may touch, the states of its nodes and what a run says of it. `C` is "
+               "a contact.",
     "tool": "A rigid tool: its profile, its coordinates, the motion or force of each. `t` is a tool.",
     "material": "The workpiece's law, its stress and what is read at its points. `M` is a material.",
     "stepcontrol": "The length of the steps and the run over them. `S` is a stepcontrol.",
     "functions": "Functions and macros that begin with `rc`, of the plugin and of the library `edp/`.",
     "settings": "Variables that a script sets before a run or reads after it. The default is the value that `edp/` gives them.",
-    "options": "Words after the script's name on the command line, `-name value`. `burnish cases/rolling/rolling.edp -h` lists them "
-               "with the defaults of that case.",
+    "options": "Words after the script's name on the command line, `-name value`. `burnish cases/rolling/rolling.edp -h` "
+               "lists them with the defaults of that case.",
     "files": "What a run writes into its folder. Coordinates, tools and columns bear the names that the script gives them.",
     "statuses": "With what a script ends; `echo $?` after it.",
 }
@@ -20,7 +21,7 @@ RULE = ("A value outside its range ends the script with exit status 20 and a lin
         "errors are listed where they occur. Units are chosen by the script: length, force, stress, time; `-` has none.\n")
 TITLES = {"statuses": "Exit statuses"}
 FILE_TITLES = {"event": "Kinds of events", "fields.vtu": "fields-1.vtu, ..., final.vtu"}
-HEADER = "| Name | Type | Meaning | Unit | Default | Range |\n|---|---|---|---|---|---|\n"
+NAMES = ["Name", "Type", "Meaning", "Unit", "Default", "Range"]
 
 
 class Pages:
@@ -31,7 +32,7 @@ class Pages:
 
     def linked(self, text, own=None):
         """Text of a head as Markdown: quoted words as code, names that have an entry as links."""
-        parts = re.split(r'("[^"]*"|\b(?:rc[A-Z]\w+|[tCMS]\.[A-Za-z]+)\b)', text)
+        parts = re.split(r'("[^"]*"|\brc\w+\.idp\b|\b(?:rc[A-Z]\w+|[tCMS]\.[A-Za-z]+)\b)', text)
         return "".join(self.word(part, own) if k % 2 else escaped(part) for k, part in enumerate(parts))
 
     def word(self, part, own):
@@ -46,9 +47,8 @@ class Pages:
         value = line.default if default is None else default
         target = f'<span id="{anchor}"></span>' if anchor else ""
         code = "`" + name.replace("|", "\\|") + "`"
-        words = [target + code, f"`{kind}`" if kind else "", self.linked(line.meaning, name), escaped(line.unit), self.linked(value),
-                 self.linked(line.range)]
-        return "| " + " | ".join(words) + " |\n"
+        return [target + code, f"`{kind}`" if kind else "", self.linked(line.meaning, name), escaped(line.unit),
+                self.linked(value), self.linked(line.range)]
 
     def use(self, use, topic):
         text = f"```text\n{plain.call(use, topic, self.reference)}\n```\n"
@@ -56,7 +56,7 @@ class Pages:
         text += f"{self.linked(use.entry.meaning, topic.key)}{unit}\n\n"
         listed = list(topics.rows(self.reference, use, topic))
         if listed:
-            text += HEADER + "".join(self.cells(name, kind, line) for name, kind, line in listed) + "\n"
+            text += table([self.cells(name, kind, line) for name, kind, line in listed])
         for error in use.entry.errors:
             text += f"- error: {escaped(plain.quoted(error))}\n"
         text += "\n" if use.entry.errors else ""
@@ -82,8 +82,8 @@ class Pages:
             more = [f"default {self.defaults(keys)}" if use.default else "",
                     f"range {self.linked(use.entry.range)}" if use.entry.range else ""]
             more = "; ".join(one for one in more if one)
-            text += " ".join(one for one in [names, *words] if one) + f": {self.linked(use.entry.meaning)}" + (f"; {more}" if more else "")
-            text += "\n\n"
+            text += " ".join(one for one in [names, *words] if one) + f": {self.linked(use.entry.meaning)}"
+            text += f"; {more}\n\n" if more else "\n\n"
         return text
 
     def defaults(self, keys):
@@ -96,7 +96,7 @@ class Pages:
             return ""
         prose = " ".join(line.strip() for line in head.prose if not line.startswith("  "))
         title, rest = (re.split(r"(?<=[^. ])\. ", prose, maxsplit=1) + [""])[:2]
-        short = title.partition(": ")[0].rstrip(".").replace("`", "")
+        short = heading(title)
         text = f"## {short}\n"
         if page != "settings":
             prose = rest if short == title.rstrip(".").replace("`", "") else prose
@@ -131,7 +131,8 @@ class Pages:
         text = f"(exit)=\n# Exit statuses\n{INTRO['statuses']}\n\n| Status | Meaning |\n|---|---|\n"
         for topic in self.reference.topics.values():
             if topic.kind == "exit":
-                text += f'| <span id="{topic.anchor}"></span>{topic.key.split()[1]} | {self.linked(topic.uses[0].entry.meaning)} |\n'
+                status, meaning = topic.key.split()[1], self.linked(topic.uses[0].entry.meaning)
+                text += f'| <span id="{topic.anchor}"></span>{status} | {meaning} |\n'
         return text
 
     def formulas_page(self):
@@ -140,8 +141,8 @@ class Pages:
         text += self.linked(" ".join(prose)) + "\n\n| Name | Unit | Meaning |\n|---|---|---|\n"
         for topic in self.reference.topics.values():
             if topic.kind == "formula":
-                entry = topic.uses[0].entry
-                text += f'| <span id="{topic.anchor}"></span>`{topic.key[8:]}` | {escaped(entry.unit)} | {escaped(entry.meaning)} |\n'
+                entry, target = topic.uses[0].entry, f'<span id="{topic.anchor}"></span>'
+                text += f"| {target}`{topic.key[8:]}` | {escaped(entry.unit)} | {escaped(entry.meaning)} |\n"
         return text
 
     def options_page(self):
@@ -152,13 +153,14 @@ class Pages:
         return text
 
     def options(self, options):
-        text = HEADER
+        rows = []
         for option in options:
             default = topics.default_of(option, self.reference)
             line = topics.heads.Line(option.name, "")
             line.meaning, line.unit, line.range = option.meaning, option.unit, option.range
-            text += self.cells(option.name, option.kind, line, f'"{default}"' if not default.startswith('"') else default)
-        return text.replace('`"', "`").replace('"`', "`") + "\n"
+            shown = "" if default == '""' else default if default.startswith('"') else f'"{default}"'
+            rows.append(self.cells(option.name, option.kind, line, shown))
+        return table(rows).replace('`"', "`").replace('"`', "`")
 
     def index(self, pages):
         text = ("(reference)=\n# Reference\nMade from the tables of the plugin and the heads of `plugins/` and `edp/`; "
@@ -172,10 +174,25 @@ class Pages:
 
     def all(self):
         """{file name: text}."""
-        pages = {page: self.callable_page(page) for page in ("tool", "contact", "material", "stepcontrol", "functions", "settings")}
-        pages.update(options=self.options_page(), files=self.files_page(), statuses=self.statuses_page(), formulas=self.formulas_page())
+        names = ("tool", "contact", "material", "stepcontrol", "functions", "settings")
+        pages = {page: self.callable_page(page) for page in names}
+        pages.update(options=self.options_page(), files=self.files_page(), statuses=self.statuses_page())
+        pages["formulas"] = self.formulas_page()
         pages["index"] = self.index(list(pages))
         return {f"{name}.md": text for name, text in pages.items()}
+
+
+def heading(sentence):
+    """The first words of a head: up to a colon, a bracket, or, of long ones, a comma."""
+    short = re.split(r": | \(|; ", sentence)[0].rstrip(".").replace("`", "")
+    return short.split(",")[0] if len(short) > 60 else short
+
+
+def table(rows):
+    """Rows of six cells, without the columns that are empty in all of them."""
+    used = [k for k in range(6) if k in (0, 2) or any(row[k] for row in rows)]
+    lines = [[NAMES[k] for k in used], ["---"] * len(used)] + [[row[k] for k in used] for row in rows]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines) + "\n"
 
 
 def escaped(text):

@@ -4,8 +4,8 @@ import textwrap
 import topics
 
 WIDTH = 118
-TABLES = {"history": "history.csv", "events": "events.csv", "surface": "surface.csv", "tools": "tools.csv", "fields": "fields.vtu",
-          "summary": "summary.json", "exit": "exit", "formulas": "formula"}
+TABLES = {"history": "history.csv", "events": "events.csv", "surface": "surface.csv", "tools": "tools.csv",
+          "fields": "fields.vtu", "summary": "summary.json", "exit": "exit", "formulas": "formula"}
 KINDS = {"constructor": "type", "member": "value", "macro": "macro of edp/", "setting": "variable of edp/", "exit": "exit status"}
 
 
@@ -92,8 +92,8 @@ def type_text(name, reference):
 def option_text(option, reference, case=None):
     start = f"  {option.name:<13}{option.kind:<8}"
     default = topics.default_of(option, reference, case)
-    words = [option.meaning, f" [{option.unit}]" if option.unit else "", f" default {default}", f", range {option.range}" if option.range else ""]
-    return wrapped("".join(words), " " * len(start), start)
+    text = option.meaning + (f" [{option.unit}]" if option.unit else "") + f" default {default}"
+    return wrapped(text + (f", range {option.range}" if option.range else ""), " " * len(start), start)
 
 
 def options_text(reference, case=None):

@@ -88,7 +88,8 @@ def declarations(path, text):
         function, macro, declared = FUNCTION.match(code), MACRO.match(code), DECLARED.match(code)
         if function:
             pairs = [argument(one) for one in function[3].split(",")]
-            yield Callable("function", function[2], [pair[0] for pair in pairs], function[1], [pair[1] for pair in pairs], "", path)
+            types, names = [pair[0] for pair in pairs], [pair[1] for pair in pairs]
+            yield Callable("function", function[2], types, function[1], names, "", path)
         elif macro and not GUARD.match(macro[1]):
             names = [word.strip() for word in (macro[2] or "").split(",") if word.strip()]
             yield Callable("macro", macro[1], [""] * len(names), "", names, "", path)

@@ -47,7 +47,8 @@ class Topic:
     @property
     def anchor(self):
         if self.kind == "formula":
-            return "formula-" + "-".join(re.findall(r"\w+", self.key[8:]) or [f"{ord(letter):x}" for letter in self.key[8:].replace(" ", "")])
+            text = self.key[8:].replace(" ", "")
+            return "formula-" + "-".join(re.findall(r"\w+", text) or [f"{ord(letter):x}" for letter in text])
         name = re.sub(r"[^a-z0-9]+", "-", spell(self.key).lower()).strip("-")
         return f"type-{name}" if self.kind == "constructor" else name  # contact is the name of a page, too
 
