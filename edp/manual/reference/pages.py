@@ -13,12 +13,22 @@ INTRO = {
     "functions": "Functions and macros that begin with `rc`, of the plugin and of the library `edp/`.",
     "settings": "Variables that a script sets before a run or reads after it. The default is the value that `edp/` gives them.",
     "options": "Words after the script's name on the command line, `-name value`. `burnish cases/rolling/rolling.edp -h` "
-               "lists them with the defaults of that case.",
+               "lists them with the defaults of that case, `-options list` prints all with their values as JSON.",
     "files": "What a run writes into its folder. Coordinates, tools and columns bear the names that the script gives them.",
     "statuses": "With what a script ends; `echo $?` after it.",
 }
 RULE = ("A value outside its range ends the script with exit status 20 and a line `place: name = value, expected range`; other "
         "errors are listed where they occur. Units are chosen by the script: length, force, stress, time; `-` has none.\n")
+EDITORS = """## For editors
+`python3 edp/manual/reference/generate.py FOLDER` writes them beside these pages:
+
+| File | Editor | Where it goes |
+|---|---|---|
+| `burnish.code-snippets` | VS Code: snippets `rcscene`, `rctool`, `rccontact`, `rcprogram`, `rcrecord`, `rccase`, ... | `.vscode/` of a folder |
+| `burnish.vim` | Vim: colors | `~/.vim/after/syntax/edp.vim` |
+| `burnish-kate.xml` | Kate, KWrite: colors | `~/.local/share/org.kde.syntax-highlighting/syntax/` |
+| `keywords.txt` | any other: all names, a line each | |
+"""
 TITLES = {"statuses": "Exit statuses"}
 FILE_TITLES = {"event": "Kinds of events", "fields.vtu": "fields-1.vtu, ..., final.vtu"}
 NAMES = ["Name", "Type", "Meaning", "Unit", "Default", "Range"]
@@ -170,7 +180,7 @@ class Pages:
                            key=lambda topic: topic.key.lower())
             if found and page not in ("statuses", "formulas"):
                 text += f"**{page}** " + ", ".join(f"[`{topic.key.split('.')[-1]}`]({topic.anchor})" for topic in found) + "\n\n"
-        return text
+        return text + EDITORS
 
     def all(self):
         """{file name: text}."""

@@ -97,7 +97,7 @@ def option_text(option, reference, case=None):
 
 
 def options_text(reference, case=None):
-    yield "options of every case (burnish cases/NAME/NAME.edp -h lists them with all defaults)"
+    yield "options of every case; -h lists them with the defaults of the case, -options list prints all values as JSON"
     for option in reference.common:
         yield option_text(option, reference, case)
     if case is None:
