@@ -79,8 +79,13 @@ define WRAPPER_TEXT
 usage() {
   echo "usage: burnish SCRIPT.edp [OPTIONS]      runs a FreeFEM script with Burnish"
   echo "       burnish SCRIPT.edp -h             lists the script's options with default, unit and meaning"
+  echo "       burnish help [NAME]               the reference: contact.add, rcRun, tolerance=, summary, exit, ..."
   echo "FreeFEM's own options, such as -v 1 (its messages) and -wg (its windows), go before the script."
 }
+if [ "$$1" = help ]; then
+  shift
+  exec "$${PYTHON:-$(PYTHON)}" -B "$(CURDIR)/edp/manual/reference/help.py" "$$@"
+fi
 script=
 for word in "$$@"; do
   case $$word in *.edp) script=$$word; break ;; esac
@@ -197,8 +202,9 @@ SHARE = $(DESTDIR)$(PREFIX)/share/burnish
 install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines for plain FreeFem++ are printed
 	@install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/burnish $(SHARE)/cases
 	@install -m 644 $(PLUGIN) $(GMSH) $(DESTDIR)$(PREFIX)/lib/burnish
-	@rm -rf $(SHARE)/edp $(SHARE)/cases/plotting $(SHARE)/cases/sweep
+	@rm -rf $(SHARE)/edp $(SHARE)/plugins $(SHARE)/cases && install -d $(SHARE)/cases
 	@cp -r edp $(SHARE)/edp && cp -r cases/plotting cases/sweep $(SHARE)/cases && find $(SHARE) -name __pycache__ -exec rm -rf {} +
+	@cp --parents plugins/*.cpp cases/*/*.edp cases/*/*.idp $(SHARE)  # their heads and options: burnish help
 	@sed -e 's#$(abspath $(BUILD))/plugins#@@/lib/burnish#g' -e 's#$(abspath $(WRAPPER))#@@/bin/burnish#g' \
 	  -e 's#$(CURDIR)#@@/share/burnish#g' -e 's#@@#$(PREFIX)#g' $(WRAPPER) >$(DESTDIR)$(PREFIX)/bin/burnish
 	@chmod 755 $(DESTDIR)$(PREFIX)/bin/burnish

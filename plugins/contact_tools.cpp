@@ -1,11 +1,19 @@
 // What a script reads of the tools of a contact, i = 0 .. C.toolnumber-1 in the order of C.add, accepted state.
-//   C.toolnumber, C.toolname(i)
-//   C.coordinates                 "x,y,angle"; with several tools "upper.x,upper.y,...,lower.x,..."
-//   C.q, C.Q                      arrays over them: coordinates; generalized forces on them
-//   C.countof("contact", i)       nodes of tool i in a state, see C.count
-//   C.toolforcex(i), C.toolforcey(i)   resultant of the contact forces on tool i [force]
-//   C.outlinex(i, n), C.outliney(i, n)   outline of tool i, n points and its joints [length]
-//   C.nodetool                    array over the candidates: tool in contact, or the last one; -1 none
+//   C.toolnumber   how many | -
+//   C.toolname(i)   name of tool i
+//     i         tool | - | | 0 to toolnumber-1
+//   C.coordinates   names "x,y,angle"; with several tools "upper.x,upper.y,...,lower.x,..."
+//   C.q         coordinates in that order | length, rad
+//   C.Q         generalized forces on them | force, force*length
+//   C.countof(state, i)   number of nodes of tool i in a state | -
+//     state     as in C.count
+//     i         tool | - | | 0 to toolnumber-1
+//   C.toolforcex(i), C.toolforcey(i)   resultant of the contact forces on tool i | force
+//     i         tool | - | | 0 to toolnumber-1
+//   C.outlinex(i, n), C.outliney(i, n)   outline of tool i: n points and its joints | length
+//     i         tool | - | | 0 to toolnumber-1
+//     n         number of points | - | | 2 to 1000000
+//   C.nodetool   over the candidates: tool in contact, or the last one; -1 none | -
 #include "base/error.hpp"
 #include "contact/tool_report.hpp"
 #include "kinematics/outline.hpp"

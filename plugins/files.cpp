@@ -1,8 +1,19 @@
-// Files that are whole or not there. What cannot be written ends the script with exit status 5, unless caught; f is closed.
-//   rcMakeFolder(path)                         makes it and checks that it can be written
-//   { ofstream f(rcNewName(file)); f << ...; rcReplaced(f, file); }    a new content takes the place of the file's
-//   savevtk(rcNewName(file), ...); rcReplacedVtu(file);                the same of a .vtu file
-//   { ofstream f(file, append); f << ...; rcAppended(f, file); }       whole lines at the end of a file
+// Files that are whole or not there. What cannot be written ends the script with exit status 5, unless caught.
+//   > { ofstream f(rcNewName(file)); f << ...; rcReplaced(f, file); }    a new content takes the place of the file's
+//   > savevtk(rcNewName(file), ...); rcReplacedVtu(file);                the same of a .vtu file
+//   > { ofstream f(file, append); f << ...; rcAppended(f, file); }       whole lines at the end of a file
+//   rcMakeFolder(path)   makes the folder and checks that it can be written
+//     path      of the folder
+//   rcNewName(file)   name that its new content is written under
+//     file      path
+//   rcReplaced(f, file)   closes f; the new content takes the place of the file's
+//     f         the stream of rcNewName(file)
+//     file      path
+//   rcAppended(f, file)   closes f; keeps whole lines only
+//     f         a stream opened with append
+//     file      path
+//   rcReplacedVtu(file)   as rcReplaced after savevtk
+//     file      path
 #include "base/whole_file.hpp"
 #include "plugin.hpp"
 #include <csignal>

@@ -1,7 +1,8 @@
-// int code = rcPictures(folder);   draws the pictures of a run's results: by a plot.py beside the script, else those of
-// any scene. The program is started without a shell, by $PYTHON or python3. 0: drawn; failing to draw is a warning.
-// int code = rcLeaner(folder);     runs the script again with leaner models and compares them with the results in the folder:
-// cases/sweep/leaner.py. 0: done; failing is a warning.
+// Programs beside the scripts, started without a shell by $PYTHON or python3. Failing is a warning.
+//   rcPictures(folder)   draws the pictures of a run's results, by a plot.py beside the script, else those of any scene; 0: drawn
+//     folder    of the results
+//   rcLeaner(folder)   runs the script again with leaner models and compares the results, cases/sweep/leaner.py; 0: done
+//     folder    of the results
 #include "plugin.hpp"
 #include "script_options.hpp"
 
