@@ -80,12 +80,13 @@ usage() {
   echo "usage: burnish SCRIPT.edp [OPTIONS]      runs a FreeFEM script with Burnish"
   echo "       burnish SCRIPT.edp -h             lists the script's options with default, unit and meaning"
   echo "       burnish help [NAME]               the reference: contact.add, rcRun, tolerance=, summary, exit, ..."
+  echo "       burnish new NAME                  makes a folder NAME with a scene that runs, to be changed"
   echo "FreeFEM's own options, such as -v 1 (its messages) and -wg (its windows), go before the script."
 }
-if [ "$$1" = help ]; then
-  shift
-  exec "$${PYTHON:-$(PYTHON)}" -B "$(CURDIR)/edp/manual/reference/help.py" "$$@"
-fi
+case $$1 in
+  help) shift; exec "$${PYTHON:-$(PYTHON)}" -B "$(CURDIR)/edp/manual/reference/help.py" "$$@" ;;
+  new) shift; exec "$${PYTHON:-$(PYTHON)}" -B "$(CURDIR)/edp/template/new.py" "$$@" ;;
+esac
 script=
 for word in "$$@"; do
   case $$word in *.edp) script=$$word; break ;; esac
