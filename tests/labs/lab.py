@@ -3,10 +3,11 @@
 lab.py NAME: reads cases/labs/NAME/lab.json:
   "runs": [{"script": "solution.edp", "options": "-n 8", "status": 0, "text": ["words of the output"]}, ...]
   "answers": {"name": [value, tolerance], ...}   of solution.edp; relative tolerance, absolute where 0 is expected
-lab.py NAME FILE... [--against CSV]: compares answers.csv files that were handed in, with lab.json, or with the values of another
-answers.csv, that of a run of solution.edp with other options; prints a line for each, exit status 1 if one is off.
 A script with gaps ends with status 20 and "gap 1 is open"; solution.edp has none; the key names every gap.
 plot.py FOLDER FILE draws the answers' plot from the results of solution.edp; expected.png beside it is one.
+
+lab.py NAME FILE... [--against CSV]: compares answers.csv files that were handed in, with lab.json, or with the values of another
+answers.csv, that of a run of solution.edp with other options; prints a line for each, exit status 1 if one is off.
 """
 import contextlib
 import csv
