@@ -3,8 +3,12 @@
 //   { ofstream f(rcNewName(file)); f << ...; rcReplaced(f, file); }    a new content takes the place of the file's
 //   savevtk(rcNewName(file), ...); rcReplacedVtu(file);                the same of a .vtu file
 //   { ofstream f(file, append); f << ...; rcAppended(f, file); }       whole lines at the end of a file
+//   M.savefields(file);  C.savesurface(file);  C.savetools(file);      .vtu, .vtp, .vtp for ParaView, of the accepted state:
+//     cxx/output; whole, too
 #include "base/whole_file.hpp"
-#include "plugin.hpp"
+#include "output/contact_files.hpp"
+#include "output/workpiece_file.hpp"
+#include "types.hpp"
 #include <csignal>
 #include <fstream>
 
@@ -33,6 +37,23 @@ bool replaced_vtu(string* const& path) {
   return guarded([&] { return replace_file(*path, ends_with(new_name(*path), "</VTKFile>")), true; });
 }
 
+struct SaveTag {};
+struct SurfaceTag {};
+struct ToolsTag {};
+bool save_fields_of(const Method<MaterialHandle, SaveTag>& m, string* const& path) {
+  return guarded([&] { return save_fields(m->get().workpiece(), *path), true; });
+}
+bool save_surface_of(const Method<ContactHandle, SurfaceTag>& m, string* const& path) {
+  return guarded([&] { return save_surface(m->get().run(), *path), true; });
+}
+bool save_tools_of(const Method<ContactHandle, ToolsTag>& m, string* const& path) {
+  return guarded([&] {
+    ContactObject& contact = m->get();
+    const Eigen::VectorXd none;
+    return save_tools(*contact.setup, contact.started() ? contact.run().accepted().u : none, *path), true;
+  });
+}
+
 } // namespace
 
 void register_files() {
@@ -42,6 +63,15 @@ void register_files() {
   Global.Add("rcReplaced", "(", new OneOperator2_<bool, std::ostream**, string*>(replaced));
   Global.Add("rcAppended", "(", new OneOperator2_<bool, std::ostream**, string*>(appended));
   Global.Add("rcReplacedVtu", "(", new OneOperator1_<bool, string*>(replaced_vtu));
+  add_method<MaterialHandle, SaveTag>("savefields", [] {
+    return new OneOperator2_<bool, Method<MaterialHandle, SaveTag>, string*>(save_fields_of);
+  });
+  add_method<ContactHandle, SurfaceTag>("savesurface", [] {
+    return new OneOperator2_<bool, Method<ContactHandle, SurfaceTag>, string*>(save_surface_of);
+  });
+  add_method<ContactHandle, ToolsTag>("savetools", [] {
+    return new OneOperator2_<bool, Method<ContactHandle, ToolsTag>, string*>(save_tools_of);
+  });
 }
 
 } // namespace burnish
