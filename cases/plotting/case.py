@@ -20,6 +20,7 @@ import sys
 from plotting import curves, fields
 from plotting.figure import apply_style, save
 from plotting.inputs import InputError, MissingInput
+from plotting.movie import write_movie
 from plotting.run import Run
 
 
@@ -91,19 +92,32 @@ def draw_all(run, pictures, folder, patient=False):
     return max([draw_one(run, picture, folder, patient) for picture in pictures], default=0)
 
 
+def make_movie(run, folder):
+    """movie.html and movie.gif, whose paths are printed; 1 if they could not be made."""
+    apply_style()
+    try:
+        for path in write_movie(run, folder):
+            print(path, flush=True)
+    except Exception as error:
+        say(f"no movie: {type(error).__name__}: {error}")
+        return 1
+    return 0
+
+
 def draw(arguments, read_run, pictures, patient=False):
-    """The body of a plot.py OUTDIR: reads the run and draws it; returns the exit code."""
+    """The body of a plot.py OUTDIR [movie]: reads the run and draws its pictures, or its movie; returns the exit code."""
     for name in (signal.SIGINT, signal.SIGPIPE):
         signal.signal(name, signal.SIG_DFL)  # stop quietly
-    if len(arguments) != 1 or arguments[0].startswith("-"):
-        print(f"usage: {os.path.basename(sys.argv[0])} OUTDIR    (the folder of a run's results)", file=sys.stderr)
+    movie = arguments[1:] == ["movie"]
+    if len(arguments) != 1 + movie or arguments[0].startswith("-"):
+        print(f"usage: {os.path.basename(sys.argv[0])} OUTDIR [movie]    (the folder of a run's results)", file=sys.stderr)
         return 2
     try:
         run = read_run(arguments[0])
     except InputError as error:
         say(error)
         return 1
-    return draw_all(run, pictures, arguments[0], patient)
+    return make_movie(run, arguments[0]) if movie else draw_all(run, pictures, arguments[0], patient)
 
 
 def read_case(folder, length, mu, columns):

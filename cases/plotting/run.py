@@ -86,12 +86,18 @@ class Run:
         return read_tools(path, self.units.length) if os.path.isfile(path) else []
 
     @cached_property
-    def series(self):
-        """(t, path) of the field files on the way; none of an earlier run if this one was to write none."""
+    def frames(self):
+        """[(t, {"workpiece": path, "tools": path, "contact surface": path})] of the series, that of the start first; none of an
+        earlier run if this one was to write none."""
         path = self.path("fields.pvd")
         if self.has("summary.json") and option(self.summary, "series") == 0:
             return []
-        return read_series(path) if os.path.isfile(path) else []
+        return read_frames(path) if os.path.isfile(path) else []
+
+    @cached_property
+    def series(self):
+        """(t, path) of the field files on the way."""
+        return [(t, parts["workpiece"]) for t, parts in self.frames if t > 0]
 
     @cached_property
     def t(self):
@@ -140,11 +146,14 @@ class Run:
             raise MissingInput(f"{self.path('summary.json')}: no result {name!r}") from None
 
 
-def read_series(path):
-    """(t, path) of the files that a ParaView collection names and that are there."""
+def read_frames(path):
+    """(t, {name of the part: path}) of the files that a ParaView collection names and that are there."""
+    frames = {}
     try:
-        entries = ElementTree.fromstring(read_text(path)).findall("Collection/DataSet")
-        pairs = [(float(e.get("timestep")), os.path.join(os.path.dirname(path), e.get("file"))) for e in entries]
+        for entry in ElementTree.fromstring(read_text(path)).findall("Collection/DataSet"):
+            file = os.path.join(os.path.dirname(path), entry.get("file"))
+            if os.path.isfile(file):
+                frames.setdefault(float(entry.get("timestep")), {})[entry.get("name", "workpiece")] = file
     except (ElementTree.ParseError, TypeError, ValueError) as error:
         raise InputError(f"{path}: {error}") from None
-    return [(t, file) for t, file in pairs if os.path.isfile(file)]
+    return [(t, parts) for t, parts in sorted(frames.items()) if "workpiece" in parts]
