@@ -38,7 +38,7 @@ PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
 # --- sources and products ----------------------------------------------------------------------------------
 sources   = $(sort $(shell find $(wildcard $(1)) -name '*.cpp' 2>/dev/null </dev/null))
 objects   = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
-SUITES   := unit plugin verification regression long
+SUITES   := unit plugin verification regression long viewers
 PROGRAMS := unit verification long benchmark
 CORE     := $(BUILD)/libburnish.a
 PLUGIN   := $(BUILD)/plugins/burnish.so
@@ -153,9 +153,15 @@ test-plugin: ## the plugin through scripts, and every error message: tests/plugi
 test-verification: ## problems with known answers, tests/verification
 test-regression: ## coarse cases against stored numbers, tests/regression
 test-long: ## slow tests, tests/long
+test-viewers: ## files and pages in the programs that show them, VTK and Chromium, tests/viewers (installs both)
 $(SUITES:%=test-%): test-%: packages
 	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
 	@$(TEST) $(call suite,$*)
+
+test-viewers: viewers
+.PHONY: viewers
+viewers:
+	@$(PACKAGES) viewers
 
 # FreeFEM itself is not instrumented: the run-time libraries come before it. What it leaks, how it pairs new with free and
 # what it defines twice is not ours.

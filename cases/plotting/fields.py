@@ -2,6 +2,8 @@
 from collections import namedtuple
 
 import numpy as np
+from matplotlib.cm import get_cmap
+from matplotlib.colors import ListedColormap
 from matplotlib.ticker import MaxNLocator
 
 from plotting import contact, maps, tools
@@ -28,6 +30,12 @@ def levels_to(largest, number=14):
     if not largest > 0:
         return None
     return MaxNLocator(number, steps=[1, 2, 2.5, 5, 10]).tick_values(0, largest)
+
+
+def band_colors(quantity, levels):
+    """Color map with one color for each band, that which draw_map gives it."""
+    colors, middles = get_cmap(quantity.colors), 0.5 * (levels[1:] + levels[:-1])
+    return ListedColormap([colors(part) for part in (middles - levels[0]) / (levels[-1] - levels[0])])
 
 
 def draw_map(axes, mesh, values, levels, outlines, box, cmap, unit="mm"):

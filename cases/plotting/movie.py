@@ -54,7 +54,7 @@ def frames_of(run):
     """At most MOST frames, evenly taken."""
     found = run.frames
     if len(found) < 2:
-        raise MissingInput(f"{run.folder}: no series of fields for a movie; -series must be > 0")
+        raise MissingInput(f"{run.folder}: fewer than two frames of fields, too few for a movie")
     chosen = np.unique(np.linspace(0, len(found) - 1, min(MOST, len(found))).round().astype(int))
     return [Frame(run, *found[k]) for k in chosen]
 
@@ -109,8 +109,7 @@ class Screen:
         panels = panels_of(run)
         self.map, places = self.layout(panels)
         if self.levels is not None:
-            colors = plt.get_cmap(fields.STRESS.colors)
-            scale = ScalarMappable(BoundaryNorm(self.levels, colors.N), colors)
+            scale = ScalarMappable(BoundaryNorm(self.levels, len(self.levels) - 1), fields.band_colors(fields.STRESS, self.levels))
             self.figure.colorbar(scale, ax=self.map, label=f"{fields.STRESS.label} [{run.units.stress_unit}]", shrink=0.9,
                                  ticks=self.levels[::2], format="%.4g", extend="max" if self.cut else "neither")
         self.marks = [self.curve(axes, *panel) for axes, panel in zip(places, panels)]

@@ -60,7 +60,8 @@ void VtkFile::write(const char* type, const std::string& name, const std::string
 
 void VtkFile::array(const std::string& name, int components, const std::vector<double>& values,
                     const std::vector<std::string>& names) {
-  std::string attributes = " NumberOfComponents=\"" + std::to_string(components) + "\"";
+  std::string attributes;
+  if (components > 1) attributes = " NumberOfComponents=\"" + std::to_string(components) + "\"";
   for (std::size_t i = 0; i < names.size(); ++i)
     attributes += " ComponentName" + std::to_string(i) + "=\"" + names[i] + "\"";
   write("Float64", name, attributes, values.data(), values.size() * sizeof(double));
