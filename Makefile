@@ -103,7 +103,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep stability chart references chart-quick test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep explore stability chart references chart-quick test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
 .PHONY: compile programs sanitize sanitized fuzz
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -130,6 +130,10 @@ sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3", or
 	@CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' SAMPLES='$(SAMPLES)' \
 	  SEED='$(SEED)' TARGET='$(TARGET)' BY='$(BY)' TOLERANCE='$(TOLERANCE)' \
 	  BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
+
+explore: build ## a sweep as one page, out/sweep/CASE/explore.html: sliders for the varied options; pictures and curves follow
+	@EXPLORE=1 CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' SAMPLES='$(SAMPLES)' \
+	  SEED='$(SEED)' BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
 
 stability: build ## the map of what can go wrong, out/stability/map.png; OPTIONS="--only snap --references --store": tests/stability/run.py
 	@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) tests/stability/run.py $(OPTIONS)

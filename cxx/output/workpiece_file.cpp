@@ -9,8 +9,10 @@ namespace burnish {
 namespace {
 
 constexpr int VTK_TRIANGLE = 5;
-using Field = Eigen::VectorXd; // over the nodes
-const std::vector<std::string> PARTS = {"xx", "yy", "zz", "xy"};
+using Field = Eigen::VectorXd;            // over the nodes
+using Names = std::array<const char*, 4>; // of the components xx, yy, zz, xy
+constexpr Names STRESS = {"stress_xx", "stress_yy", "stress_zz", "stress_xy"};
+constexpr Names BACKSTRESS = {"backstress_xx", "backstress_yy", "backstress_zz", "backstress_xy"};
 
 /// Node-major numbers of three components from those of two: the plane of the picture.
 std::vector<double> in_space(const double* xy, int nodes) {
@@ -43,13 +45,13 @@ void write_cells(const Discretization<2>& mesh, VtkFile& file) {
 }
 
 // In the order of ParaView's symmetric tensors, and component by component.
-void write_tensor(const std::string& name, const std::array<Field, 4>& part, VtkFile& file) {
+void write_tensor(const char* name, const Names& names, const std::array<Field, 4>& part, VtkFile& file) {
   const auto nodes = static_cast<std::size_t>(part[0].size());
   std::vector<double> tensor(6 * nodes, 0.);
   for (std::size_t a = 0; a < nodes; ++a)
     for (int i = 0; i < 4; ++i) tensor[6 * a + i] = part[i][static_cast<Eigen::Index>(a)];
   file.array(name, 6, tensor, {"XX", "YY", "ZZ", "XY", "YZ", "XZ"});
-  for (int i = 0; i < 4; ++i) file.array(name + "_" + PARTS[i], 1, numbers(part[i]));
+  for (int i = 0; i < 4; ++i) file.array(names[i], 1, numbers(part[i]));
 }
 
 std::array<Field, 4> stress_at_nodes(const Workpiece<2>& body, const std::vector<double>& stress) {
@@ -65,14 +67,14 @@ void write_points(const Workpiece<2>& body, VtkFile& file) {
   const auto at_nodes = [&](const Field& points) { return nodal_average(mesh, points); };
   const std::vector<double> stress = stress_field(body);
   file.array("displacement", 3, in_space(body.state().displacement.data(), mesh.num_nodes));
-  write_tensor("stress", stress_at_nodes(body, stress), file);
+  write_tensor("stress", STRESS, stress_at_nodes(body, stress), file);
   file.array("stress_eq", 1, numbers(at_nodes(stress_eq_field(body))));
   file.array("plastic_strain_eq", 1, numbers(at_nodes(body.internal("plastic_strain_eq"))));
   file.array("stress_error", 1, numbers(at_nodes(stress_error(mesh, stress).point)));
   if (body.law().internal_variables().names().find("backstress") != std::string::npos) {
     std::array<Field, 4> part;
     for (int i = 0; i < 4; ++i) part[i] = at_nodes(body.internal("backstress", i));
-    write_tensor("backstress", part, file);
+    write_tensor("backstress", BACKSTRESS, part, file);
   }
   if (body.tracks_integrity()) file.array("integrity", 1, numbers(at_nodes(integrity_field(body))));
 }
