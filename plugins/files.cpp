@@ -3,7 +3,7 @@
 //   { ofstream f(rcNewName(file)); f << ...; rcReplaced(f, file); }    a new content takes the place of the file's
 //   savevtk(rcNewName(file), ...); rcReplacedVtu(file);                the same of a .vtu file
 //   { ofstream f(file, append); f << ...; rcAppended(f, file); }       whole lines at the end of a file
-//   M.savefields(file);  C.savesurface(file);  C.savetools(file);      .vtu, .vtp, .vtp for ParaView, of the accepted state:
+//   M.savefields(file);  C.savesurface(file);  C.savetools(file);  C.savesupports(file);   .vtu, .vtp for ParaView, of the accepted state:
 //     cxx/output; whole, too
 #include "base/whole_file.hpp"
 #include "output/contact_files.hpp"
@@ -40,11 +40,15 @@ bool replaced_vtu(string* const& path) {
 struct SaveTag {};
 struct SurfaceTag {};
 struct ToolsTag {};
+struct SupportsTag {};
 bool save_fields_of(const Method<MaterialHandle, SaveTag>& m, string* const& path) {
   return guarded([&] { return save_fields(m->get().workpiece(), *path), true; });
 }
 bool save_surface_of(const Method<ContactHandle, SurfaceTag>& m, string* const& path) {
   return guarded([&] { return save_surface(m->get().run(), *path), true; });
+}
+bool save_supports_of(const Method<ContactHandle, SupportsTag>& m, string* const& path) {
+  return guarded([&] { return save_supports(m->get().run(), *path), true; });
 }
 bool save_tools_of(const Method<ContactHandle, ToolsTag>& m, string* const& path) {
   return guarded([&] {
@@ -68,6 +72,9 @@ void register_files() {
   });
   add_method<ContactHandle, SurfaceTag>("savesurface", [] {
     return new OneOperator2_<bool, Method<ContactHandle, SurfaceTag>, string*>(save_surface_of);
+  });
+  add_method<ContactHandle, SupportsTag>("savesupports", [] {
+    return new OneOperator2_<bool, Method<ContactHandle, SupportsTag>, string*>(save_supports_of);
   });
   add_method<ContactHandle, ToolsTag>("savetools", [] {
     return new OneOperator2_<bool, Method<ContactHandle, ToolsTag>, string*>(save_tools_of);

@@ -10,7 +10,7 @@ main(arguments, length="m", mu=None, columns=None, pictures=(), without=())
     columns   {column: (label, unit, factor)} of the history, None to leave it out; see plotting/units.py
     pictures  functions of the run that return a figure, drawn after the default ones into function-name.png
     without   names of default pictures not wanted
-Default pictures: stress, plastic_strain, stress_error, sequence, history, pressure, expected (see DEFAULT below). A script without a
+Default pictures: scene, stress, plastic_strain, stress_error, sequence, history, pressure, expected (see DEFAULT below). A script without a
 plot.py gets them from plotting/scene.py.
 """
 import os
@@ -22,6 +22,11 @@ from plotting.figure import apply_style, save
 from plotting.inputs import InputError, MissingInput
 from plotting.movie import write_movie
 from plotting.run import Run
+from plotting.start import start_figure
+
+
+def scene(run):
+    return start_figure(run)
 
 
 def stress(run):
@@ -60,7 +65,7 @@ def expected(run):
     return curves.expected_figure(run)
 
 
-DEFAULT = (stress, plastic_strain, stress_error, sequence, history, pressure, expected)
+DEFAULT = (scene, stress, plastic_strain, stress_error, sequence, history, pressure, expected)
 
 
 def say(text):

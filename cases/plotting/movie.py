@@ -66,9 +66,9 @@ def panels_of(run):
     return sorted(curves.default_panels(run), key=order)[:3]
 
 
-def whole_box(frames):
+def whole_box(run, frames):
     """The workpiece and the tools near it in all frames."""
-    boxes = np.array([tools.widened(fields.mesh_box(f.mesh), f.outlines, 0.2) for f in frames])
+    boxes = np.array([fields.view_of(run, f.mesh, f.outlines, 0.2) for f in frames])
     return boxes[:, 0].min(), boxes[:, 1].max(), boxes[:, 2].min(), boxes[:, 3].max()
 
 
@@ -104,7 +104,7 @@ class Screen:
 
     def __init__(self, run, frames):
         self.run = run
-        self.box = near_contact(frames) or whole_box(frames)
+        self.box = near_contact(frames) or whole_box(run, frames)
         self.levels, self.cut = levels_of(frames, self.box)
         panels = panels_of(run)
         self.map, places = self.layout(panels)
@@ -149,8 +149,7 @@ class Screen:
         self.map.clear()
         values = np.minimum(frame.values, self.levels[-1]) if self.cut else frame.values
         fields.draw_map(self.map, frame.mesh, values, self.levels, frame.outlines, self.box, fields.STRESS.colors,
-                        self.run.units.length_unit)
-        fields.draw_symmetry_axis(self.map, self.run, self.box)
+                        self.run.units.length_unit, self.run.mirrors)
         for state, (_, color, marker) in STATES.items():
             self.map.plot(*frame.places[frame.states == state].T, linestyle="none", marker=marker, color=color, markersize=5,
                           markeredgecolor="white", markeredgewidth=0.5, zorder=5)

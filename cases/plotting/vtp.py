@@ -28,8 +28,9 @@ def read_vtp(path):
         order = "<" if root.get("byte_order") == "LittleEndian" else ">"
         piece = root.find("PolyData/Piece")
         arrays = {part.tag: {a.get("Name"): numbers_of(a, order) for a in part.findall("DataArray")} for part in piece}
-        ends = arrays["Lines"]["offsets"]
-        lines = np.split(arrays["Lines"]["connectivity"], ends[:-1]) if len(ends) else []
+        cells = arrays["Lines" if "Lines" in arrays else "Verts"]
+        ends = cells["offsets"]
+        lines = np.split(cells["connectivity"], ends[:-1]) if len(ends) else []
         return Lines(arrays["Points"]["Points"], lines, arrays.get("PointData", {}), arrays.get("CellData", {}))
     except (ElementTree.ParseError, AttributeError, KeyError, TypeError, ValueError) as error:
         raise InputError(f"{path}: not a whole VTP file: {error}") from None

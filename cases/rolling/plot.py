@@ -9,7 +9,7 @@ try:
     import numpy as np
     from matplotlib.patches import Rectangle
     from matplotlib.ticker import MaxNLocator
-    from plotting import contact, maps
+    from plotting import contact, fields, maps
     from plotting.case import draw
     from plotting.figure import (BLUE, GRAY, GREEN, MICRON, MM, ORANGE, RED, SKY, key_below, new_figure, say_empty)
     from plotting.inputs import InputError, option, read_summary, read_table
@@ -135,9 +135,10 @@ def plastic_strain(run):
         axes.grid(False)
         handles = draw_tool_and_contact(axes, run, 0.45 * (limits[1] - limits[0]))
         if values.max() > 0:
-            bands = maps.draw_bands(axes, run.mesh, values, levels)
+            bands = maps.draw_bands(axes, run.mesh, values, levels, fields.STRAIN.colors)
     if values.max() > 0:
-        figure.colorbar(bands, ax=[near, whole], label="accumulated plastic strain [-]", ticks=levels, format="%.3g")
+        figure.colorbar(bands, ax=[near, whole], label="accumulated plastic strain [-]\nwhite: elastic",
+                        ticks=levels[1:], format="%.3g")
     else:
         say_empty(near, "no plastic strain")
     whole.add_patch(Rectangle((box[0], box[2]), box[1] - box[0], box[3] - box[2], fill=False, edgecolor=RED,

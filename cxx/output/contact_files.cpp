@@ -9,9 +9,9 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-std::string piece(std::size_t points, std::size_t lines) {
-  return "NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
-         std::to_string(lines) + "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\"";
+std::string piece(std::size_t points, std::size_t lines, std::size_t vertices = 0) {
+  return "NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfVerts=\"" + std::to_string(vertices) +
+         "\" NumberOfLines=\"" + std::to_string(lines) + "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\"";
 }
 
 Numbers numbers(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
@@ -88,6 +88,29 @@ void save_surface(const ContactRun<2>& run, const std::string& path) {
   file.array("Points", 3, places);
   file.close();
   file.lines(edges);
+  write_whole(path, file.text());
+}
+
+void save_supports(const ContactRun<2>& run, const std::string& path) {
+  const std::vector<char>& fixed = run.body().fixed;
+  Numbers places, components;
+  std::vector<std::vector<int>> points;
+  for (int a = 0; a < run.setup().mesh().num_nodes; ++a) {
+    if (!fixed[2 * a] && !fixed[2 * a + 1]) continue;
+    const Vector<2> X = run.setup().mesh().node(a);
+    places.insert(places.end(), {X[0], X[1], 0.});
+    components.insert(components.end(), {fixed[2 * a] ? 1. : 0., fixed[2 * a + 1] ? 1. : 0.});
+    points.push_back({static_cast<int>(points.size())});
+  }
+  VtkFile file("PolyData");
+  file.open("Piece", piece(points.size(), 0, points.size()));
+  file.open("PointData");
+  file.array("fixed", 2, components, {"X", "Y"});
+  file.close();
+  file.open("Points");
+  file.array("Points", 3, places);
+  file.close();
+  file.lines(points, "Verts");
   write_whole(path, file.text());
 }
 

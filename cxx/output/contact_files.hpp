@@ -11,6 +11,8 @@ namespace burnish {
 /// and traction, the vector of what the tool exerts on the body [stress].
 void save_surface(const ContactRun<2>& run, const std::string& path);
 
+/// Nodes with a component of displacement that is given, at their reference places: fixed, 1 or 0 for x and y.
+void save_supports(const ContactRun<2>& run, const std::string& path);
 /// Outline of a tool of the setup where it is, as a picture of the workpiece needs it. @param u displacement; empty: none
 std::vector<Vector<2>> tool_outline(const ContactSetup<2>& setup, const Eigen::VectorXd& u, int tool);
 /// Outlines of all tools, see tool_outline, a line each, with their numbers as `tool`. They are where they are: their

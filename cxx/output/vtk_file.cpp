@@ -73,13 +73,13 @@ void VtkFile::array(const std::string& name, const std::vector<std::uint8_t>& va
   write("UInt8", name, "", values.data(), values.size());
 }
 
-void VtkFile::lines(const std::vector<std::vector<int>>& lines) {
+void VtkFile::lines(const std::vector<std::vector<int>>& lines, const char* tag) {
   std::vector<std::int64_t> connectivity, offsets;
   for (const auto& line : lines) {
     connectivity.insert(connectivity.end(), line.begin(), line.end());
     offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
   }
-  open("Lines");
+  open(tag);
   array("connectivity", connectivity);
   array("offsets", offsets);
   close();
