@@ -235,6 +235,6 @@ def expected_figure(run):
         if line == 0:
             cell.set_facecolor("#eeeeee")
         elif column == 4:
-            cell.set_facecolor("#cfe3f3" if rows[line - 1][1] else "#f6cfc0")
+            cell.set_facecolor("#b3d6f0" if rows[line - 1][1] else "#f3ae94")
     axes.set_title("Computed against expected; blue: within what is allowed, red: not")
     return figure

@@ -142,7 +142,8 @@ def draw_isolines(axes, mesh, values, levels, box):
     number_isolines(axes, paths, rim_edges(mesh), box, colors)
     handles = []
     for i, level in enumerate(levels):
-        note = "" if len(paths[i]) else " (not reached)" if values.max() < level else " (exceeded everywhere)"
+        note = "" if len(paths[i]) else " (not reached)" if values.max() < level else \
+            " (exceeded everywhere)" if values.min() > level else " (in spots only)"
         handles.append(Line2D([], [], color=colors[i], label=f"{i + 1}:  {MPA * level:.4g} MPa{note}"))
     return handles
 
