@@ -109,8 +109,9 @@ def make_movie(run, folder):
     return 0
 
 
-def draw(arguments, read_run, pictures, patient=False):
-    """The body of a plot.py OUTDIR [movie]: reads the run and draws its pictures, or its movie; returns the exit code."""
+def draw(arguments, read_run, pictures, patient=False, read_movie=None):
+    """The body of a plot.py OUTDIR [movie]: reads the run and draws its pictures, or its movie; returns the exit code.
+    read_movie: reads the Run of the movie where read_run makes something else."""
     for name in (signal.SIGINT, signal.SIGPIPE):
         signal.signal(name, signal.SIG_DFL)  # stop quietly
     movie = arguments[1:] == ["movie"]
@@ -118,7 +119,7 @@ def draw(arguments, read_run, pictures, patient=False):
         print(f"usage: {os.path.basename(sys.argv[0])} OUTDIR [movie]    (the folder of a run's results)", file=sys.stderr)
         return 2
     try:
-        run = read_run(arguments[0])
+        run = (read_movie if movie and read_movie else read_run)(arguments[0])
     except InputError as error:
         say(error)
         return 1

@@ -214,6 +214,14 @@ def expected_row(name, entry):
     return texts, abs(error) <= tolerance
 
 
+def made_by(summary):
+    """What the run was, as far as the summary says it."""
+    options, mesh, counts = (summary.get(name) or {} for name in ("options", "mesh", "counts"))
+    known = [str(options.get("element", "")), f"{mesh['nodes']} nodes" if "nodes" in mesh else "",
+             f"{counts['steps']} steps" if "steps" in counts else ""]
+    return "Made with " + ", ".join(word for word in known if word)
+
+
 def expected_figure(run):
     """Each result beside what is expected of it, a table; None if nothing is expected."""
     rows = [expected_row(name.strip(), entry) for name, entry in expected_results(run.summary)]
@@ -222,7 +230,7 @@ def expected_figure(run):
     heads = ("", "computed", "expected", "unit", "error", "allowed", "source")
     texts = [list(map(u.plain, row)) for row, _ in rows]
     wide = [max(len(row[k]) for row in (heads, *texts)) + 2 for k in range(len(heads))]
-    figure, axes = new_figure(max(6.0, 0.095 * sum(wide)), 0.6 + 0.34 * (len(rows) + 1))
+    figure, axes = new_figure(max(6.0, 0.095 * sum(wide)), 1.3 + 0.34 * (len(rows) + 1))
     axes.axis("off")
     table = axes.table(texts, colLabels=heads, colWidths=[w / sum(wide) for w in wide], loc="center", cellLoc="right")
     table.auto_set_font_size(False)
@@ -237,4 +245,5 @@ def expected_figure(run):
         elif column == 4:
             cell.set_facecolor("#b3d6f0" if rows[line - 1][1] else "#f3ae94")
     axes.set_title("Computed against expected; blue: within what is allowed, red: not")
+    axes.text(0, 0, made_by(run.summary), transform=axes.transAxes, color=GRAY, fontsize=9, va="bottom")
     return figure

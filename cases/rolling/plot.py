@@ -13,6 +13,8 @@ try:
     from plotting.case import draw
     from plotting.figure import (BLUE, GRAY, GREEN, MICRON, MM, ORANGE, RED, SKY, key_below, new_figure, say_empty)
     from plotting.inputs import InputError, option, read_summary, read_table
+    from plotting.run import Run
+    from plotting.start import start_figure
     from plotting.vtu import read_vtu
 except ImportError as error:
     sys.exit(f"plot.py: {error}; the Debian packages python3-matplotlib, python3-numpy and python3-meshio are "
@@ -44,7 +46,7 @@ def read_run(folder):
         events=read_table(path["events.csv"], ("t", "x", "y"), ("event",), rows=0),
         summary=read_summary(path["summary.json"]),
         surface=read_table(path["surface.csv"], SURFACE, ("state",), rows=2),
-        field=field, mesh=maps.deformed(field))
+        folder=folder, field=field, mesh=maps.deformed(field))
 
 
 def at_end(run):
@@ -105,6 +107,10 @@ def isoline_figure(run, levels, box, title):
     axes.grid(False)
     key_below(axes, handles, 3)
     return figure
+
+
+def scene(run):
+    return start_figure(Run(run.folder, "m"))
 
 
 def stress_below_yield(run):
@@ -209,9 +215,9 @@ def events(run):
     return contact.events_figure(run.events, run.history, "Contact events")
 
 
-PICTURES = (stress_below_yield, stress_above_yield, plastic_strain, tool_histories, contact_traction, surface_profile,
+PICTURES = (scene, stress_below_yield, stress_above_yield, plastic_strain, tool_histories, contact_traction, surface_profile,
             events)
 
 
 if __name__ == "__main__":
-    sys.exit(draw(sys.argv[1:], read_run, PICTURES))
+    sys.exit(draw(sys.argv[1:], read_run, PICTURES, read_movie=lambda folder: Run(folder, "m")))

@@ -49,6 +49,7 @@ class Files(unittest.TestCase):
                 self.assertEqual(data.GetPoints().GetDataType(), vtk.VTK_DOUBLE)
                 for k in range(data.GetPointData().GetNumberOfArrays()):
                     self.assertTrue(np.isfinite(vtk_to_numpy(data.GetPointData().GetArray(k))).all())
+        self.assertEqual(read(FOLDER / "run/supports.vtp").GetNumberOfVerts(), 33)
         self.assertEqual(complaints, [])
 
     def test_same_numbers_as_our_reader(self):
