@@ -182,6 +182,7 @@ function build() {
   for (const name of new Set(data.variants.flatMap(v => Object.keys(v.pictures)))) element(byId("picture"), "option", {value: name}, name);
   const stress = [...byId("picture").options].find(o => /^stress(?!-error)/.test(o.value));
   if (stress) byId("picture").value = stress.value;
+  if (!byId("picture").options.length) element(byId("picture"), "option", {value: ""}, "none drawn; make explore draws them");
   const changing = name => new Set(data.variants.map(v => (v.results.find(r => r[0] === name) ?? [])[1])).size > 1;
   for (const name of new Set(data.variants.flatMap(v => v.results.map(r => r[0])))) if (changing(name)) element(byId("quantity"), "option", {value: name}, name);
   byId("picture").onchange = showPicture;
