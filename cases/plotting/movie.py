@@ -22,7 +22,7 @@ from plotting.movie_page import page
 from plotting.vtp import read_vtp
 
 MOST = 60                              # frames
-PIXELS = 100                           # an inch
+PIXELS = 118                           # an inch
 COLORS = 96                            # of a frame
 SECONDS, LAST_SECONDS = 0.2, 1.5       # a frame of the GIF
 SMALL = 0.1                            # contact over the workpiece, below which the map shows what is near it
@@ -124,11 +124,11 @@ class Screen:
         flat = (self.box[1] - self.box[0]) > 1.7 * (self.box[3] - self.box[2])
         number = max(1, len(panels))
         if flat:
-            self.figure = plt.figure(figsize=(10, 7.2), dpi=PIXELS)
+            self.figure = plt.figure(figsize=(8.5, 6.2), dpi=PIXELS)
             grid = self.figure.add_gridspec(2, number, height_ratios=(1.6, 1))
             return (self.figure.add_subplot(grid[0, :]),
                     [self.figure.add_subplot(grid[1, k]) for k in range(len(panels))])
-        self.figure = plt.figure(figsize=(11, 6.4), dpi=PIXELS)
+        self.figure = plt.figure(figsize=(9.4, 5.5), dpi=PIXELS)
         grid = self.figure.add_gridspec(number, 2, width_ratios=(1.7, 1))
         return (self.figure.add_subplot(grid[:, 0]),
                 [self.figure.add_subplot(grid[k, 1]) for k in range(len(panels))])
