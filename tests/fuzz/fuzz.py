@@ -45,6 +45,8 @@ def mutated(text, chance):
     lines = text.split("\n")
     for _ in range(chance.randint(1, 3)):
         k = chance.randrange(len(lines))
+        if lines[k].startswith("Vh ["):     # FreeFEM itself crashes where the values are fewer than the components
+            continue
         kind = chance.random()
         if kind < 0.45:
             found = [m for m in re.finditer(r"(?<![\w.])\d+(\.\d*)?(e[-+]?\d+)?", lines[k])]

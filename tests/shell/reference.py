@@ -20,6 +20,7 @@ import sources  # noqa: E402
 import topics  # noqa: E402
 
 TABLES = ("history.csv", "events.csv", "surface.csv", "tools.csv")
+FIELDS = {"fields.vtu": "final.vtu", "surface.vtp": "surface-0.vtp", "tools.vtp": "tools-0.vtp", "supports.vtp": "supports.vtp"}
 
 
 def read(path):
@@ -163,13 +164,16 @@ class Checker:
                     self.fail(f"{name} has no column {column}")
 
     def check_fields(self, folders):
-        writer = read(TOP / "edp/rcOutput.idp")
-        for folder in folders:
-            found = re.findall(rb'DataArray[^>]*Name="(\w+)"', (folder / "final.vtu").read_bytes())
-            names = {one.decode() for one in found} - {"connectivity", "offsets", "types", "Points"}
-            for name in self.compare("fields.vtu", sorted(names)):
-                if not re.search(rf"\b{name}\b", writer):
-                    self.fail(f"fields.vtu: no field {name} is written")
+        """Fields that the runs wrote for ParaView; one that no run had is one of the writer at least."""
+        writer = read(TOP / "cxx/output/workpiece_file.cpp") + read(TOP / "cxx/output/contact_files.cpp")
+        for kind, file in FIELDS.items():
+            names = set()
+            for folder in folders:
+                found = re.findall(rb'DataArray[^>]*Name="(\w+)"', (folder / file).read_bytes())
+                names |= {one.decode() for one in found} - {"connectivity", "offsets", "types", "Points"}
+            for name in self.compare(kind, sorted(names)):
+                if f'"{name}"' not in writer:
+                    self.fail(f"{kind}: no field {name} is written")
 
     def check_summary(self, folders):
         keys = {key for folder in folders for key in flat(json.loads(read(folder / "summary.json")))}

@@ -30,7 +30,8 @@ EDITORS = """## For editors
 | `keywords.txt` | any other: all names, a line each | |
 """
 TITLES = {"statuses": "Exit statuses"}
-FILE_TITLES = {"event": "Kinds of events", "fields.vtu": "fields-1.vtu, ..., final.vtu"}
+FILE_TITLES = {"event": "Kinds of events", "fields.vtu": "fields-0.vtu, ..., final.vtu",
+               "surface.vtp": "surface-0.vtp, ...", "tools.vtp": "tools-0.vtp, ..."}
 NAMES = ["Name", "Type", "Meaning", "Unit", "Default", "Range"]
 
 

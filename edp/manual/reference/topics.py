@@ -12,7 +12,7 @@ PAGES = [("plugins/contact", "contact"), ("plugins/tool", "tool"), ("plugins/mat
          ("plugins/step_", "stepcontrol"), ("plugins/scene_report", "stepcontrol")]
 FIRST = ["plugins/contact_type.cpp", "plugins/tool_type.cpp", "plugins/material_type.cpp", "plugins/step_control.cpp",
          "edp/rcRun.idp", "edp/rcRunState.idp", "edp/rcCase.idp", "plugins/options.cpp", "edp/rcOutput.idp"]  # then by name
-FILES = ("history.csv", "events.csv", "surface.csv", "tools.csv", "fields.vtu", "summary.json", "event")
+FILES = ("history.csv", "events.csv", "surface.csv", "tools.csv", "fields.vtu", "surface.vtp", "tools.vtp", "supports.vtp", "summary.json", "event")
 
 
 @dataclass
