@@ -199,6 +199,7 @@ $(BUILD)/start_sanitizer.so: tests/support/start_sanitizer.cpp
 	@$(CXX) -shared -fPIC -Wl,-z,initfirst $< -o $@
 
 fuzz: build ## mutated formulas, CAD files, matrices, scripts, a quarter of an hour: FUZZ_SECONDS=480 SEED=1
+	@$(PACKAGES) fuzz
 	$(COMPILE) $(call program,long)
 	@$(call program,long) --gtest_brief=1 --gtest_filter='*uzz*'
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/fuzz/fuzz.py $(or $(FUZZ_SECONDS),480) $(SEED)

@@ -3,7 +3,8 @@
 fuzz.py SECONDS [SEED]: mutants of README.md's script, of cases and of error tests, run by $BURNISH in a folder of their own.
 An exit status is right if it is one of Burnish's (0, 3, 4, 5, 20, 130) or of FreeFEM's own refusals (1 to 8). A signal, an
 exit status of a crash and a run that does not end are findings: the mutant is kept in the folder that is printed, with its
-command. Exit status 1 if there is one.
+command. Exit status 1 if there is one. A crash or a hang whose stack, by gdb, has no frame of Burnish is FreeFEM's own: it is
+counted and printed, too, and is no finding.
 """
 import os
 import random
@@ -77,18 +78,40 @@ def limits():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
+def stack(words):
+    """Frames of the stack, innermost first, by gdb with these words; empty where gdb is missing or nothing crashed."""
+    if not shutil.which("gdb"):
+        return []
+    done = subprocess.run(["gdb", "-batch", *words], cwd=TOP, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True, errors="replace", preexec_fn=limits, timeout=4 * LONGEST)
+    return [line for line in done.stdout.splitlines() if line.startswith("#")]
+
+
+def of_freefem(frames):
+    """A stack within FreeFEM's interpreter that holds nothing of Burnish."""
+    return any("lgparse" in line for line in frames) and not any("burnish" in line for line in frames)
+
+
 def run(command, log):
-    """Exit status as a shell has it; 124 for a run that did not end."""
+    """Exit status as a shell has it, 124 for a run that did not end; the frames of a stack that hangs."""
     with open(log, "w") as out:
         process = subprocess.Popen(command, cwd=TOP, stdin=subprocess.DEVNULL, stdout=out, stderr=out, preexec_fn=limits,
                                    start_new_session=True)
         try:
             status = process.wait(LONGEST)
         except subprocess.TimeoutExpired:
+            frames = stack(["-p", str(process.pid), "-ex", "bt"])
             os.killpg(process.pid, 9)
             process.wait()
-            return 124
-    return 128 - status if status < 0 else status
+            return 124, frames
+    return (128 - status if status < 0 else status), []
+
+
+def accused(command, status, frames):
+    """Whether a wrong exit status is a finding."""
+    if status > 128:
+        frames = stack(["-ex", "run", "-ex", "bt", "--args", "/bin/sh", *command])
+    return not of_freefem(frames)
 
 
 def main():
@@ -96,7 +119,7 @@ def main():
     chance, all_sources = random.Random(seed), list(sources())
     folder = Path(tempfile.mkdtemp(prefix="burnish-fuzz-"))
     print(f"seed {seed}, findings in {folder}")
-    end, number, findings, seen = time.time() + seconds, 0, 0, {}
+    end, number, findings, others, seen = time.time() + seconds, 0, 0, 0, {}
     while time.time() < end:
         name, text, options = chance.choice(all_sources)
         script, log = folder / f"{name}-{number}.edp", folder / f"{name}-{number}.log"
@@ -104,18 +127,19 @@ def main():
         command = [os.environ.get("BURNISH", str(TOP / "build/burnish")), str(script), *options]
         if options:
             command += ["-out", str(folder / "out")]
-        status = run(command, log)
+        status, frames = run(command, log)
         number += 1
         seen[status] = seen.get(status, 0) + 1
         if status in RIGHT:
             script.unlink()
             log.unlink()
             continue
-        findings += 1
-        print(f"exit status {status}: {' '.join(command)}", flush=True)
+        mine = accused(command, status, frames)
+        findings, others = findings + mine, others + (not mine)
+        print(f"exit status {status}{'' if mine else ', by FreeFEM alone'}: {' '.join(command)}", flush=True)
         print("".join("    " + line for line in log.read_text(errors="replace").splitlines(True)[-3:]))
-    print(f"{number} mutants, exit statuses {dict(sorted(seen.items()))}, {findings} findings")
-    if findings == 0:
+    print(f"{number} mutants, exit statuses {dict(sorted(seen.items()))}, {findings} findings, {others} of FreeFEM alone")
+    if findings + others == 0:
         shutil.rmtree(folder)
     return findings > 0
 
