@@ -127,8 +127,9 @@ case-%: build ## run cases/NAME/NAME.edp, options in OPTIONS="..."
 	$(if $(wildcard cases/$*/$*.edp),,$(error no case $*; there are: $(CASES)))
 	@$(WRAPPER) cases/$*/$*.edp $(OPTIONS)
 
-figures: packages ## draw the pictures of out/CASE again, CASE=rolling unless given
-	$(PYTHON) cases/$(CASE)/plot.py out/$(CASE)
+figures: packages ## draw the pictures of out/CASE again, CASE=rolling unless given; CASE=all: runs of cases/figures.csv, pictures in the tree
+	$(if $(filter all,$(CASE)),@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) cases/figures.py $(OPTIONS),\
+	  $(PYTHON) cases/$(CASE)/plot.py out/$(CASE))
 
 tables: build ## measure the tables in the READMEs of cases/rolling and cases/planetary again, OPTIONS="--keep rolling"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) cases/tables.py $(OPTIONS)
