@@ -15,7 +15,7 @@ def rubber(axes, history):
     axes.axvline(0.5, color=GRAY, linestyle=":")
     axes.set(xlabel="t [-]: pressed until 0.5, then drawn along", ylabel="work, energy [N], force [N/mm]",
              title="Rubber by forms of the script")
-    axes.legend(loc="center right")
+    axes.legend(loc="lower right")
 
 
 def hardening(axes, folder):
