@@ -11,6 +11,7 @@ PACKAGES ?= .ci/packages
 OPTIMIZE ?= -O2
 TEST_OPTIMIZE ?= -O1
 JOBS     ?= $(shell nproc)
+PREFIX   ?= /usr/local
 OPTIONS  ?=
 CASE     ?= rolling
 # an empty environment will do: bash finds the programs, and hands the path on
@@ -38,7 +39,7 @@ PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
 # --- sources and products ----------------------------------------------------------------------------------
 sources   = $(sort $(shell find $(wildcard $(1)) -name '*.cpp' 2>/dev/null </dev/null))
 objects   = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
-SUITES   := unit plugin verification regression long labs
+SUITES   := unit plugin verification regression long labs viewers
 PROGRAMS := unit verification long benchmark
 CORE     := $(BUILD)/libburnish.a
 PLUGIN   := $(BUILD)/plugins/burnish.so
@@ -78,8 +79,14 @@ define WRAPPER_TEXT
 usage() {
   echo "usage: burnish SCRIPT.edp [OPTIONS]      runs a FreeFEM script with Burnish"
   echo "       burnish SCRIPT.edp -h             lists the script's options with default, unit and meaning"
+  echo "       burnish help [NAME]               the reference: contact.add, rcRun, tolerance=, summary, exit, ..."
+  echo "       burnish new NAME                  makes a folder NAME with a scene that runs, to be changed"
   echo "FreeFEM's own options, such as -v 1 (its messages) and -wg (its windows), go before the script."
 }
+case $$1 in
+  help) shift; exec "$${PYTHON:-$(PYTHON)}" -B "$(CURDIR)/edp/manual/reference/help.py" "$$@" ;;
+  new) shift; exec "$${PYTHON:-$(PYTHON)}" -B "$(CURDIR)/edp/template/new.py" "$$@" ;;
+esac
 script=
 for word in "$$@"; do
   case $$word in *.edp) script=$$word; break ;; esac
@@ -103,7 +110,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep stability chart references chart-quick test $(SUITES:%=test-%) bench packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep explore stability chart references chart-quick test $(SUITES:%=test-%) bench install uninstall docs packages format format-check clean help FORCE
 .PHONY: compile programs sanitize sanitized fuzz
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -131,6 +138,10 @@ sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3", or
 	  SEED='$(SEED)' TARGET='$(TARGET)' BY='$(BY)' TOLERANCE='$(TOLERANCE)' \
 	  BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
 
+explore: build ## a sweep as one page, out/sweep/CASE/explore.html: sliders for the varied options; pictures and curves follow
+	@EXPLORE=1 CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' SAMPLES='$(SAMPLES)' \
+	  SEED='$(SEED)' BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
+
 stability: build ## the map of what can go wrong, out/stability/map.png; OPTIONS="--only snap --references --store": tests/stability/run.py
 	@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) tests/stability/run.py $(OPTIONS)
 
@@ -154,9 +165,15 @@ test-verification: ## problems with known answers, tests/verification
 test-regression: ## coarse cases against stored numbers, tests/regression
 test-long: ## slow tests, tests/long
 test-labs: ## scripts, answers and plots of the labs in cases/labs (their CPU time: half an hour)
+test-viewers: ## files and pages in the programs that show them, VTK and Chromium, tests/viewers (installs both)
 $(SUITES:%=test-%): test-%: packages
 	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
 	@$(TEST) $(call suite,$*)
+
+test-viewers: viewers
+.PHONY: viewers
+viewers:
+	@$(PACKAGES) viewers
 
 # FreeFEM itself is not instrumented: the run-time libraries come before it. What it leaks, how it pairs new with free and
 # what it defines twice is not ours.
@@ -190,6 +207,34 @@ bench: ## time the core's kernels (Google Benchmark, tests/benchmark); nothing p
 	@$(PACKAGES) bench
 	$(COMPILE) $(or $(call program,benchmark),$(error no programs in tests/benchmark))
 	@$(call program,benchmark) $(OPTIONS)
+
+# What a script needs at run time: plugin, script library, pictures and sweeps, the wrapper with the paths of that place.
+SHARE = $(DESTDIR)$(PREFIX)/share/burnish
+install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines for plain FreeFem++ are printed
+	@install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/burnish $(SHARE)/cases
+	@install -m 644 $(PLUGIN) $(GMSH) $(DESTDIR)$(PREFIX)/lib/burnish
+	@rm -rf $(SHARE)/edp $(SHARE)/plugins $(SHARE)/cases && install -d $(SHARE)/cases
+	@cp -r edp $(SHARE)/edp && cp -r cases/plotting cases/sweep $(SHARE)/cases && find $(SHARE) -name __pycache__ -exec rm -rf {} +
+	@cp --parents plugins/*.cpp cases/*/*.edp cases/*/*.idp $(SHARE)  # their heads and options: burnish help
+	@sed -e 's#$(abspath $(BUILD))/plugins#@@/lib/burnish#g' -e 's#$(abspath $(WRAPPER))#@@/bin/burnish#g' \
+	  -e 's#$(CURDIR)#@@/share/burnish#g' -e 's#@@#$(PREFIX)#g' $(WRAPPER) >$(DESTDIR)$(PREFIX)/bin/burnish
+	@chmod 755 $(DESTDIR)$(PREFIX)/bin/burnish
+	@printf '%s\n' 'loadpath += "$(PREFIX)/lib/burnish"' 'loadpath += "$(FREEFEM_LOAD)"' 'includepath += "$(PREFIX)/share/burnish/edp"' \
+	  'includepath += "$(FREEFEM_IDP)"' >$(SHARE)/freefem++.pref
+	@echo "installed: $(PREFIX)/bin/burnish SCRIPT.edp. For plain FreeFem++ add to ~/.freefem++.pref the lines of $(PREFIX)/share/burnish/freefem++.pref:"
+	@cat $(SHARE)/freefem++.pref
+
+uninstall: ## remove what make install has put there
+	rm -rf $(DESTDIR)$(PREFIX)/bin/burnish $(DESTDIR)$(PREFIX)/lib/burnish $(SHARE)
+
+docs: ## the manual as a site, out/docs/index.html: works offline, without JavaScript
+	@$(PACKAGES) docs
+	@rm -rf out/docs && mkdir -p out/docs
+	@$(PYTHON) edp/manual/reference/generate.py out/reference
+	@$(PYTHON) -m sphinx -q -W --keep-going -b html -c edp/manual -d $(BUILD)/doctrees . out/docs
+	@cp edp/manual/redirect.html out/docs/index.html
+	@$(PYTHON) edp/manual/links.py out/docs
+	@echo "out/docs/index.html"
 
 packages: ## look for the Debian packages needed and install what is missing
 	@$(PACKAGES)

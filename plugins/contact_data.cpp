@@ -1,15 +1,41 @@
-// What a script reads of a contact, all of the accepted state.
-//   Arrays over the candidates, in order along the surface:
-//     C.nodes, C.x, C.y, C.xref, C.yref      mesh nodes, present and reference places [length]
-//     C.state                                0 free 1 touched 2 sliding 3 sticking 4 leaving 5 receding
-//     C.s, C.gap                             parameter on the tool; gap, positive = open [length]
-//     C.normalforce, C.tangentialforce       nodal forces of the tool on the body [force]
-//     C.pressure, C.traction                 the same over tributary lengths [stress]
-//     C.pressurefit, C.tractionfit           linear on every edge, of forces shared to the corners of P2 [stress]
-//   Numbers: C.width, C.stickshare (part of it that sticks), C.speed, C.spacing, C.residual, C.loadscale; C.count("sliding"); C.leftout (text)
-//     C.statistic("factorizations"), C.seconds("solve") (CPU)
-//   Event log as a table, i = 0 .. C.eventnumber-1: C.eventtime(i), C.eventkind(i), C.eventnode(i), C.eventtool(i),
-//     C.eventx(i), C.eventy(i)
+// What a script reads of a contact, all of the accepted state. Arrays run over the candidates, the nodes of the surface that
+// are not fixed, in order along it; nodal forces in the plane are per unit of thickness, axisymmetric of the whole ring.
+//   C.nodes     numbers of the mesh nodes | -
+//   C.x, C.y    present places | length
+//   C.xref, C.yref   places at the start | length
+//   C.state     0 free, 1 touched, 2 sliding, 3 sticking, 4 leaving, 5 receding | -
+//   C.s         parameter on the tool: arc length, on a circle the angle | length, rad
+//   C.gap       gap, positive = open | length
+//   C.normalforce, C.tangentialforce   nodal forces of the tool on the body, pressing positive, along the tool's tangent | force
+//   C.pressure, C.traction   the same over tributary lengths | stress
+//   C.pressurefit, C.tractionfit   linear on every edge, of forces shared to the corners of P2 | stress
+//   C.width     contact width, of several tools the largest | length
+//   C.stickshare   part of the surface in contact that sticks | -
+//   C.speed     speed of the contact along the body in the last step | length/time
+//   C.spacing   median distance of neighboring candidates | length
+//   C.residual   largest force out of balance, nodes and coordinates under force, last iteration | force
+//   C.loadscale   load that the tolerance refers to: largest contact resultant of the run so far | force
+//   C.count(state)   number of nodes in a state | -
+//     state     "free", "touched", "sliding", "sticking", "leaving", "receding", or "contact": touched, sliding or sticking
+//     ! , expected free, touched, sliding, sticking, leaving, receding or contact
+//   C.leftout   what the run took no account of, as a text
+//   C.statistic(name)   counts of the run | -
+//     name      "iterations", "factorizations", "solves", "analyses", "backtracks", "condensations"
+//     ! , expected iterations, factorizations, solves, analyses, backtracks or condensations
+//   C.seconds(phase)   CPU time | s
+//     phase     "condensation", "factorization", "solve", "events", "checks"
+//     ! , expected condensation, factorization, solve, events or checks
+//   C.eventnumber   length of the event log, a table i = 0 .. C.eventnumber-1 | -
+//   C.eventtime(i)   instant | time
+//     i         line of the log | - | | 0 to eventnumber-1
+//   C.eventkind(i)   kind, see events.csv; of a user-defined one its name
+//     i         line of the log | - | | 0 to eventnumber-1
+//   C.eventnode(i)   node, of an event at a point the quadrature point | -
+//     i         line of the log | - | | 0 to eventnumber-1
+//   C.eventtool(i)   name of the tool, "" at a point
+//     i         line of the log | - | | 0 to eventnumber-1
+//   C.eventx(i), C.eventy(i)   place | length
+//     i         line of the log | - | | 0 to eventnumber-1
 #include "base/error.hpp"
 #include "contact/surface_report.hpp"
 #include "contact/tool_report.hpp"

@@ -1,11 +1,21 @@
 // What a run found of itself: warnings and violated self-checks (ALGORITHMS.md 16), the worst of each check and subject.
-//   C.trusted            no self-check is violated     C.worstfinding   "check: text" of the most severe finding, or ""
-//   As a table, i = 0 .. C.findings-1:
-//     C.findingcheck(i), C.findingseverity(i)      texts; "note", "warning", "untrusted", "stop"
-//     C.findingvalue(i), C.findingbound(i)         the number that it rests on, and what is allowed; both 0: none
-//     C.findingx(i), C.findingy(i)                 place, nan without one [length]
-//     C.findingtime(i), C.findingfirst(i)          of the worst one, of the first one, nan before the run [time]
-//     C.findingcount(i), C.findingtext(i)          accepted steps in which it was found; a sentence
+//   C.trusted   no self-check is violated
+//   C.worstfinding   "check: text" of the most severe finding, or ""
+//   C.findings   number of findings, a table i = 0 .. C.findings-1 | -
+//   C.findingcheck(i)   name of the check
+//     i         line of the table | - | | 0 to findings-1
+//   C.findingseverity(i)   "note", "warning", "untrusted", "stop"
+//     i         line of the table | - | | 0 to findings-1
+//   C.findingvalue(i), C.findingbound(i)   the number that it rests on, and what is allowed; both 0: none | its own
+//     i         line of the table | - | | 0 to findings-1
+//   C.findingx(i), C.findingy(i)   place, nan without one | length
+//     i         line of the table | - | | 0 to findings-1
+//   C.findingtime(i), C.findingfirst(i)   instant of the worst one, of the first one; nan before the run | time
+//     i         line of the table | - | | 0 to findings-1
+//   C.findingcount(i)   accepted steps in which it was found | -
+//     i         line of the table | - | | 0 to findings-1
+//   C.findingtext(i)   a sentence
+//     i         line of the table | - | | 0 to findings-1
 #include "base/error.hpp"
 #include "named.hpp"
 #include "types.hpp"

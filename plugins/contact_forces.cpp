@@ -1,10 +1,23 @@
 // Resultants of what acts on the workpiece, accepted state: [Fx, Fy, Mz], force and moment about the point (x0, y0),
-// counter-clockwise [force, force length]; axisymmetric: of the whole ring, [0, Fy, 0]. METHOD.md 3.14
-//   C.reaction(x0, y0)                of the supports, all nodes of fixed=; label= or labels=: those there
-//   C.contactforce(i, x0, y0)         of tool i
-//   C.externalforce(M, x0, y0)        of the forces of the script, rcExternal
-//   C.holdforce(x0, y0)               of the soft hold (contact_supports.cpp)
-//   C.imbalance(M)                    largest component of the sum: forces over the load, moment over load and size
+// counter-clockwise [force, force*length]; axisymmetric: of the whole ring, [0, Fy, 0]. METHOD.md 3.14
+//   C.reaction(x0, y0)   of the supports, all nodes of fixed= | force, force*length
+//     x0        point of the moment | length
+//     y0        point of the moment | length
+//     label=    only those on this boundary | - | all supports | a label of the mesh
+//     labels=   on these | - | all supports | labels of the mesh
+//   C.contactforce(i, x0, y0)   of a tool | force, force*length
+//     i         tool, in the order of C.add | - | | 0 to toolnumber-1
+//     x0        point of the moment | length
+//     y0        point of the moment | length
+//   C.externalforce(M, x0, y0)   of the forces of the script, rcExternal | force, force*length
+//     M         the material
+//     x0        point of the moment | length
+//     y0        point of the moment | length
+//   C.holdforce(x0, y0)   of the soft hold, C.hold | force, force*length
+//     x0        point of the moment | length
+//     y0        point of the moment | length
+//   C.imbalance(M)   largest component of their sum: forces over the load, moment over load and size | -
+//     M         the material
 #include "base/error.hpp"
 #include "named.hpp"
 #include "stepping/force_balance.hpp"

@@ -1,16 +1,33 @@
-// The condensed matrix for any FreeFEM solver:
-//   matrix Kh = C.condense(K, u[], R, solver="UMFPACK");
-//     named: terms="complete" | "article" | "none", rates=false, symmetric=false, solver="BURNISH"
-//   real[int] z = Kh^-1 * C.rhs;
-//   real largest = C.expand(z, u[]);
-//   C.given                      per degree of freedom: 1 where the displacement is given
-//   C.again                      contact states have changed, nothing has moved: condense and solve anew with the same K, R
-//                                (or go on: C.check then asks for another iteration)
-//   C.condensed("size" | "nonzeros" | "asymmetry")   of the last one; asymmetry: largest |k_ij - k_ji| over the largest entry
-//   C.elasticblend, C.blendexhausted    part of elastic moduli that the next tangent should have in plastic points, after
-//                                       losses of definiteness and further factors of a step; no more of that helps
-// Pure rates, after C.begin(u[], t, dt, rates=true): condense with rates=true, expand, and
-//   C.cut(u[], f);            the step shortened to the fraction f (everything is linear in it)
+// The condensed matrix for any FreeFEM solver.
+//   > matrix Kh = C.condense(K, u[], R, solver="UMFPACK");
+//   > real[int] z = Kh^-1 * C.rhs;
+//   > C.expand(z, u[]);
+//   C.condense(K, u, R)   matrix of the nodal and tool increments; its right-hand side is C.rhs
+//     K         tangent, from varf or M.tangent() | force/length | | symmetric with symmetric=true
+//     u         displacement | length
+//     R         nodal forces, internal - external | force
+//     terms=    geometric terms | | "complete" | "complete", "article", "none"
+//     rates=    true: right-hand side of pure rates, after C.begin(..., rates=true) | | false
+//     symmetric=   true: one triangle, for CHOLMOD and its like; without friction | | false
+//     solver=   solver of FreeFEM attached to the matrix, or "BURNISH" | | "BURNISH" | a solver that is loaded
+//     ! needs symmetric=true
+//     ! the force array contains NaN or Inf
+//   C.rhs       right-hand side of the last condensed matrix
+//   C.expand(z, u)   nodal and tool increments from the solution; returns the largest nodal one | length
+//     z         solution
+//     u         in, out | length
+//   C.given     per degree of freedom: 1 where the displacement is given | -
+//   C.again     contact states have changed, nothing has moved: condense and solve anew with the same K, R
+//       (or go on: C.check then asks for another iteration)
+//   C.condensed(name)   of the last condensed matrix | -
+//     name      "size", "nonzeros", "asymmetry": largest |k_ij - k_ji| over the largest entry
+//     ! no matrix has been condensed yet
+//   C.elasticblend   part of elastic moduli that the next tangent should have in plastic points, after losses of definiteness | -
+//   C.blendexhausted   true: no more of that helps
+//   C.cut(u, fraction)   a step of pure rates is shortened: everything is linear in it
+//     u         in, out | length
+//     fraction   part that is kept | - | | 0 < fraction <= 1
+//     ! only a step of pure rates is linear: begin it with rates=true
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"

@@ -1,15 +1,38 @@
-// The verbs of a step.
-//   C.begin(u[], t, dt);                 u: in accepted, out predicted; the prescriptions have the values at t + dt
-//     events=true                        contact states stay fixed (event stepping)
-//     rates=true                         pure rates from the accepted state, see contact_matrix.cpp
-//   int st = C.check(u[], R);            rcConverged, rcIterate, rcRefactorize, rcBacktracked, rcFailed (C.reason tells why)
-//   bool ok = C.factorize(M, u[]);       the material's own tangent; or C.factorize(K, u[]) with any symmetric matrix
-//   int st = C.correct(u[], R);          one iteration: moves u, slips, coordinates and contact states
-//   real f = C.events(u[], R);           earliest fraction of the step, 2 if it has no event; tolerance=1e-3, until=1
-//   int n = C.acceptevents();            changes states at the accepted state without moving
-//   int n = C.logevents(M);              appends the element events that M.events found in this step
-//   C.accept(u[], R);  C.revert();       the only two ways between the states; accept takes the u of the last check, which
-//                                        must have returned rcConverged
+// The verbs of a step, for a user-defined loop; rcRun calls them through S.next.
+//   rcConverged, rcIterate, rcRefactorize, rcBacktracked, rcFailed   results of C.check and C.correct: take the step; another
+//       iteration; a new tangent first; gone back half way, check again; shorten the step, C.reason tells why
+//   C.begin(u, t, dt)   a step begins; the prescriptions have their values at t + dt
+//     u         in: accepted, out: predicted displacement | length
+//     t         start of the step | time | | finite
+//     dt        its length | time | | > 0
+//     events=   true: contact states stay fixed (event stepping) | | false
+//     rates=    true: pure rates from the accepted state, see C.condense | | false
+//     ! pure rates know no motion of supports; take the scheme implicit or event
+//   C.check(u, R)   tests balance, gaps and states; returns a status such as rcConverged
+//     u         displacement, may be moved | length
+//     R         nodal forces, internal - external | force
+//     ! no step is under way, call begin first
+//   C.factorize(M, u)   factorizes the tangent for the next iterations; false: it cannot be done
+//     M         a material, its own tangent; or any symmetric matrix
+//     u         displacement | length
+//   C.correct(u, R)   one iteration: moves u, slips, coordinates and contact states; returns a status
+//     u         in, out | length
+//     R         nodal forces at u | force
+//     ! this step has not been checked, call check first
+//   C.events(u, R)   earliest event of contact as a fraction of the step, 2: none | -
+//     u         displacement at the end | length
+//     R         nodal forces there | force
+//     tolerance=   events this close to the earliest one are taken with it, fraction of the step | - | 1e-3
+//     until=    looks no further than this fraction | - | 1
+//   C.acceptevents()   changes states at the accepted state without moving; returns how many | -
+//   C.logevents(M)   appends the element events that M.events found in this step; returns how many | -
+//     M         the material
+//   C.accept(u, R)   the end of the step becomes the accepted state
+//     u         that of the last check, which must have returned rcConverged | length
+//     R         nodal forces there | force
+//     ! the step has not converged: the last check did not return rcConverged
+//   C.revert()   back to the accepted state
+//   C.reason    why the last step failed
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"

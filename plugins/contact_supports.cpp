@@ -1,10 +1,15 @@
 // What carries the workpiece beside tools, from the next step on.
-//   C.supportdisplacement(g)          displacement of the supports at the end of the step to come, until another is
-//                                     given [length]; real[int] as long as u, 0 at free components (METHOD.md 3.15)
-//   C.hold(stiffness, until)          springs from all nodes to where they are when the next step begins: stiffness per
-//                                     reference volume [stress/length^2];
-//                                     it falls linearly to 0 at t = until (METHOD.md 3.16)
-//   C.addhold(u[], R)                 its force into R after rcResidual, in a user-defined loop; rcRun does it by itself
+//   C.supportdisplacement(g)   displacement of the supports at the end of the step to come, until another is given
+//       (METHOD.md 3.15)
+//     g         as long as u, 0 at free components | length | 0 | finite
+//   C.hold(stiffness, until)   springs from all nodes to where they are when the next step begins; they fall linearly to 0
+//       (METHOD.md 3.16)
+//     stiffness   per reference volume | stress/length^2 | | finite > 0
+//     until     when they are gone | time | | later than the start of the step
+//   C.addhold(u, R)   its force into R after rcResidual, in a user-defined loop; rcRun does it by itself
+//     u         displacement | length
+//     R         in, out | force
+//     ! no step is under way, call begin first
 #include "named.hpp"
 #include "types.hpp"
 

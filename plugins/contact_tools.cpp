@@ -1,15 +1,25 @@
 // What a script reads of the tools of a contact, i = 0 .. C.toolnumber-1 in the order of C.add, accepted state.
-//   C.toolnumber, C.toolname(i)
-//   C.coordinates                 "x,y,angle"; with several tools "upper.x,upper.y,...,lower.x,..."
-//   C.q, C.Q                      arrays over them: coordinates; generalized forces on them
-//   C.countof("contact", i)       nodes of tool i in a state, see C.count
-//   C.toolforcex(i), C.toolforcey(i)   resultant of the contact forces on tool i [force]
-//   C.outlinex(i, n), C.outliney(i, n)   outline of tool i, n points and its joints [length]
-//   C.nodetool                    array over the candidates: tool in contact, or the last one; -1 none
+//   C.toolnumber   how many | -
+//   C.toolname(i)   name of tool i
+//     i         tool | - | | 0 to toolnumber-1
+//   C.coordinates   names "x,y,angle"; with several tools "upper.x,upper.y,...,lower.x,..."
+//   C.q         coordinates in that order | length, rad
+//   C.Q         generalized forces on them | force, force*length
+//   C.countof(state, i)   number of nodes of tool i in a state | -
+//     state     as in C.count
+//     i         tool | - | | 0 to toolnumber-1
+//   C.toolforcex(i), C.toolforcey(i)   resultant of the contact forces on tool i | force
+//     i         tool | - | | 0 to toolnumber-1
+//   C.outlinex(i, n), C.outliney(i, n)   outline of tool i: n points and its joints; n = 0: as many as a picture of the
+//       workpiece needs, more where it bends and is seen | length
+//     i         tool | - | | 0 to toolnumber-1
+//     n         number of points | - | | 0, 2 to 1000000
+//   C.nodetool   over the candidates: tool in contact, or the last one; -1 none | -
 #include "base/error.hpp"
 #include "contact/tool_report.hpp"
 #include "kinematics/outline.hpp"
 #include "named.hpp"
+#include "output/contact_files.hpp"
 #include "types.hpp"
 
 namespace burnish {
@@ -85,11 +95,17 @@ template <int axis> struct OutlineTag {};
 template <int axis>
 KN_<double> outline_of(Stack stack, const Method<H, OutlineTag<axis>>& m, const long& i, const long& n) {
   return guarded([&] {
-    const ContactSetup<2>& s = *m->get().setup;
-    DrivenTool<2>& tool = *s.tools()[tool_index(s, i, "contact.outline")];
+    ContactObject& contact = m->get();
+    const int tool = tool_index(*contact.setup, i, "contact.outline");
+    DrivenTool<2>& driven = *contact.setup->tools()[tool];
+    const Eigen::VectorXd none;
+    const auto points = called("contact.outline", [&] {
+      return n == 0
+                 ? tool_outline(*contact.setup, contact.started() ? contact.run().accepted().u : none, tool)
+                 : outline(driven.tool(), driven.q(), n);
+    });
     std::vector<double> values;
-    for (const auto& x : called("contact.outline", [&] { return outline(tool.tool(), tool.q(), n); }))
-      values.push_back(x[axis]);
+    for (const auto& x : points) values.push_back(x[axis]);
     return new_array(stack, values);
   });
 }

@@ -1,22 +1,55 @@
 // Script type `contact`: the surface of a workpiece that tools may touch.
-//   contact C = rcContact(Vh, label=3, fixed=bc, friction=0.2);
-//     label= or labels=   boundary labels of the surface
-//     fixed=              real[int], nonzero where the displacement is given
-//     friction=           Coulomb coefficient for all tools added without their own
-//     tolerance=          residual over the load, 1e-4; above 1e-2 only with loose=true
-//     gaptolerance=       gap and slip over the spacing of the nodes, 1e-6
-//     maxiterations=, memory= (Anderson), terms="complete" | "article" | "none"
-//     tied=true           P2: stick and slip at corners, by forces shared with the mid nodes, instead of node by node
-//     axisymmetric=true   x is the radius (as in rcMaterial)
-//     surfaceplaces=      where the mid nodes of P2 edges lie on the true curve: Vh [X, Y] = [...]; X[]. Without it they lie on
-//                         the curve through the vertices, arc by arc; straight=true: on the edges of the mesh
-//   C.add(roller);  C.add(roller, label=3);  labels=: the part it may touch
-//     friction=0.3 | friction=0.3, shearlimit=1e8 | tresca=5e7 | sticking=true | frictionlaw="0.3*p/(1+p/k)":
-//     another law than the contact's; all: the core's contact/friction_laws.hpp
-//   C.parameter("k", 1e8);                         a number by name for the formulas of later calls of add
-//   C.warnings                                     text, one line each: tools that reach for one node, ...
-//   C.couple("lower.y", "-upper.y");               a coordinate follows others by a formula of "tool.coordinate"
-//   real q = C.approach(roller, "r", u[]);         moves one coordinate until the tool just touches
+//   > contact C = rcContact(Vh, label=3, fixed=held, friction=0.2);
+//   > C.add(roller);  C.approach(roller, "y", u[]);
+//   contact(...)   contact C = rcContact(...) declares it
+//   rcContact(Vh)   the contact of a workpiece
+//     Vh        fespace of the displacement | | | [P1,P1] or [P2,P2] of a mesh of triangles
+//     label=    boundary label of the surface | - | required, or labels= | a label of the mesh
+//     labels=   several of them | - | required, or label= | labels of the mesh
+//     fixed=    nonzero where the displacement is given, one per degree of freedom | - | none
+//     friction=   Coulomb coefficient of the tools that are added without a law of their own | - | 0 | >= 0
+//     tolerance=   residual over the load | - | 1e-4 | 0 < tolerance < 1; above 1e-2 only with loose=true
+//     gaptolerance=   gap and slip over the spacing of the nodes | - | 1e-6 | 0 < gaptolerance < 1
+//     maxiterations=   bound on the iterations of a step | - | 25 | 1 to 1000000
+//     memory=   of the Anderson mixing, 0: none | - | 8 | 0 to 1000
+//     terms=    geometric terms (METHOD.md 3.6) | | "complete" | "complete", "article", "none"
+//     tied=     P2: stick and slip at corners, by forces shared with the mid nodes, instead of node by node | | false
+//     axisymmetric=   x is the radius, y the axis, as in rcMaterial | | false
+//     surfaceplaces=   where the mid nodes of P2 edges lie on the true curve: Vh [X, Y] = [...]; X[] | length |
+//       on the curve through the vertices, arc by arc
+//     straight=   P2: mid nodes on the edges of the mesh | | false
+//     loose=    true: a tolerance above 1e-2 is taken | | false
+//     ! the contact surface is missing: label=... or labels=...
+//     ! , expected "complete", "article" or "none"
+//     ! the space must be [P1,P1] or [P2,P2]
+//   C.add(t)   lets a tool touch the surface, or the part of it with the labels; before the first step
+//     t         the tool, with coordinates
+//     label=    the part that it may touch | - | all | a label of the contact
+//     labels=   several of them | - | all | labels of the contact
+//     friction=   Coulomb coefficient: largest traction friction*p | - | of the contact | >= 0
+//     shearlimit=   with friction=: no traction beyond this shear strength | stress | none | >= 0
+//     tresca=   shear traction under any pressure, in place of friction= | stress | | >= 0
+//     sticking=   true: a node never slides | | false
+//     frictionlaw=   traction as a formula of the pressure p, "0.3*p/(1+p/k)" | stress | | >= 0 for all p
+//     ! tools must be added before the first step
+//     ! give at most one of
+//     ! has no coordinates yet: call coordinates(...) first
+//   C.parameter(name, value)   a number by name for the formulas of later calls of add; returns it | its own
+//     name      name in the formula | | | not p
+//     value     the number | its own | | finite
+//   C.warnings   warnings of the run, one line each
+//   C.couple(dependent, formula)   a coordinate follows others; before the first step
+//     dependent   "tool.coordinate"
+//     formula   of other "tool.coordinate"
+//     > C.couple("lower.y", "-upper.y");
+//     ! relations must be given before the first step and approach
+//   C.approach(t, coordinate, u)   moves one coordinate until the tool just touches; returns its value | length, rad
+//     t         a tool that was added
+//     coordinate   which one
+//     u         displacement array, u[] | length
+//     ! was not added, call add first
+//     ! alone does not bring it to the body
+//     ! a run is under way: approach before it, or between two runs
 #include "arguments.hpp"
 #include "base/error.hpp"
 #include "base/formula.hpp"

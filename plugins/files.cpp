@@ -1,10 +1,31 @@
-// Files that are whole or not there. What cannot be written ends the script with exit status 5, unless caught; f is closed.
-//   rcMakeFolder(path)                         makes it and checks that it can be written
-//   { ofstream f(rcNewName(file)); f << ...; rcReplaced(f, file); }    a new content takes the place of the file's
-//   savevtk(rcNewName(file), ...); rcReplacedVtu(file);                the same of a .vtu file
-//   { ofstream f(file, append); f << ...; rcAppended(f, file); }       whole lines at the end of a file
+// Files that are whole or not there. What cannot be written ends the script with exit status 5, unless caught.
+//   > { ofstream f(rcNewName(file)); f << ...; rcReplaced(f, file); }    a new content takes the place of the file's
+//   > savevtk(rcNewName(file), ...); rcReplacedVtu(file);                the same of a .vtu file
+//   > { ofstream f(file, append); f << ...; rcAppended(f, file); }       whole lines at the end of a file
+//   rcMakeFolder(path)   makes the folder and checks that it can be written
+//     path      of the folder
+//   rcNewName(file)   name that its new content is written under
+//     file      path
+//   rcReplaced(f, file)   closes f; the new content takes the place of the file's
+//     f         the stream of rcNewName(file)
+//     file      path
+//   rcAppended(f, file)   closes f; keeps whole lines only
+//     f         a stream opened with append
+//     file      path
+//   rcReplacedVtu(file)   as rcReplaced after savevtk
+//     file      path
+//   M.savefields(file)   .vtu file for ParaView: fields of the accepted state on the reference mesh, double precision, whole
+//     file      path
+//   C.savesurface(file)   .vtp file: the contact surface with pressure, friction, gap, state
+//     file      path
+//   C.savetools(file)   .vtp file: outlines of all tools where they are
+//     file      path
+//   C.savesupports(file)   .vtp file: nodes whose displacement is given
+//     file      path
 #include "base/whole_file.hpp"
-#include "plugin.hpp"
+#include "output/contact_files.hpp"
+#include "output/workpiece_file.hpp"
+#include "types.hpp"
 #include <csignal>
 #include <fstream>
 
@@ -33,6 +54,27 @@ bool replaced_vtu(string* const& path) {
   return guarded([&] { return replace_file(*path, ends_with(new_name(*path), "</VTKFile>")), true; });
 }
 
+struct SaveTag {};
+struct SurfaceTag {};
+struct ToolsTag {};
+struct SupportsTag {};
+bool save_fields_of(const Method<MaterialHandle, SaveTag>& m, string* const& path) {
+  return guarded([&] { return save_fields(m->get().workpiece(), *path), true; });
+}
+bool save_surface_of(const Method<ContactHandle, SurfaceTag>& m, string* const& path) {
+  return guarded([&] { return save_surface(m->get().run(), *path), true; });
+}
+bool save_supports_of(const Method<ContactHandle, SupportsTag>& m, string* const& path) {
+  return guarded([&] { return save_supports(m->get().run(), *path), true; });
+}
+bool save_tools_of(const Method<ContactHandle, ToolsTag>& m, string* const& path) {
+  return guarded([&] {
+    ContactObject& contact = m->get();
+    const Eigen::VectorXd none;
+    return save_tools(*contact.setup, contact.started() ? contact.run().accepted().u : none, *path), true;
+  });
+}
+
 } // namespace
 
 void register_files() {
@@ -42,6 +84,18 @@ void register_files() {
   Global.Add("rcReplaced", "(", new OneOperator2_<bool, std::ostream**, string*>(replaced));
   Global.Add("rcAppended", "(", new OneOperator2_<bool, std::ostream**, string*>(appended));
   Global.Add("rcReplacedVtu", "(", new OneOperator1_<bool, string*>(replaced_vtu));
+  add_method<MaterialHandle, SaveTag>("savefields", [] {
+    return new OneOperator2_<bool, Method<MaterialHandle, SaveTag>, string*>(save_fields_of);
+  });
+  add_method<ContactHandle, SurfaceTag>("savesurface", [] {
+    return new OneOperator2_<bool, Method<ContactHandle, SurfaceTag>, string*>(save_surface_of);
+  });
+  add_method<ContactHandle, SupportsTag>("savesupports", [] {
+    return new OneOperator2_<bool, Method<ContactHandle, SupportsTag>, string*>(save_supports_of);
+  });
+  add_method<ContactHandle, ToolsTag>("savetools", [] {
+    return new OneOperator2_<bool, Method<ContactHandle, ToolsTag>, string*>(save_tools_of);
+  });
 }
 
 } // namespace burnish

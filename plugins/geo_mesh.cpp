@@ -1,4 +1,8 @@
-// rcMeshGeo(file, numbers, result): meshes a .geo file; rcGmsh of edp/rcGmsh.idp reads the result.
+// Meshes of .geo files.
+//   rcMeshGeo(file, numbers, result)   meshes a .geo file; rcGmsh (edp/rcGmsh.idp) reads the result
+//     file      the .geo file
+//     numbers   for its DefineConstants, "NAME=VALUE; ..." or ""
+//     result    path and name, without ending, of the files written
 #include "mesh/geo_mesh.hpp"
 #include "plugin.hpp"
 

@@ -1,15 +1,23 @@
 // Damage and healing of points by user-defined events (METHOD.md 1.12; the events: material_events.cpp).
-//   M.damage("crumble", integrity=1e-3, steps=5);
-//     where the event happens, the integrity w of the point falls from 1 to 1e-3 in equal parts of 5 accepted steps: stress,
-//     moduli and yield stress are w times those of the law. Defaults 1e-3 and 5; 0 < integrity < 1, steps >= 1
-//   M.heal("mend", steps=5);
-//     where this one happens, w grows to 1 again; what heals is free of stress and new (plastic strain 0) as it stands
-//   int n = M.heal(steps=5);       between steps, as in record: all damaged points begin to heal now; returns their number
-//   real[int] w = M.integrity;     per quadrature point, 1 without damage [-]
-//   int n = M.damaged;             number of points with w < 1
-//   bool b = M.hasdamage;          some damage is defined
 // Formulas of events, M.yielddistance and element events see the effective stress, that of the law; M.stress, M.stresseq,
 // M.piola, M.moduli and the forces are those of the body. Not with a law of the script, not with scheme article.
+//   M.damage(event)   where the event happens, the integrity of the point falls from 1 in equal parts of some accepted steps;
+//       stress, moduli and yield stress are that part of those of the law
+//     event     its name, of M.event
+//     integrity=   what is left | - | 1e-3 | 0 < integrity < 1
+//     steps=    accepted steps that it takes | - | 5 | 1 to 1000000
+//     ! damages or heals already, expected one rule an event
+//   M.heal(event)   where this one happens, the integrity grows to 1 again; what heals is free of stress and new (plastic
+//       strain 0) as it stands
+//     event     its name, of M.event
+//     steps=    accepted steps that it takes | - | 5 | 1 to 1000000
+//     ! has nothing to heal, expected damage to be defined before
+//   M.heal()   between steps, as in record: all damaged points begin to heal now; returns their number | -
+//     steps=    accepted steps that it takes | - | 5 | 1 to 1000000
+//     ! nothing to heal, expected damage to be defined before
+//   M.integrity   per quadrature point, 1 without damage | -
+//   M.damaged   number of points with integrity below 1 | -
+//   M.hasdamage   some damage is defined
 #include "named.hpp"
 #include "types.hpp"
 #include "workpiece/healing.hpp"

@@ -1,14 +1,25 @@
 // What a script reads of a material, as arrays over the quadrature points: element by element; P1 its centroid (P0), P2
 // the middles of the edges opposite vertex 0, 1, 2 (FEQF2) or, axisymmetric, the inner points nearest to vertex 0, 1, 2,
-// with barycentric coordinate 2/3 there and 1/6 at the others. zz is the hoop direction when axisymmetric.
-//   M.stress(i), M.F(i), M.piola(i), ...  tensors: material_points.cpp
-//   M.plasticstraineq, M.stresseq, M.yielddistance (q/sigma_y - 1: positive outside the yield surface)
-//   M.internalvariables names of what the law keeps at a point: plastic_strain_eq, backstress
-//   M.nodal(values)     a field over the points as one over the nodes;  M.points  how many points there are
-//   M.stresserror       how far the stress is from its recovery at the nodes, Frobenius norm [stress]
-//   M.volumepercentile(values, share, least)   value below which that share of the volume lies, of the points above `least`
-//   M.displacement(i)   x, y over the nodes [length];  M.degree 1 or 2 of the elements;  M.Th their mesh
-//   M.axisymmetric      1 or 0;  M.warnings  text, one line for each number that no known material has
+// with barycentric coordinate 2/3 there and 1/6 at the others. zz is the hoop direction when axisymmetric. Tensors:
+// material_points.cpp
+//   M.plasticstraineq   accumulated plastic strain | -
+//   M.stresseq   von Mises stress | stress
+//   M.yielddistance   q/sigma_y - 1: positive outside the yield surface | -
+//   M.internalvariables   names of what the law keeps at a point: "plastic_strain_eq,backstress"
+//   M.nodal(values)   a field over the points as one over the nodes | its own
+//     values    one per point | its own | | finite
+//   M.points    number of quadrature points | -
+//   M.stresserror   how far the stress is from its recovery at the nodes, Frobenius norm | stress
+//   M.volumepercentile(values, share, least)   value below which that share of the volume lies | its own
+//     values    one per point | its own
+//     share     of the volume | - | | 0 to 1
+//     least     points below it do not count | its own
+//   M.displacement(i)   component over the nodes, accepted state | length
+//     i         0: x, 1: y | - | | 0, 1
+//   M.degree    of the elements: 1 or 2 | -
+//   M.Th        their mesh
+//   M.axisymmetric   1 or 0 | -
+//   M.warnings   one line for each number that no known material has
 #include "base/error.hpp"
 #include "types.hpp"
 #include "workpiece/nodal_average.hpp"

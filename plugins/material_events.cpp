@@ -1,15 +1,25 @@
 // User-defined events at the points of a material: found, logged, counted; what they may do: material_damage.cpp.
-//   M.parameter("D", 0.1);                  a number by name for the formulas of later calls of event
-//   M.event("damage", "ep - D*exp(-1.5*sm/seq)");
-//     happens at a point where the formula passes through zero from < 0 to >= 0. Names: ep plastic strain,
-//     seq von Mises, sm mean stress, sxx syy szz sxy, s1 s3 largest and smallest principal stress, x y place
-//   real[int] n = M.eventpoints("damage");  how often it has happened, per quadrature point
-//   int n = M.eventnumber("damage");        in all
-//   int n = C.logpoints(M);                 before M.accept: all of this step to the contact's log;
-//                                           C.eventkind is their name
-//   real f = M.pointevents(tol, least);     fraction of the earliest one beyond least, 2 if there is none;
-//                                           until accept or revert those within tol after the end count
-//                                           as at the end
+//   M.parameter(name, value)   a number by name for the formulas of later calls of event; returns it | its own
+//     name      name in the formula
+//     value     the number | its own | | finite
+//   M.event(name, formula)   defines an event: it happens at a point where the formula passes through zero from < 0 to >= 0
+//     name      its name in the log | | | no comma, quote, line break; not a kind of events.csv
+//     formula   of ep plastic strain, seq von Mises, sm mean stress, sxx syy szz sxy, s1 s3 largest and smallest principal
+//       stress, x y place
+//     > M.event("damage", "ep - 0.1*exp(-1.5*sm/seq)");
+//     ! is that of a built-in kind of event
+//     ! is taken
+//   M.eventpoints(name)   how often it has happened, per quadrature point | -
+//     name      of the event
+//     ! no event
+//   M.eventnumber(name)   how often in all | -
+//     name      of the event
+//   C.logpoints(M)   before M.accept: all of this step to the contact's log; returns how many | -
+//     M         the material
+//   M.pointevents(tolerance, least)   fraction of the step of the earliest one beyond least, 2: none; until accept or revert
+//       those within the tolerance after the end count as at the end | -
+//     tolerance   fraction of the step | - | | >= 0
+//     least     fraction of the step | -
 #include "base/error.hpp"
 #include "types.hpp"
 

@@ -1,22 +1,56 @@
 // Tensors at the quadrature points (order and place of the points: material_data.cpp), read and, where the script owns
-// the law, given. A user-defined law is asked for after each M.update, which moves the points only:
-//   M.userdefined(true)        the script owns the law from now on (always with rcMaterial(Vh, law="user"))
-//   read                       give
-//   M.stress(i)                M.stress(i, a)         Kirchhoff stress xx, yy, zz, xy, i = 0..3 [stress]
-//   M.piola(i)                 M.piola(i, a)          or first Piola stress xx, xy, yx, yy, zz [stress]
-//   M.moduli(i, j, b)          M.moduli(i, j, a)      dP_i/dF_j, symmetrized when read; b: part of elastic moduli in plastic
-//                                                     points, 0 when left out; given (i, j) stands for (j, i), too
-//                              M.jacobian(i, j, a)    or d tau_i/d y_j, y = M.strain(0..3), M.rotation
-//   M.internal("name", i)      M.internal("name", i, a)   internal variable, i left out: 0
-//   M.backstress(i)            back stress xx, yy, zz, xy of a law with kinematic hardening [stress]
-//   M.F(i)                     deformation gradient xx, xy, yx, yy, zz [-]
-//   M.strain(i), M.rotation    increments of the step: strain xx, yy, zz, xy and rotation [-, rad]
-//   M.acceptances, M.reversions    how often the accepted state changed, and how often it was gone back to
-//   M.modulus("K"), ("G")      of the material's elasticity [stress]; ("C"), ("gamma")  of its back stress [stress, -]
-//   M.yieldstress(ep), M.hardeningslope(ep)   of its hardening
-//   M.vertexvalues(a)          the linear function of every element with the values a at its points, as a field of P1dc
-//                              (P1: of P0)
-// Arrays hold one number per point; numbers that are not finite are refused with the point.
+// the law, given. A user-defined law is asked for after each M.update, which moves the points only. Arrays hold one number
+// per point; numbers that are not finite are refused with the point.
+//   M.userdefined(on)   whether the script owns the law, from now on (always with rcMaterial(Vh, law="user"))
+//     on        true or false
+//   M.userdefined()   whether it does
+//   M.stress(i)   Kirchhoff stress | stress
+//     i         0 xx, 1 yy, 2 zz, 3 xy | - | | 0 to 3
+//   M.stress(i, a)   gives it
+//     i         component | - | | 0 to 3
+//     a         one per point | stress | | finite
+//     ! the law of this material is not user-defined, nothing can be given
+//     ! there was no update since the last accepted state, call update first
+//   M.piola(i)   first Piola stress | stress
+//     i         0 xx, 1 xy, 2 yx, 3 yy, 4 zz | - | | 0 to 4
+//   M.piola(i, a)   gives it, in place of M.stress
+//     i         component | - | | 0 to 4
+//     a         one per point | stress | | finite
+//   M.moduli(i, j)   dP_i/dF_j, symmetrized | stress
+//     i         component of P | - | | 0 to 4
+//     j         component of F | - | | 0 to 4
+//   M.moduli(i, j, value)   the same with a part of elastic moduli in plastic points, or, with an array, gives them; (i, j)
+//       stands for (j, i), too | stress
+//     i         component of P | - | | 0 to 4
+//     j         component of F | - | | 0 to 4
+//     value     real: part of elastic moduli; array: dP_i/dF_j | -, stress
+//   M.jacobian(i, j, a)   gives d tau_i/d y_j, y = M.strain(0..3), M.rotation, in place of M.moduli
+//     i         component of the stress | - | | 0 to 3
+//     j         component of y | - | | 0 to 4
+//     a         one per point | stress | | finite
+//   M.internal(name)   internal variable, component 0 | its own
+//     name      one of M.internalvariables
+//   M.internal(name, i)   its component i, or, with an array, gives component 0
+//     name      one of M.internalvariables
+//     i         component, or values, one per point | - | | 0 to number of components - 1
+//   M.internal(name, i, a)   gives component i
+//     name      one of M.internalvariables
+//     i         component | -
+//     a         one per point | its own | | finite
+//   M.backstress(i)   back stress of a law with kinematic hardening | stress
+//     i         0 xx, 1 yy, 2 zz, 3 xy | - | | 0 to 3
+//   M.F(i)      deformation gradient | -
+//     i         0 xx, 1 xy, 2 yx, 3 yy, 4 zz | - | | 0 to 4
+//   M.strain(i)   strain increment of the step | -
+//     i         0 xx, 1 yy, 2 zz, 3 xy | - | | 0 to 3
+//   M.rotation   rotation increment of the step | rad
+//   M.acceptances, M.reversions   how often the accepted state changed, and how often it was gone back to | -
+//   M.modulus(name)   constant of the law | stress, -
+//     name      "K", "G": elasticity; "C", "gamma": back stress
+//   M.yieldstress(ep), M.hardeningslope(ep)   of its hardening | stress
+//     ep        accumulated plastic strains | - | | finite
+//   M.vertexvalues(a)   the linear function of every element with the values a at its points, as a field of P1dc (P1: of P0)
+//     a         one per point | its own | | finite
 #include "base/error.hpp"
 #include "types.hpp"
 #include "workpiece/nodal_average.hpp"

@@ -1,28 +1,62 @@
 // Script type `material`: plasticity with isotropic and kinematic hardening, plane strain or axisymmetric, on a [P1,P1] or
 // [P2,P2] space.
-//   material M = rcMaterial(Vh, G=..., nu=..., sigY=..., H=...);    or E=...;
-//     hardening="linear" (default): sigY + H*ep; "perfect": sigY; the laws and their parameters are listed in
-//       cxx/material/hardening.cpp; any other text is a formula in ep: hardening="193e6*(1 + ep/0.002)^0.2"
-//     plasticstrain=[0, 0.05, 0.2], yieldstress=[193e6, 240e6, 300e6]   or a table: straight between, constant behind
-//     softening=true      the yield stress may fall: the result then depends on the mesh
-//     backstress="prager", C=..  |  "armstrongfrederick", C=.., gamma=..   kinematic hardening, with any of the above
-//     rate="jaumann" (default) | "greennaghdi" | "logarithmic"              corotational rate of the stress
-//     update="substepped" | "single" | "euler", pathlimit=1.5
-//     axisymmetric=true   x >= 0 is the radius, y runs along the axis, [u, v] = [u_r, u_z], no torsion; forces are those
-//                         of the whole ring [force]. The script prescribes u_r = 0 on the axis: on(axis, u=0)
-//     law="user"          the script owns the law and gives stress and moduli: material_points.cpp; internal="damage,s":
-//                         its internal variables; with G, nu, sigY, H it has J2's yield surface for the events of elements
-//   int st = M.update(u[], dt, it);   stress at u from the accepted state; 0, or 1 for an inverted element, or if there is
-//                                     no return to the yield surface: rcLastError says which
-//   M.force(R);  M.accept();  M.revert();
-//   matrix K = M.tangent();           kind="consistent" | "rate" | "elastic", blend=0..1 (part of elastic moduli)
-//   M.stress(0), M.plasticstraineq ...  fields at the points: material_data.cpp
-// Element events of the step that the last update made (first yield, unloading):
-//   real f = M.events(1e-3);          earliest fraction and all within the tolerance of it, 2 if there is none
-//   real f = M.events(1e-3, 1e-4);    without changes of q near the surface below 1e-4 sigma_y;
-//   real f = M.events();              all of the step, for the log
-//   M.keepplastic(1e-4);              before accept, goes with the noise above
-//   int n = M.acceptevents();         after accept or revert: their points yield or unload;  M.dropevents();
+//   > material M = rcMaterial(Vh, G=2.7e10, nu=0.32, sigY=1.93e8, H=9.62e8);
+//   material(...)   material M = rcMaterial(...) declares it
+//   rcMaterial(Vh)   the material of a workpiece
+//     Vh        fespace of the displacement | | | [P1,P1] or [P2,P2] of a mesh of triangles
+//     G=        shear modulus; G= or E= | stress | required, or E= | finite > 0
+//     E=        Young's modulus | stress | required, or G= | finite > 0
+//     nu=       Poisson's ratio | - | required | -1 < nu < 0.5
+//     sigY=     initial yield stress | stress | required, unless by formula or table | finite > 0
+//     H=        hardening modulus, 0: perfect plasticity, < 0: softening | stress | required with "linear" | finite
+//     hardening=   "linear": sigY + H*ep; "perfect": sigY; any other text: a formula in ep | stress | "linear" |
+//       as "193e6*(1 + ep/0.002)^0.2"
+//     plasticstrain=   table of the yield stress, straight between, constant behind: its plastic strains | - | none | 0, then
+//       growing
+//     yieldstress=   its yield stresses | stress | none | > 0, not falling without softening=true
+//     softening=   true: the yield stress may fall; the result then depends on the mesh | | false
+//     backstress=   kinematic hardening, beside any of the above | | "none" | "none", "prager", "armstrongfrederick"
+//     C=        modulus of the back stress | stress | required with a backstress | finite > 0
+//     gamma=    recovery of the back stress, armstrongfrederick | - | required with it | finite >= 0
+//     rate=     corotational rate of the stress | | "jaumann" | "jaumann", "greennaghdi", "logarithmic"
+//     update=   stress update (ALGORITHMS.md 2) | | "substepped" | "substepped", "single", "euler"
+//     pathlimit=   curvature of the strain path, 0: straight | - | 1.5 | >= 0, may be infinite
+//     axisymmetric=   x >= 0 is the radius, y the axis, [u, v] = [u_r, u_z], no torsion; forces are those of the whole ring.
+//       The script prescribes u_r = 0 on the axis: on(axis, u=0) | | false
+//     law=      "user": the script gives stress and moduli, M.stress, M.moduli; with G, nu, sigY, H it has J2's yield
+//       surface for the events of elements | | "J2" | "J2", "user"
+//     internal=   law="user": names of its internal variables, "damage,s" | | ""
+//     ! , expected J2 or user
+//     ! , or a formula in ep
+//     ! give either hardening or plasticstrain and yieldstress
+//     ! , expected "substepped", "single" or "euler"
+//   M.update(u, dt, iteration)   stress at u from the accepted state; 0, or 1: inverted element, or no return to the yield
+//       surface, rcLastError says which | -
+//     u         displacement | length
+//     dt        length of the step | time
+//     iteration   number of the iteration in the step, from 0 | -
+//   M.force(R)   internal nodal forces of the last update into R; returns the largest | force
+//     R         out, as long as u | force
+//   M.accept()   the end of the step becomes the accepted state
+//   M.revert()   back to the accepted state
+//   M.tangent()   tangent matrix of the last update, lower triangle | force/length
+//     kind=     which moduli | | "consistent" | "consistent", "rate", "elastic"
+//     blend=    part of elastic moduli in plastic points | - | 0 | 0 to 1
+//     ! , expected "consistent", "rate" or "elastic"
+//   M.events()   earliest yield or unloading of the step that the last update made, all of the step found, for the log;
+//       fraction of the step, 2: none | -
+//   M.events(tolerance)   those within the tolerance of the earliest one | -
+//     tolerance   fraction of the step | - | | >= 0
+//   M.events(tolerance, noise)   without changes of q near the surface below the noise | -
+//     tolerance   fraction of the step | - | | >= 0
+//     noise     over the yield stress | - | | >= 0
+//   M.keepplastic(noise)   before accept: points that flowed in the step and rest within the noise of the surface stay plastic
+//     noise     over the yield stress | - | | >= 0
+//   M.acceptevents()   after accept or revert: the points of the events found yield or unload; returns how many | -
+//   M.dropevents()   drops the events found
+//   M.seconds(phase)   CPU time | s
+//     phase     "update", "assembly"
+//     ! , expected update or assembly
 #include "base/error.hpp"
 #include "material/make_law.hpp"
 #include "material/unit_warnings.hpp"

@@ -65,10 +65,17 @@ private:
 /// @throws PluginError naming a named parameter that is none of these; FreeFEM's own message does not
 void refuse_unknown(const basicAC_F0& args, const basicAC_F0::name_and_type* names, int n);
 
+/// What a list of all callables asks an operator (callables.cpp).
+struct NamedParameters {
+  virtual ~NamedParameters() = default;
+  virtual std::vector<basicAC_F0::name_and_type> named() const = 0;
+};
+
 /// OneOperator with positional argument types Args... and the named parameters of Spec:
 ///   struct Spec { static const int n; static basicAC_F0::name_and_type names[];  (or a pointer to n of them)
 ///                 static Result call(const Named&, Args...); };
-template <class Spec, class Result, class... Args> class NamedOperator : public OneOperator {
+template <class Spec, class Result, class... Args>
+class NamedOperator : public OneOperator, public NamedParameters {
 public:
   class Op : public E_F0mps {
   public:
@@ -91,6 +98,9 @@ public:
   };
   NamedOperator() : OneOperator(atype<Result>(), atype<Args>()...) {}
   E_F0* code(const basicAC_F0& args) const override { return new Op(args, this->t); }
+  std::vector<basicAC_F0::name_and_type> named() const override {
+    return {Spec::names, Spec::names + Spec::n};
+  }
 };
 
 } // namespace burnish

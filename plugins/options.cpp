@@ -1,11 +1,39 @@
 // Options of a script, -name value after its name on the command line; read all of them in one block.
-//   real R = rcReal("-R", 15e-3, "m", "radius of the roller");      default, unit and meaning for the help; or without them
-//   int n = rcInt("-n", 10);  string e = rcText("-element", "P2");
-//   rcRange("-n -nx", 1, 1000);  rcPositive("-R -E");   refuse values outside 1 to 1000; not > 0, or
-//                                   in one unit and more than a factor of 1e8 apart
-//   rcOptionsEnd(0);                refuses unknown options; with -h the help is printed and the script ends there,
-//                                   with -options list all options with their values, as one line of JSON
-//   rcOptionsJson(0)                the values used, "R": 0.015, ...;  rcScriptFolder(0) folder of the script
+//   > real R = rcReal("-R", 15e-3, "m", "radius of the roller");  int n = rcInt("-n", 10);
+//   > rcPositive("-R");  rcRange("-n", 1, 1000);  rcOptionsEnd(0);
+//   rcReal(name, otherwise), rcInt(name, otherwise), rcText(name, otherwise)   the option's value, or its default
+//     name      with its dash | | | a dash and a word, none of FreeFEM's own options
+//     otherwise   the default
+//   rcReal(name, otherwise, unit, meaning), rcInt(name, otherwise, unit, meaning)   the same, listed by -h
+//     name      with its dash | | | a dash and a word, none of FreeFEM's own options
+//     otherwise   the default
+//     unit      text for the help, "-" without one
+//     meaning   text for the help
+//   rcText(name, otherwise, unit, meaning)   the same of a text
+//     name      with its dash | | | a dash and a word, none of FreeFEM's own options
+//     otherwise   the default
+//     unit      text for the help, "" without one
+//     meaning   text for the help
+//   rcRange(names, least, most)   refuses values outside
+//     names     "-n -nx", options read before
+//     least     smallest value allowed
+//     most      largest one
+//     ! it has not been read as a number, its range cannot be checked
+//   rcPositive(names)   refuses values that are not > 0, or in one unit and more than a factor of 1e8 apart
+//     names     "-R -E", options read before
+//   rcOptionsEnd(dummy)   refuses unknown options; with -h the help is printed and the script ends there, with -options list
+//       all options with their values, as one line of JSON
+//     dummy     not read
+//   rcOptionsJson(dummy)   the values used, "R": 0.015, ...
+//     dummy     not read
+//   rcScriptFolder(dummy)   folder of the script
+//     dummy     not read
+//   rcNumber(name, text)   the text as a number
+//     name      of the option, for the message
+//     text      such as "1e-3"
+//     ! , expected a number
+//   rcJson(value)   a number or a text in JSON
+//     value     real or string
 #include "base/error.hpp"
 #include "leave.hpp"
 #include "plugin.hpp"

@@ -1,7 +1,10 @@
-// int code = rcPictures(folder);   draws the pictures of a run's results: by a plot.py beside the script, else those of
-// any scene. The program is started without a shell, by $PYTHON or python3. 0: drawn; failing to draw is a warning.
-// int code = rcLeaner(folder);     runs the script again with leaner models and compares them with the results in the folder:
-// cases/sweep/leaner.py. 0: done; failing is a warning.
+// Programs beside the scripts, started without a shell by $PYTHON or python3. Failing is a warning.
+//   rcPictures(folder)   draws the pictures of a run's results, by a plot.py beside the script, else those of any scene; 0: drawn
+//     folder    of the results
+//   rcMovie(folder)   movie.html and movie.gif of a run's series of fields, by the same programs; 0: made
+//     folder    of the results
+//   rcLeaner(folder)   runs the script again with leaner models and compares the results, cases/sweep/leaner.py; 0: done
+//     folder    of the results
 #include "plugin.hpp"
 #include "script_options.hpp"
 
@@ -20,10 +23,10 @@ std::string environment(const char* name, const std::string& otherwise) {
   return value && *value ? value : otherwise;
 }
 
+std::string scene_program() { return environment("BURNISH_TOP", ".") + "/cases/plotting/scene.py"; }
 std::string plot_program() {
   const std::string beside = script_options().folder() + "/plot.py";
-  if (std::filesystem::exists(beside)) return beside;
-  return environment("BURNISH_TOP", ".") + "/cases/plotting/scene.py";
+  return std::filesystem::exists(beside) ? beside : scene_program();
 }
 
 /// Exit status of a program, -1 if it cannot be started.
@@ -47,6 +50,18 @@ long pictures(string* const& folder) {
   return code;
 }
 
+long movie(string* const& folder) {
+  cout.flush();
+  const std::string page = *folder + "/movie.html", python = environment("PYTHON", "python3");
+  std::error_code code;
+  std::filesystem::remove(page, code); // of an earlier run
+  int status = run({python, plot_program(), *folder, "movie"});
+  if (!std::filesystem::exists(page) && plot_program() != scene_program())
+    status = run({python, scene_program(), *folder, "movie"});
+  if (status != 0) cout << "burnish: warning: no movie could be made (exit status " << status << ")" << endl;
+  return status;
+}
+
 long leaner(string* const& folder) {
   cout.flush();
   const std::string program = environment("BURNISH_TOP", ".") + "/cases/sweep/leaner.py";
@@ -60,6 +75,7 @@ long leaner(string* const& folder) {
 
 void register_pictures() {
   Global.Add("rcPictures", "(", new OneOperator1_<long, string*>(pictures));
+  Global.Add("rcMovie", "(", new OneOperator1_<long, string*>(movie));
   Global.Add("rcLeaner", "(", new OneOperator1_<long, string*>(leaner));
 }
 

@@ -1,6 +1,7 @@
 // load "burnish": registers all types and functions.
 #include "plugin.hpp"
 #include "base/error.hpp"
+#include "callables.hpp"
 #include "number_list.hpp"
 
 namespace burnish {
@@ -45,6 +46,7 @@ string* new_string(Stack stack, const std::string& text) {
 }
 
 static void init() {
+  note_names_before();
   register_number_list();
   register_tool();
   register_tool_shapes();
@@ -68,6 +70,7 @@ static void init() {
   register_files();
   register_pictures();
   register_step_control();
+  register_callables();
 }
 
 } // namespace burnish

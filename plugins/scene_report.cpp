@@ -1,9 +1,14 @@
 // What a run says of its scene (ALGORITHMS.md 17): needed and not modelled, modelled and not needed, lean.
-//   S.report        the statements, one line each, the most important first; "" without self-checks (S.checks)
-//   As a table, i = 0 .. S.statements-1:
-//     S.statementkind(i)    "needed and not modelled", "modelled and not needed" or "lean"
-//     S.statementname(i)    such as "friction roller": what is said, and of what
-//     S.statementvalue(i)   the number that it rests on       S.statementtext(i)   a sentence with the option that changes it
+//   S.report    the statements, one line each, the most important first; "" without self-checks (S.checks)
+//   S.statements   their number, a table i = 0 .. S.statements-1 | -
+//   S.statementkind(i)   "needed and not modelled", "modelled and not needed" or "lean"
+//     i         line of the table | - | | 0 to statements-1
+//   S.statementname(i)   such as "friction roller": what is said, and of what
+//     i         line of the table | - | | 0 to statements-1
+//   S.statementvalue(i)   the number that it rests on | its own
+//     i         line of the table | - | | 0 to statements-1
+//   S.statementtext(i)   a sentence with the option that changes it
+//     i         line of the table | - | | 0 to statements-1
 #include "base/cpu_time.hpp"
 #include "named.hpp"
 #include "step_control.hpp"

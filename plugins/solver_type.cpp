@@ -1,7 +1,9 @@
-// Registers the solver "BURNISH": set(Khat, solver="BURNISH"). Symmetric part by CHOLMOD, the nonsymmetric
+// Registers the solver "BURNISH" with FreeFEM: set(Khat, solver="BURNISH"). Symmetric part by CHOLMOD, the nonsymmetric
 // contact rows as a dense border, UMFPACK where that does not apply. Values changed in place are noticed.
-// rcSolver("NAME") gives the name back if there is such a solver; FreeFEM itself takes any name silently:
-//   set(Khat, solver=rcSolver("MUMPS"));
+//   rcSolver(name)   the name in capitals if there is such a solver; FreeFEM itself takes any name silently
+//     name      "BURNISH", "UMFPACK", "CHOLMOD", ... | | | a solver that is loaded
+//     > set(Khat, solver=rcSolver("MUMPS"));
+//     ! unknown solver
 #include "base/error.hpp"
 #include "matrix.hpp"
 

@@ -1,30 +1,49 @@
 // Script type `stepcontrol`: the length of the steps, and the loop over them turned inside out (edp/rcRun.idp).
-//   stepcontrol S(tend, dtmax=0.05);         also named: dtmin, stepsperwidth=14, output=times hit exactly,
-//     accuracy=0.01 chooses the steps by that error (S.error); without it they are fixed by dtmax and the contact width;
-//     scheme="implicit" | "event" | "article"; elementevents="none" | "log" | "cut": yield and unloading of points
-//     ("log": located in every accepted step and logged; "cut": the step is cut at them and at user-defined events);
-//     eventtolerance=1e-3 events this close to the earliest one are taken with it, fraction of the step;
-//     eventnoise=1e-4 stress that the residual's tolerance leaves, over the yield stress (event steps);
-//     nodesperstep=1 a rolling step is at least this many node spacings long; widthsteps=14 as stepsperwidth, for narrow
-//     contacts; maxpieces=100, maxretries=4: scheme "article", pieces of a step, changes of state at one instant
-//   A run:   S.start(C, M);   long task = S.next(u[], R);   what has to be done next:
-//     rcProgram  set every coordinate for S.target     rcForces  M.update(u, S.piece, S.iteration), nodal forces into R
-//     rcTangent  C.factorize(M, u)    rcSolve  condense, solve, expand    rcRecord  a step has been accepted
-//     rcFinished  rcStopped: S.reason tells why, S.atfloor whether no step is short enough
-//     S.condensed(true)  every iteration is an rcSolve: the condensed matrix for a solver of the script
-//     S.scheme("event")  another scheme from the next step on
-//     S.accuracy(0.01)  as the name in brackets, before S.start
-//     S.refuse(text)  the task cannot be done: the step is tried shorter;   S.stop(text)  ends the run at the accepted state
-//     S.count("steps" | "rejected" | "pieces" | "pileups" | "atonce" | "blind"), S.excess (article: largest q/sigma_y - 1)
-//     S.report, S.statements, ...  what the run says of its scene: scene_report.cpp
-//     S.checks(false)  no self-checks (contact_findings.cpp), no report;   S.halted: one of them ended the run
-//     S.measures, S.measured(name)  names of the numbers that they measured, "a,b,"; the worst of each
-//     S.purerates: the present piece is one of scheme "article"
-//     S.crawls, S.lastrejection, S.rejecteddt: steps far below dtmax after a failure; why the last step was rejected
-//     S.error: estimated relative error that the length of the steps makes in the plastic strain increments, -1: none
-//     S.nodesrolled: node spacings that the contact rolls in a step, mean; 0: it does not roll
-//   A user-defined loop:   S.propose(width, speed), S.accepted(), S.rejected() (false: below the floor), S.cut(f)
-//   S.t, S.dt, S.tend, S.finished, S.atoutput
+//   > stepcontrol S(1., dtmax=0.05);
+//   > rcRun(C, M, u[], S, program, record)
+//   stepcontrol(tend)   the program runs from t = 0 to tend
+//     tend      end of the program | time | | > 0
+//     dtmax=    largest step | time | tend/100 | finite > 0
+//     dtmin=    smallest step: a run that needs a shorter one ends | time | 1e-7 tend | 0 < dtmin <= dtmax
+//     stepsperwidth=   steps at least while the contact rolls its width, 0: no such limit | - | 14 | >= 0
+//     accuracy=   chooses the steps by the relative error of the plastic strain increments, S.error | - | fixed by dtmax and
+//       the contact width | finite > 0
+//     output=   instants that a step ends at, real[int] | time | none
+//     scheme=   way through a step | | "implicit" | "implicit", "event", "article"
+//     elementevents=   yield and unloading of points: "log": located in every accepted step and logged; "cut": the step is
+//       cut at them and at user-defined events | | "none", with scheme article "cut" | "none", "log", "cut", "default"
+//     eventtolerance=   events this close to the earliest one are taken with it, fraction of the step | - | 1e-3 | finite > 0
+//     eventnoise=   stress that the residual's tolerance leaves, over the yield stress (event steps) | - | 1e-4 | finite > 0
+//     nodesperstep=   a rolling step is at least this many node spacings long | - | 1 | finite > 0
+//     widthsteps=   as stepsperwidth, for narrow contacts: the contact counts as that many spacings wide | - | 14 | finite > 0
+//     maxpieces=   article: pieces of a step between events | - | 100 | 1 to 999999
+//     maxretries=   article: changes of state at one instant | - | 4 | 1 to 999999
+//     ! , expected implicit, event or article
+//     ! , expected none, log, cut or default
+//   S.start(C, M)   a run begins
+//     C         contact
+//     M         material on the same mesh
+//   S.next(u, R)   what has to be done next, a task such as rcForces | -
+//     u         displacement of the run: only rcSolve may change it | length
+//     R         nodal forces | force
+//     ! no run has been started, call start first
+//     ! : the run's displacement was changed by
+//   rcProgram, rcForces, rcTangent, rcSolve, rcRecord, rcFinished, rcStopped   tasks of S.next: set every coordinate for
+//       S.target; M.update(u, S.piece, S.iteration) and nodal forces into R; C.factorize(M, u); condense, solve, expand; a
+//       step has been accepted; the end is reached; the run has ended early, S.reason tells why
+//   S.condensed(on)   every iteration is an rcSolve: the condensed matrix for a solver of the script
+//     on        true or false | | false
+//   S.scheme(name)   another scheme from the next step on
+//     name      "implicit", "event", "article"
+//   S.accuracy(value)   as accuracy=, before S.start
+//     value     relative error | - | | finite > 0
+//     ! the run has been started, state an accuracy before
+//   S.refuse(text)   the task cannot be done: the step is tried shorter
+//     text      why
+//   S.stop(text)   ends the run at the accepted state
+//     text      why
+//   S.checks(on)   false: no self-checks (contact_findings.cpp), no report
+//     on        true or false | | true
 #include "step_control.hpp"
 #include "base/error.hpp"
 #include "named.hpp"
@@ -214,137 +233,6 @@ bool set_checks(const Method<H, ChecksTag>& m, const bool& on) {
     return on;
   });
 }
-bool halted(H* const& h) { return h->get().stepper && !h->get().stepper->checks().stop().empty(); }
-string* measures(Stack stack, H* const& h) {
-  return guarded([&] {
-    std::string names;
-    if (h->get().stepper)
-      for (const auto& [name, value] : h->get().stepper->checks().state().measured) names += name + ",";
-    return new_string(stack, names);
-  });
-}
-struct MeasuredTag {};
-double measured(const Method<H, MeasuredTag>& m, string* const& name) {
-  return guarded([&] {
-    const auto& measured = m->get().running("stepcontrol.measured").checks().state().measured;
-    const auto found = measured.find(*name);
-    if (found == measured.end())
-      fail("stepcontrol.measured", "no check has measured \"" + *name + "\", see S.measures");
-    return found->second;
-  });
-}
-
-struct CountTag {};
-long count(const Method<H, CountTag>& m, string* const& name) {
-  return guarded([&] {
-    const StepperCounts counts = m->get().stepper ? m->get().stepper->counts() : StepperCounts{};
-    if (*name == "steps") return counts.steps;
-    if (*name == "rejected") return counts.rejected;
-    if (*name == "pieces") return counts.scheme.pieces;
-    if (*name == "pileups") return counts.scheme.pileups;
-    if (*name == "atonce") return counts.scheme.at_once;
-    if (*name == "blind") return counts.scheme.blind;
-    fail("stepcontrol.count",
-         "unknown name \"" + *name + "\", expected steps, rejected, pieces, pileups, atonce or blind");
-  });
-}
-
-template <double (*read)(const ControlObject&)> double number(H* const& h) {
-  return guarded([&] { return read(h->get()); });
-}
-double target(const ControlObject& o) { return o.running("stepcontrol.target").target(); }
-double piece(const ControlObject& o) { return o.running("stepcontrol.piece").dt(); }
-double excess(const ControlObject& o) { return o.running("stepcontrol.excess").counts().scheme.excess; }
-double rejected_dt(const ControlObject& o) { return o.stepper ? o.stepper->rejected_dt() : 0; }
-double error_of(const ControlObject& o) { return o.stepper ? o.stepper->error() : -1; }
-double nodes_per_step(const ControlObject& o) { return o.stepper ? o.stepper->counts().nodes_per_step() : 0; }
-double time_of(const ControlObject& o) { return o.now().time(); }
-double dt_of(const ControlObject& o) { return o.now().dt(); }
-double end_of(const ControlObject& o) { return o.now().options().t_end; }
-long iteration(H* const& h) {
-  return guarded([&] { return static_cast<long>(h->get().running("stepcontrol.iteration").iteration()); });
-}
-bool finished(H* const& h) { return h->get().now().finished(); }
-bool at_output(H* const& h) { return h->get().now().at_output(); }
-bool at_floor(H* const& h) { return h->get().stepper && h->get().stepper->at_floor(); }
-bool pure_rates(H* const& h) {
-  return guarded([&] { return h->get().running("stepcontrol.purerates").stepping() == Stepping::RATES; });
-}
-bool crawls(H* const& h) { return h->get().now().crawls(); }
-string* reason(Stack stack, H* const& h) {
-  return new_string(stack, h->get().stepper ? h->get().stepper->reason() : "");
-}
-string* last_rejection(Stack stack, H* const& h) {
-  return new_string(stack, h->get().stepper ? h->get().stepper->last_rejection() : "");
-}
-
-// --- a user-defined loop
-struct ProposeTag {};
-struct AcceptedTag {};
-struct RejectedTag {};
-struct CutTag {};
-void require_idle(H* handle, const char* where) {
-  if (handle->get().under_way())
-    fail(where, "a run is under way; this verb is for a loop of the script's own");
-}
-StepControl& proposed(H* handle, const char* where) {
-  require_idle(handle, where);
-  StepControl& control = *handle->get().control;
-  if (control.dt() <= 0) fail(where, "there is no step yet, call propose first");
-  return control;
-}
-double propose(const Method<H, ProposeTag>& m, const double& width, const double& speed) {
-  return guarded([&] {
-    require_idle(m.object, "stepcontrol.propose");
-    return m->get().control->propose(width, speed);
-  });
-}
-bool accepted(const Method<H, AcceptedTag>& m) {
-  return guarded([&] { return proposed(m.object, "stepcontrol.accepted").accepted(), true; });
-}
-bool rejected(const Method<H, RejectedTag>& m) {
-  return guarded([&] { return proposed(m.object, "stepcontrol.rejected").rejected(); });
-}
-double cut(const Method<H, CutTag>& m, const double& f) {
-  return guarded([&] {
-    require(f > 0 && f <= 1, "stepcontrol.cut", "fraction", f, "0 < fraction <= 1");
-    proposed(m.object, "stepcontrol.cut").cut(f);
-    return m->get().control->dt();
-  });
-}
-
-void register_own_loop() {
-  add_method<H, ProposeTag>(
-      "propose", [] { return new OneOperator3_<double, Method<H, ProposeTag>, double, double>(propose); });
-  add_method<H, AcceptedTag>("accepted",
-                             [] { return new OneOperator1_<bool, Method<H, AcceptedTag>>(accepted); });
-  add_method<H, RejectedTag>("rejected",
-                             [] { return new OneOperator1_<bool, Method<H, RejectedTag>>(rejected); });
-  add_method<H, CutTag>("cut", [] { return new OneOperator2_<double, Method<H, CutTag>, double>(cut); });
-}
-
-void register_values() {
-  Add<H*>("t", ".", new OneOperator1_<double, H*>(number<time_of>));
-  Add<H*>("dt", ".", new OneOperator1_<double, H*>(number<dt_of>));
-  Add<H*>("tend", ".", new OneOperator1_<double, H*>(number<end_of>));
-  Add<H*>("target", ".", new OneOperator1_<double, H*>(number<target>));
-  Add<H*>("piece", ".", new OneOperator1_<double, H*>(number<piece>));
-  Add<H*>("excess", ".", new OneOperator1_<double, H*>(number<excess>));
-  Add<H*>("rejecteddt", ".", new OneOperator1_<double, H*>(number<rejected_dt>));
-  Add<H*>("error", ".", new OneOperator1_<double, H*>(number<error_of>));
-  Add<H*>("nodesrolled", ".", new OneOperator1_<double, H*>(number<nodes_per_step>));
-  Add<H*>("iteration", ".", new OneOperator1_<long, H*>(iteration));
-  Add<H*>("finished", ".", new OneOperator1_<bool, H*>(finished));
-  Add<H*>("atoutput", ".", new OneOperator1_<bool, H*>(at_output));
-  Add<H*>("atfloor", ".", new OneOperator1_<bool, H*>(at_floor));
-  Add<H*>("purerates", ".", new OneOperator1_<bool, H*>(pure_rates));
-  Add<H*>("halted", ".", new OneOperator1_<bool, H*>(halted));
-  Add<H*>("measures", ".", new OneOperator1s_<string*, H*>(measures));
-  Add<H*>("crawls", ".", new OneOperator1_<bool, H*>(crawls));
-  Add<H*>("reason", ".", new OneOperator1s_<string*, H*>(reason));
-  Add<H*>("lastrejection", ".", new OneOperator1s_<string*, H*>(last_rejection));
-}
-
 } // namespace
 
 void register_step_control() {
@@ -365,14 +253,9 @@ void register_step_control() {
   add_method<H, CondensedTag>(
       "condensed", [] { return new OneOperator2_<bool, Method<H, CondensedTag>, bool>(set_condensed); });
   add_method<H, StopTag>("stop", [] { return new OneOperator2_<bool, Method<H, StopTag>, string*>(stop); });
-  add_method<H, CountTag>("count",
-                          [] { return new OneOperator2_<long, Method<H, CountTag>, string*>(count); });
   add_method<H, ChecksTag>("checks",
                            [] { return new OneOperator2_<bool, Method<H, ChecksTag>, bool>(set_checks); });
-  add_method<H, MeasuredTag>(
-      "measured", [] { return new OneOperator2_<double, Method<H, MeasuredTag>, string*>(measured); });
-  register_values();
-  register_own_loop();
+  register_step_data();
   register_scene_report();
   long number = 0;
   for (const char* name :

@@ -36,6 +36,7 @@ struct ControlObject {
 using StepControlHandle = Handle<ControlObject>;
 
 /// Called by register_step_control, after the type.
+void register_step_data();
 void register_scene_report();
 
 } // namespace burnish

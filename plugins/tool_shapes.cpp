@@ -1,17 +1,39 @@
 // The profile of a tool, and what scripts read of it. Arrays: inline, real[int] or int[int].
-//   tool t(circle=R);  tool t(chain=[x0,y0,r0, x1,y1,r1, ...], closed=true);  tool t(cad="cam.step", scale=1e-3);
-//                                              all kinds and parameters: cout << rcShapes(0), or the core's
-//                                              geometry/shapes.hpp
-//                                              FreeFEM reads letters beyond ASCII in a path only from the
-//                                              command line: cad=getARGV("-cad", "")
-//   closed: body outside; open: body on the left of the direction of travel; inside=true swaps
-//   t.outlinex(n), t.outliney(n)               outline of the tool where it is, n points and its joints
-//   t.tightestradius                           smallest radius of curvature; inf for lines
-//   real[int] f = t.closest(x, y);             closest point to (x, y): its x, y, the gap (negative inside the
-//                                              tool), normal x, y out of the tool, tangent x, y, curvature
-//   t.closest(x, y, gap, nx, ny, curvature);   the same for arrays of points, into arrays of the same size;
-//                                              returns the smallest gap. Beyond the end of an open tool the gap
-//                                              is the distance to that end
+// Closed: body outside; open: body on the left of the direction of travel. FreeFEM reads letters beyond ASCII in a path only
+// from the command line: cad=getARGV("-cad", "").
+//   tool(...)   parameters of the profile; those of the kinds not chosen are refused
+//     circle=   roller about the origin of the tool's frame: its radius | length | | > 0
+//     line=     straight line [x0, y0, x1, y1] from the first end to the second, body on the left | length | | two places
+//     chain=    [x0, y0, r0, x1, y1, r1, ...]: lines from corner to corner, each with the radius of its fillet | length | |
+//       r >= 0
+//     closed=   chain: true: back to the first corner, body outside | | false
+//     cad=      curves of a .geo, .step or .brep file, exact, without facets | | | a path
+//     scale=    cad: unit of length of the script over that of the file (STEP: over a mm) | - | 1 | > 0
+//     curves=   cad: numbers of the curves in the file that make the profile | - | all
+//     geo=      cad: numbers for a .geo file, "R=3; H=8" | | ""
+//     inside=   true: the body on the other side, a circle is a hollow die; not with line= | | false
+//     > tool die(chain=[-0.1, 0, 0, 0, 0, 5e-3, 0, -0.1, 0]);
+//     ! number of values in line
+//     ! degrees without fillet; give it a radius > 0
+//     ! no room for the fillets between
+//     ! three per point: [x0,y0,r0, x1,y1,r1, ...]
+//     ! ; swap the ends of a line to turn it
+//   rcShapes(dummy)   all kinds of profiles with their parameters, a line each
+//     dummy     not read
+//   t.outlinex(n), t.outliney(n)   x, y of the outline where the tool is: n points and its joints | length
+//     n         number of points | - | | 2 to 1000000
+//   t.tightestradius   smallest radius of curvature, inf for lines | length
+//   t.closest(x, y)   closest point of the profile: [x, y, gap, normal x, y, tangent x, y, curvature] | length, -, 1/length
+//     x         place; gap < 0 inside the tool, the normal points out of it | length | | finite
+//     y         place | length | | finite
+//   t.closest(x, y, gap, nx, ny, curvature)   the same for arrays of points; returns the smallest gap | length
+//       Beyond the end of an open tool the gap is the distance to that end
+//     x         places | length | | finite
+//     y         places | length | | as many as x
+//     gap       out: gaps | length | | as many as x
+//     nx        out: normals | - | | as many as x
+//     ny        out: normals | - | | as many as x
+//     curvature   out: curvatures | 1/length | | as many as x
 #include "tool_shapes.hpp"
 #include "arguments.hpp"
 #include "base/error.hpp"

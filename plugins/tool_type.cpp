@@ -1,13 +1,45 @@
 // Script type `tool`: profile, coordinates, motion or force of each coordinate.
-//   tool roller(circle=R);                            also  inside=true, line=[x0,y0,x1,y1], name="roller"
-//                                                     chain=[...] and cad="file": see tool_shapes.cpp
-//   roller.coordinates("polar", pivot=[x0,y0]);       or "cartesian"
-//   crank.parameter("e", 1e-2);                       a number that formulas call by name
-//   crank.coordinates("beta", x="e*cos(beta)", y="e*sin(beta)", angle="0");   names, separated by commas
-//   roller.force("y", "-k*(y - y0)");                 force by formula of the tool's coordinates, parameters and t
-//   roller.place("r", r0);  roller.move("phi", v);  roller.force("r", Q);      place; prescribe motion or force
-//   roller.value("r") present coordinate, roller.force("r") generalized force on it,
-//   roller.q and roller.Q all of them as arrays, roller.name
+//   > tool roller(circle=15e-3, name="roller");                 profiles: tool_shapes.cpp
+//   > roller.coordinates("polar", pivot=[0, 0]);
+//   > roller.place("r", 46e-3);  roller.move("phi", 1.6);  roller.force("r", -4e5);
+//   tool(...)   declares a rigid tool; exactly one of circle=, line=, chain=, cad= gives its profile
+//     name=     name in messages, files and "tool.coordinate" | | "tool 1", "tool 2", ... | no comma, quote, line break
+//     ! give exactly one profile
+//     ! , expected a text without comma, quote and line break
+//   t.coordinates(kind)   the coordinates that place the tool's frame, once, before C.add
+//     kind      "cartesian": x, y, angle; "polar": r, phi, angle; or names of one's own, separated by commas | length, rad
+//     pivot=    polar: pole [x0, y0] | length | [0, 0]
+//     x=        names of one's own: formula of the frame's x in coordinates and parameters | length | required
+//     y=        the same of its y | length | required
+//     angle=    the same of its turn, counter-clockwise | rad | "0"
+//     > crank.coordinates("beta", x="e*cos(beta)", y="e*sin(beta)", angle="0");
+//     ! , expected "polar", "cartesian", or names of coordinates with their formulas x=
+//     ! belongs to a contact already: choose its coordinates before add
+//     ! has its coordinates already:
+//     ! lack the formula
+//   t.parameter(name, value)   a number that formulas of coordinates and forces call by name; returns it | its own
+//     name      name in the formulas
+//     value     the number | its own | | finite
+//   t.place(coordinate, value)   sets the present value of a coordinate, at the start or between runs; returns it
+//     coordinate   its name
+//     value     where to | length, rad | | finite
+//     ! has no coordinate
+//   t.move(coordinate, value)   prescribes the motion: the coordinate's value at the end of the step; returns it
+//     coordinate   its name
+//     value     at the end of the step | length, rad | | finite
+//     ! and takes neither motion nor force of its own: prescribe what it follows
+//   t.force(coordinate, value)   prescribes the generalized force that the drive exerts, positive along the growing coordinate
+//     coordinate   its name
+//     value     number, or text: a formula of the tool's coordinates, parameters and t | force, force*length | | finite
+//     > roller.force("y", "-k*(y - y0)");
+//     ! has no coordinate
+//   t.force(coordinate)   the generalized force on it, of the accepted state | force, force*length
+//     coordinate   its name
+//   t.value(coordinate)   present value | length, rad
+//     coordinate   its name
+//   t.q         present values of all coordinates, in their order | length, rad
+//   t.Q         generalized forces on them | force, force*length
+//   t.name      name of the tool
 #include "base/error.hpp"
 #include "geometry/profile_surface.hpp"
 #include "kinematics/cartesian.hpp"

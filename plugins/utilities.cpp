@@ -1,14 +1,37 @@
 // Small things that a script needs from the machine.
-//   rcLastError(0)        text of the last error, once;  rcFail(text) ends the script with it, unless caught
-//   rcFail(text, status)  the same with another exit status than 20
-//   rcCaughtStatus(0), rcCaughtExit(0)   in a catch block: the exit status that the error would have had, whether it is
-//                         exit(n) of the script
-//   rcCatchInterrupt(0): Ctrl-C, SIGTERM, SIGHUP only set rcInterrupted(0), until rcReleaseInterrupt(0)
-//   rcWallTime(0), rcBlas(0), rcReferenceBlas(0), rcVersions(0)
-//   rcTerminal(0) whether output goes to a terminal
-//   rcErasedLine(0)       what erases the line of a terminal
-//   rcLeave(status)       ends the script with this exit status and no more words
-//   rcOwe(status)         the exit status if the script ends by itself, 0 to take it back
+//   rcLastError(dummy)   text of the last error, once
+//     dummy     not read
+//   rcFail(text)   ends the script with this error and exit status 20, unless caught
+//     text      what is wrong, and what is expected
+//   rcFail(text, status)   the same with another exit status
+//     text      what is wrong, and what is expected
+//     status    exit status | - | 20
+//   rcCaughtStatus(dummy)   in a catch block: the exit status that the error would have had | -
+//     dummy     not read
+//   rcCaughtExit(dummy)   in a catch block: whether it is exit(n) of the script
+//     dummy     not read
+//   rcCatchInterrupt(dummy)   Ctrl-C, SIGTERM, SIGHUP only set rcInterrupted, until rcReleaseInterrupt; twice: leaves, status 130
+//     dummy     not read
+//   rcReleaseInterrupt(dummy)   they end the script again
+//     dummy     not read
+//   rcInterrupted(dummy)   whether one came
+//     dummy     not read
+//   rcWallTime(dummy)   a clock, for differences | s
+//     dummy     not read
+//   rcBlas(dummy)   name of the BLAS in use
+//     dummy     not read
+//   rcReferenceBlas(dummy)   it is the slow reference one
+//     dummy     not read
+//   rcVersions(dummy)   versions of what is in use, as a JSON object
+//     dummy     not read
+//   rcTerminal(dummy)   output goes to a terminal
+//     dummy     not read
+//   rcErasedLine(dummy)   what erases the line of a terminal
+//     dummy     not read
+//   rcLeave(status)   ends the script with this exit status and no more words
+//     status    exit status | -
+//   rcOwe(status)   the exit status if the script ends by itself; 0 takes it back
+//     status    exit status | -
 #include "base/version.hpp"
 #include "leave.hpp"
 #include "named.hpp"

@@ -4,8 +4,9 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import numpy as np
 from plotting.case import main
-from plotting.figure import BLUE, GRAY, new_figure
+from plotting.figure import BLUE, GRAY, arrows_along, new_figure
 
 
 def springback(run):
@@ -13,6 +14,9 @@ def springback(run):
     history = run.history
     figure, axes = new_figure(8.0, 4.6)
     axes.plot(2 * history["leg_angle"], 2 * history["punch_force"], color=BLUE)
+    turn = 1 + np.argmax(history["leg_angle"])
+    for part, at in ((slice(0, turn), (0.3, 0.7)), (slice(turn - 1, None), (0.5,))):
+        arrows_along(axes, 2 * history["leg_angle"][part], 2 * history["punch_force"][part], BLUE, at)
     for name in ("bend angle under load", "bend angle after springback"):
         axes.axvline(run.result(name), color=GRAY, linestyle=":", linewidth=1)
     axes.set_xlabel("bend angle [deg]")

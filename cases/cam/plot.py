@@ -5,6 +5,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 import numpy as np
+from plotting import fields, maps
 from plotting.case import main
 from plotting.figure import BLUE, GRAY, ORANGE, new_figure
 
@@ -31,6 +32,22 @@ def height(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", mu="mu", pictures=(height,),
+def groove(run):
+    """The track that the cam leaves, its depth drawn larger than it is; the workpiece alone."""
+    surface = run.surface
+    x, depth = surface["x"], surface["y"] - surface["Y"].max()
+    times = 10 ** np.floor(np.log10(0.1 * np.ptp(x) / max(np.abs(depth).max(), 1e-12)))
+    field = run.field._replace(data={**run.field.data, "displacement": run.field.data["displacement"] * [1, times, 1]})
+    mesh, strain = maps.deformed(field, run.units.length), run.field.data["plastic_strain_eq"]
+    figure, axes = new_figure(9.0, 4.6)
+    bands, _ = fields.draw_map(axes, mesh, strain, fields.levels_to(strain.max(), quantity=fields.STRAIN), [], fields.mesh_box(mesh),
+                               fields.STRAIN.colors)
+    if bands is not None:
+        fields.add_scale(figure, bands, axes, "accumulated plastic strain [-]", 0.75)
+    axes.set_title(f"Track of the cam: vertical displacement {times:g} times as large, deepest {1e3 * -depth.min():.0f} µm")
+    return figure
+
+
+sys.exit(main(sys.argv[1:], length="mm", mu="mu", pictures=(height, groove),
               columns={"depth": ("depth under the cam", "µm", 1e3), "rigid_height": None, "rigid_travel": None,
                        "torque": None, "rigid_torque": None}))

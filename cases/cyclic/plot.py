@@ -5,9 +5,10 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import numpy as np
 from matplotlib.ticker import MaxNLocator
 from plotting.case import main
-from plotting.figure import BLUE, MICRON, ORANGE, RED, new_figure
+from plotting.figure import BLUE, MICRON, ORANGE, RED, arrows_along, new_figure
 from plotting.inputs import read_summary, read_whole_table
 
 LAWS = {"none": ("isotropic", BLUE), "prager": ("Prager", ORANGE), "armstrongfrederick": ("Armstrong-Frederick", RED)}
@@ -29,6 +30,10 @@ def load_depth(run):
                                 squeeze=False)
     for axes, (label, color, history, _) in zip(panels[0], drawn):
         axes.plot(MICRON * history["depth"], 1e-3 * history["force"], color=color, linewidth=1)
+        first = slice(0, 1 + np.flatnonzero(history["force"] > 0.999 * history["force"].max())[0])
+        low = first.stop + np.argmin(history["force"][first.stop:])
+        for part in (first, slice(first.stop - 1, low + 1)):
+            arrows_along(axes, MICRON * history["depth"][part], 1e-3 * history["force"][part], color, (0.5,))
         axes.set_title(label)
         axes.set_xlabel(r"depth of the cylinder [$\mu$m]")
     panels[0, 0].set_ylabel("force [kN/m]")

@@ -7,7 +7,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.p
 import numpy as np
 from plotting import fields, maps, tools
 from plotting.case import main
-from plotting.figure import BLUE, GRAY, RED, new_figure
+from plotting.figure import BLUE, GRAY, RED, arrows_along, new_figure
 from plotting.inputs import option
 
 ALONG, REACH = "stress_xx", 4.0  # mm  round the crater
@@ -29,6 +29,7 @@ def load_depth(run):
     h, depth, force = run.history, 1e6 * run.history["depth"], 1e-3 * run.history["force"]
     figure, axes = new_figure(7.5, 4.8)
     axes.plot(depth, force, color=BLUE, marker=".", markersize=4, label="computed")
+    arrows_along(axes, depth, force, BLUE, (0.25, 0.7))
     steep = force[h["t"] > 1]
     for name in ("depth under load", "depth unloaded", "crater"):
         axes.axvline(run.result(name), color=GRAY, linewidth=0.8, linestyle="--")

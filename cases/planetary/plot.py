@@ -82,7 +82,7 @@ def strain_zones(run):
     whole.set_title(f"Accumulated plastic strain at t = {run.t:.4g}, largest at a point "
                     f"{run.result('largest plastic strain'):.3g}")
     if bands:
-        figure.colorbar(bands, ax=[whole, left, right], label="accumulated plastic strain [-]", ticks=STRAINS,
+        figure.colorbar(bands, ax=[whole, left, right], label="accumulated plastic strain [-]\nwhite: elastic", ticks=STRAINS,
                         format="%.0e", shrink=0.8)
     return figure
 

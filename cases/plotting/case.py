@@ -10,7 +10,7 @@ main(arguments, length="m", mu=None, columns=None, pictures=(), without=())
     columns   {column: (label, unit, factor)} of the history, None to leave it out; see plotting/units.py
     pictures  functions of the run that return a figure, drawn after the default ones into function-name.png
     without   names of default pictures not wanted
-Default pictures: stress, plastic_strain, stress_error, sequence, history, pressure, expected (see DEFAULT below). A script without a
+Default pictures: scene, stress, plastic_strain, stress_error, sequence, history, pressure, expected (see DEFAULT below). A script without a
 plot.py gets them from plotting/scene.py.
 """
 import os
@@ -20,7 +20,13 @@ import sys
 from plotting import curves, fields
 from plotting.figure import apply_style, save
 from plotting.inputs import InputError, MissingInput
+from plotting.movie import write_movie
 from plotting.run import Run
+from plotting.start import start_figure
+
+
+def scene(run):
+    return start_figure(run)
 
 
 def stress(run):
@@ -59,7 +65,7 @@ def expected(run):
     return curves.expected_figure(run)
 
 
-DEFAULT = (stress, plastic_strain, stress_error, sequence, history, pressure, expected)
+DEFAULT = (scene, stress, plastic_strain, stress_error, sequence, history, pressure, expected)
 
 
 def say(text):
@@ -91,19 +97,33 @@ def draw_all(run, pictures, folder, patient=False):
     return max([draw_one(run, picture, folder, patient) for picture in pictures], default=0)
 
 
-def draw(arguments, read_run, pictures, patient=False):
-    """The body of a plot.py OUTDIR: reads the run and draws it; returns the exit code."""
+def make_movie(run, folder):
+    """movie.html and movie.gif, whose paths are printed; 1 if they could not be made."""
+    apply_style()
+    try:
+        for path in write_movie(run, folder):
+            print(path, flush=True)
+    except Exception as error:
+        say(f"no movie: {type(error).__name__}: {error}")
+        return 1
+    return 0
+
+
+def draw(arguments, read_run, pictures, patient=False, read_movie=None):
+    """The body of a plot.py OUTDIR [movie]: reads the run and draws its pictures, or its movie; returns the exit code.
+    read_movie: reads the Run of the movie where read_run makes something else."""
     for name in (signal.SIGINT, signal.SIGPIPE):
         signal.signal(name, signal.SIG_DFL)  # stop quietly
-    if len(arguments) != 1 or arguments[0].startswith("-"):
-        print(f"usage: {os.path.basename(sys.argv[0])} OUTDIR    (the folder of a run's results)", file=sys.stderr)
+    movie = arguments[1:] == ["movie"]
+    if len(arguments) != 1 + movie or arguments[0].startswith("-"):
+        print(f"usage: {os.path.basename(sys.argv[0])} OUTDIR [movie]    (the folder of a run's results)", file=sys.stderr)
         return 2
     try:
-        run = read_run(arguments[0])
+        run = (read_movie if movie and read_movie else read_run)(arguments[0])
     except InputError as error:
         say(error)
         return 1
-    return draw_all(run, pictures, arguments[0], patient)
+    return make_movie(run, arguments[0]) if movie else draw_all(run, pictures, arguments[0], patient)
 
 
 def read_case(folder, length, mu, columns):

@@ -61,15 +61,17 @@ def mark_contact(axes, surface, letters="EF", scale=MM):
     if not where.any():
         return Line2D([], [], linestyle="none", label="no contact")
     x, y = scale * surface["x"], scale * surface["y"]
-    for part in contact_arcs(surface):
-        dot = "o" if part.stop - part.start == 1 else None
+    single = [part.stop - part.start == 1 for part in contact_arcs(surface)]
+    for part, alone in zip(contact_arcs(surface), single):
+        dot = "o" if alone else None
         axes.plot(x[part], y[part], color="black", linewidth=4, solid_capstyle="butt", marker=dot, zorder=4)
     ends = np.flatnonzero(where)[[0, -1]]
     ends = ends[np.argsort(-polar_degrees(x[ends], y[ends]))]
     for end, letter, side in zip(ends, letters, (-7, 7)):
         axes.annotate(letter, (x[end], y[end]), xytext=(side, 9), textcoords="offset points", ha="center",
                       va="bottom", fontweight="bold", path_effects=WHITE_EDGE, zorder=6)
-    return Line2D([], [], color="black", linewidth=4, label=f"contact arc {letters}" if letters else "in contact")
+    return Line2D([], [], color="black", linewidth=0 if all(single) else 4, marker="o" if any(single) else None,
+                  label=f"contact arc {letters}" if letters else "in contact")
 
 
 def arc_from_middle(surface):
@@ -176,30 +178,33 @@ def profile_figure(surface, first_contact, title):
     return figure
 
 
-def draw_event_kind(axes, events, kind, size):
+def event_panel(axes, events, history, kind, size):
+    """Events of one kind over the band of contact; their number above."""
+    axes.fill_between(history["t"], history["contact_begin_deg"], history["contact_end_deg"], color="#dddddd", linewidth=0)
     color, marker, scale = EVENT_MARKS.get(kind, (PURPLE, "x", 1.0))
     chosen = events["event"] == kind
     angle = polar_degrees(events["x"][chosen], events["y"][chosen])
-    axes.plot(events["t"][chosen], angle, linestyle="none", marker=marker, color=color, markersize=size * scale,
-              markeredgewidth=0.6, alpha=0.75)
-    return Line2D([], [], linestyle="none", marker=marker, color=color, markersize=7 * scale,
-                  label=f"{kind} ({chosen.sum()})")
+    axes.plot(events["t"][chosen], angle, linestyle="none", marker=marker, color=color, markersize=size * scale, markeredgewidth=0.6)
+    axes.set_title(f"{kind} ({chosen.sum()})", fontsize=11)
 
 
 def events_figure(events, history, title):
-    """Events by polar angle of their place against t, over the band of contact."""
-    count = len(events["t"])
-    figure, axes = new_figure(8.0, 6.0)
-    handles = [axes.fill_between(history["t"], history["contact_begin_deg"], history["contact_end_deg"],
-                                 color="#dddddd", linewidth=0, label="contact at accepted steps")]
-    size = np.clip(5.0 * (600 / max(count, 1)) ** 0.4, 1.6, 5.0)
+    """Events by polar angle of their place against t, over the band of contact: a panel for each kind, none hides another."""
     kinds = sorted(set(events["event"]), key=lambda k: (list(EVENT_MARKS) + [k]).index(k))
-    for kind in sorted(kinds, key=lambda k: k not in ("yield", "unloading")):
-        handles.append(draw_event_kind(axes, events, kind, size))
-    if not count:
-        say_empty(axes, "no events")
-    axes.set_xlabel("load parameter t [-]")
-    axes.set_ylabel("polar angle of the place [deg]")
-    axes.set_title(title)
-    key_below(axes, handles, 3, 0.11)
+    columns = min(3, max(1, len(kinds)))
+    rows = max(1, -(-len(kinds) // columns))
+    figure, panels = new_figure(3.4 * columns + 0.6, 2.7 * rows + 1.0, nrows=rows, ncols=columns, squeeze=False, sharex=True, sharey=True)
+    if not kinds:
+        say_empty(panels[0, 0], "no events")
+    for axes, kind in zip(panels.flat, kinds):
+        count = (events["event"] == kind).sum()
+        event_panel(axes, events, history, kind, np.clip(5.0 * (150 / max(count, 1)) ** 0.4, 1.6, 5.0))
+    for k, axes in enumerate(panels.flat):
+        axes.set_visible(k < max(1, len(kinds)))
+        if k + columns >= len(kinds):
+            axes.tick_params(labelbottom=True)
+            axes.set_xlabel("load parameter t [-]")
+    for axes in panels[:, 0]:
+        axes.set_ylabel("polar angle [deg]")
+    figure.suptitle(f"{title}; gray: the nodes in contact")
     return figure

@@ -203,29 +203,47 @@ def expected_results(summary):
     return [(name, r) for name, r in results.items() if isinstance(r, dict) and r.get("expected") is not None]
 
 
+def expected_row(name, entry):
+    """Texts of a row, and whether the result is within its tolerance."""
+    value, wanted, tolerance = entry["value"], entry["expected"], entry["tolerance"]
+    if value is None:
+        return [name, "nan", f"{wanted:.5g}", entry["unit"].strip("-"), "", "", entry["source"]], False
+    error = (value - wanted) / (abs(wanted) or 1)
+    percent = (lambda number: f"{100 * number:.3g} %") if wanted else (lambda number: f"{number:.3g}")
+    texts = [name, f"{value:.5g}", f"{wanted:.5g}", entry["unit"].strip("-"), percent(error), percent(tolerance), entry["source"]]
+    return texts, abs(error) <= tolerance
+
+
+def made_by(summary):
+    """What the run was, as far as the summary says it."""
+    options, mesh, counts = (summary.get(name) or {} for name in ("options", "mesh", "counts"))
+    known = [str(options.get("element", "")), f"{mesh['nodes']} nodes" if "nodes" in mesh else "",
+             f"{counts['steps']} steps" if "steps" in counts else ""]
+    return "Made with " + ", ".join(word for word in known if word)
+
+
 def expected_figure(run):
-    """Error of each result over the error allowed, with the numbers; None if nothing is expected."""
-    rows = expected_results(run.summary)
+    """Each result beside what is expected of it, a table; None if nothing is expected."""
+    rows = [expected_row(name.strip(), entry) for name, entry in expected_results(run.summary)]
     if not rows:
         return None
-    figure, axes = new_figure(8.5, 1.4 + 0.5 * len(rows))
-    for i, (name, r) in enumerate(rows):
-        deviation = (r["value"] - r["expected"]) / (abs(r["expected"]) or 1) if r["value"] is not None else np.nan
-        part = np.clip(deviation / r["tolerance"], -1.9, 1.9) if r["tolerance"] else 0.0
-        color = BLUE if abs(part) <= 1 else RED
-        axes.barh(i, part, color=color, height=0.5, zorder=2)
-        axes.plot(part, i, color=color, marker="o", markersize=7, zorder=3)  # seen where the bar is short too
-        value = "nan" if r["value"] is None else f"{r['value']:.5g}"
-        error = f"{100 * deviation:+.3g} %" if r["expected"] else f"{deviation:+.3g}"
-        unit = r["unit"] if r["unit"] != "-" else ""
-        axes.text(2.05, i, f"{value} {unit}  ({error})\n{r['expected']:.5g} expected, {r['source']}", va="center",
-                  fontsize=9)
-    axes.axvspan(-1, 1, color="#e8f0e8", zorder=0)
-    axes.axvline(0, color="black", linewidth=0.8)
-    axes.set_xlim(-2, 2)
-    axes.set_yticks(range(len(rows)), [name for name, _ in rows])
-    axes.set_ylim(len(rows) - 0.4, -0.6)
-    axes.grid(axis="y")
-    axes.set_xlabel("error / error allowed")
-    axes.set_title("Computed against expected")
+    heads = ("", "computed", "expected", "unit", "error", "allowed", "source")
+    texts = [list(map(u.plain, row)) for row, _ in rows]
+    wide = [max(len(row[k]) for row in (heads, *texts)) + 2 for k in range(len(heads))]
+    figure, axes = new_figure(max(6.0, 0.095 * sum(wide)), 1.3 + 0.34 * (len(rows) + 1))
+    axes.axis("off")
+    table = axes.table(texts, colLabels=heads, colWidths=[w / sum(wide) for w in wide], loc="center", cellLoc="right")
+    table.auto_set_font_size(False)
+    table.set_fontsize(11)
+    table.scale(1, 1.7)
+    for (line, column), cell in table.get_celld().items():
+        cell.set_edgecolor("#bbbbbb")
+        if column in (0, len(heads) - 1):
+            cell.set_text_props(ha="left")
+        if line == 0:
+            cell.set_facecolor("#eeeeee")
+        elif column == 4:
+            cell.set_facecolor("#b3d6f0" if rows[line - 1][1] else "#f3ae94")
+    axes.set_title("Computed against expected; blue: within what is allowed, red: not")
+    axes.text(0, 0, made_by(run.summary), transform=axes.transAxes, color=GRAY, fontsize=9, va="bottom")
     return figure

@@ -2,7 +2,11 @@
 from collections import namedtuple
 
 import numpy as np
+from matplotlib.cm import get_cmap
+from matplotlib.colors import ListedColormap
+from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
+from matplotlib.tri import Triangulation
 
 from plotting import contact, maps, tools
 from plotting.figure import GRAY, key_under_labels, new_figure, say_empty
@@ -12,6 +16,7 @@ from plotting.units import amount, in_powers, power_of_ten
 Quantity = namedtuple("Quantity", "name label colors stress")
 STRESS = Quantity("stress_eq", "von Mises stress", "viridis_r", True)
 STRAIN = Quantity("plastic_strain_eq", "accumulated plastic strain", "magma_r", False)
+ELASTIC = 1e-3  # of the first level of the plastic strain: what is below stays white
 ERROR = Quantity("stress_error", "estimated stress error", "cividis_r", True)
 
 
@@ -23,45 +28,79 @@ def unit_of(run, quantity):
     return in_powers(exponent, "-"), 10.0**-exponent
 
 
-def levels_to(largest, number=14):
-    """Round levels from zero to the largest value; None if that is zero."""
+def levels_to(largest, number=14, quantity=STRESS):
+    """Round levels from zero to the largest value, of the plastic strain from just above zero; None if that is zero."""
     if not largest > 0:
         return None
-    return MaxNLocator(number, steps=[1, 2, 2.5, 5, 10]).tick_values(0, largest)
+    levels = MaxNLocator(number, steps=[1, 2, 2.5, 5, 10]).tick_values(0, largest)
+    return np.r_[ELASTIC * levels[1], levels[1:]] if quantity is STRAIN else levels
 
 
-def draw_map(axes, mesh, values, levels, outlines, box, cmap, unit="mm"):
-    """Filled bands, outline of the workpiece, tools; levels: None for no bands; unit: of length. Returns (bands or
-    None, handles)."""
+def band_colors(quantity, levels):
+    """Color map with one color for each band, that which draw_map gives it."""
+    colors, middles = get_cmap(quantity.colors), 0.5 * (levels[1:] + levels[:-1])
+    return ListedColormap([colors(part) for part in (middles - levels[0]) / (levels[-1] - levels[0])])
+
+
+def reflected(mesh, sign):
+    return Triangulation(sign[0] * mesh.x, sign[1] * mesh.y, mesh.triangles, mesh.mask)
+
+
+def draw_mirrored(axes, mesh, values, levels, outlines, cmap, mirrors):
+    """The parts that symmetry leaves out: bands, outlines, tools; no mesh. Returns the handle for the key."""
+    for sign in mirrors:
+        other = reflected(mesh, sign)
+        if levels is not None:
+            maps.draw_bands(axes, other, values, levels, cmap)
+        maps.draw_outline(axes, other)
+        tools.draw_tools(axes, [o._replace(points=o.points * sign) for o in outlines], other)
+    if any(sign[0] < 0 for sign in mirrors):
+        axes.axvline(0, color=GRAY, linewidth=0.9, linestyle="-.", zorder=3.2)
+    if any(sign[1] < 0 for sign in mirrors):
+        axes.axhline(0, color=GRAY, linewidth=0.9, linestyle="-.", zorder=3.2)
+    return Line2D([], [], color=GRAY, linewidth=0.9, linestyle="-.", label="symmetry; the mesh is what was computed")
+
+
+def draw_map(axes, mesh, values, levels, outlines, box, cmap, unit="mm", mirrors=()):
+    """Filled bands, outline of the workpiece, tools; levels: None for no bands; unit: of length; mirrors: Run.mirrors. Returns
+    (bands or None, handles)."""
     maps.set_view(axes, box, unit)
     axes.grid(False)
     bands = None
     if levels is not None:
-        bands = maps.draw_bands(axes, mesh, np.maximum(values, levels[0]), levels, cmap)
+        values = np.maximum(values, 0)
+        bands = maps.draw_bands(axes, mesh, values, levels, cmap)
     axes.triplot(mesh, color="black", linewidth=0.2, alpha=min(0.35, 400 / len(mesh.triangles)), zorder=1.5)
     maps.draw_outline(axes, mesh)
-    return bands, tools.draw_tools(axes, outlines, mesh)
+    handles = tools.draw_tools(axes, outlines, mesh)
+    if mirrors:
+        handles.append(draw_mirrored(axes, mesh, values, levels, outlines, cmap, mirrors))
+    return bands, handles
 
 
 def add_scale(figure, bands, axes, label, shrink=0.9):
     """Color bar with a tick at every level or at every second one."""
-    ticks = bands.levels[:: 1 if len(bands.levels) <= 9 else 2]
+    first = 0 if bands.levels[0] == 0 else 1  # of the plastic strain that just above zero is no number to read
+    ticks = bands.levels[first:: 1 if len(bands.levels) <= 9 else 2]
+    label += "\nwhite: elastic" if first else ""
     figure.colorbar(bands, ax=axes, label=label, shrink=shrink, format="%.4g", ticks=ticks)
 
 
-def mesh_box(mesh):
-    return maps.box_of(mesh.x, mesh.y, 0.03)
+def mesh_box(mesh, mirrors=()):
+    x = np.concatenate([mesh.x, *(sign[0] * mesh.x for sign in mirrors)])
+    y = np.concatenate([mesh.y, *(sign[1] * mesh.y for sign in mirrors)])
+    return maps.box_of(x, y, 0.03)
+
+
+def view_of(run, mesh, outlines, part=0.3):
+    """Limits that show the whole workpiece and the tools near it."""
+    mirrored = [o._replace(points=o.points * sign) for o in outlines for sign in run.mirrors]
+    return tools.widened(mesh_box(mesh, run.mirrors), outlines + mirrored, part)
 
 
 def shape_of(box, width):
     """Height of a figure of this width for the box, with room for the labels."""
     return float(np.clip((width - 2.6) * (box[3] - box[2]) / (box[1] - box[0]) + 1.4, 3.2, 9.5))
-
-
-def draw_symmetry_axis(axes, run, box):
-    """Dash-dotted where an axisymmetric scene shows its axis."""
-    if run.axisymmetric and box[0] <= 0 <= box[1]:
-        axes.axvline(0, color=GRAY, linewidth=0.9, linestyle="-.", zorder=3.2)
 
 
 def at_time(run):
@@ -74,20 +113,22 @@ def field_figure(run, quantity, box=None, width=8.5):
     unit, factor = unit_of(run, quantity)
     label, values = quantity.label, factor * np.nan_to_num(run.field.data[quantity.name])
     outlines = tools.at_time(run.tools, run.t)
-    box = box or tools.widened(mesh_box(run.mesh), outlines)
+    box = box or view_of(run, run.mesh, outlines)
     figure, axes = new_figure(width, shape_of(box, width))
-    levels = levels_to(values.max())
-    bands, handles = draw_map(axes, run.mesh, values, levels, outlines, box, quantity.colors, run.units.length_unit)
-    draw_symmetry_axis(axes, run, box)
+    levels = levels_to(values.max(), quantity=quantity)
+    bands, handles = draw_map(axes, run.mesh, values, levels, outlines, box, quantity.colors, run.units.length_unit, run.mirrors)
     if run.has("surface.csv"):
         handles.append(contact.mark_contact(axes, run.surface, letters="", scale=run.units.length))
+        for sx, sy in run.mirrors:
+            other = {**run.surface, "x": sx * run.surface["x"], "y": sy * run.surface["y"]}
+            contact.mark_contact(axes, other, letters="", scale=run.units.length)
     if bands is None:
         say_empty(axes, f"no {label}")
     else:
         add_scale(figure, bands, axes, f"{label} [{unit}]")
     axes.set_title(f"{label[0].upper() + label[1:]}{at_time(run)}, largest at a node {amount(values.max(), unit)}")
     if handles:
-        key_under_labels(axes, handles, len(handles))
+        key_under_labels(axes, handles, min(3, len(handles)))
     return figure
 
 
@@ -107,18 +148,18 @@ def sequence_figure(run, quantity, number=4, width=10.0):
     shown = [(t, maps.deformed(f, run.units.length), factor * np.nan_to_num(f.data[quantity.name]))
              for t, f in instants(run, number)]
     outlines = [tools.at_time(run.tools, t) for t, _, _ in shown]
-    boxes = np.array([tools.widened(mesh_box(mesh), o, 0.2) for (_, mesh, _), o in zip(shown, outlines)])
+    boxes = np.array([view_of(run, mesh, o, 0.2) for (_, mesh, _), o in zip(shown, outlines)])
     box = (boxes[:, 0].min(), boxes[:, 1].max(), boxes[:, 2].min(), boxes[:, 3].max())
     columns = 2 if len(shown) > 2 else len(shown)
     rows = -(-len(shown) // columns)
     height = rows * ((width - 2.4) / columns * (box[3] - box[2]) / (box[1] - box[0]) + 0.4) + 0.6
     figure, panels = new_figure(width, float(np.clip(height, 3.5, 12)), nrows=rows, ncols=columns, squeeze=False,
                                 sharex=True, sharey=True)
-    levels = levels_to(max(values.max() for _, _, values in shown))
+    levels = levels_to(max(values.max() for _, _, values in shown), quantity=quantity)
     bands = None
     for axes, (t, mesh, values), drawn in zip(panels.flat, shown, outlines):
-        mine, _ = draw_map(axes, mesh, values, levels, drawn, box, quantity.colors, run.units.length_unit)
-        draw_symmetry_axis(axes, run, box)
+        mine, _ = draw_map(axes, mesh, values, levels, drawn, box, quantity.colors, run.units.length_unit,
+                           run.mirrors)
         bands = mine or bands
         axes.set_title(f"t = {t:.3g}")
         axes.label_outer()

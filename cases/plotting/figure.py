@@ -6,6 +6,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
 from matplotlib.transforms import ScaledTranslation  # noqa: E402
 from PIL import Image  # noqa: E402  (matplotlib needs it too)
 
@@ -68,6 +69,18 @@ def same_zero(axes, other):
     """Both scales from zero, at one height."""
     for a in (axes, other):
         a.set_ylim(0, 1.05 * a.dataLim.y1)
+
+
+def arrows_along(axes, x, y, color, parts=(0.2, 0.5, 0.8)):
+    """Arrow heads on a curve that show which way it is run, at these parts of its length in the picture; set the limits before."""
+    places = axes.transData.transform(np.column_stack([x, y]))
+    way = np.r_[0, np.cumsum(np.hypot(*np.diff(places, axis=0).T))]
+    if not way[-1] > 0:
+        return
+    for part in parts:
+        ends = [[np.interp(np.clip(part * way[-1] + d, 0, way[-1]), way, v) for v in (x, y)] for d in (-3, 3)]
+        axes.annotate("", ends[1], ends[0], arrowprops={"arrowstyle": "-|>", "color": color, "shrinkA": 0, "shrinkB": 0,
+                                                        "mutation_scale": 14})
 
 
 def say_empty(axes, text):

@@ -3,10 +3,11 @@ import numpy as np
 from matplotlib import patheffects
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
+from matplotlib.path import Path
 from matplotlib.tri import Triangulation
 import matplotlib.pyplot as plt
 
-from plotting.figure import GRAY, MM
+from plotting.figure import GRAY, MM, MPA
 
 WHITE_EDGE = [patheffects.withStroke(linewidth=3, foreground="white")]
 
@@ -122,18 +123,28 @@ def number_isolines(axes, paths, rim, box, colors):
             taken = np.vstack([taken, place])
 
 
+def drop_fragments(lines, least):
+    """Takes pieces of isolines away that are shorter than least: at rims the mesh cuts them off where they run along it."""
+    for collection in lines.collections if lines else []:
+        paths = [part for path in collection.get_paths() for part in path.to_polygons(closed_only=False)]
+        collection.set_paths([Path(part) for part in paths if length(part) >= least])
+
+
 def draw_isolines(axes, mesh, values, levels, box):
     """Numbered isolines; returns one handle a level for the key, which says when a level is not reached."""
     colors = [plt.get_cmap("plasma")(c) for c in np.linspace(0, 0.78, len(levels))]
     mesh, values = drawable(mesh, values)
     lines = axes.tricontour(mesh, values, levels=levels, colors=colors, linewidths=1.4, zorder=2) \
         if values.min() < max(levels) and values.max() > min(levels) else None
-    paths = lines.allsegs if lines else [[] for _ in levels]
+    least = 0.02 * (box[1] - box[0])
+    paths = [[part for part in level if length(part) >= least] for level in lines.allsegs] if lines else [[] for _ in levels]
+    drop_fragments(lines, least)
     number_isolines(axes, paths, rim_edges(mesh), box, colors)
     handles = []
     for i, level in enumerate(levels):
-        note = "" if len(paths[i]) else " (not reached)" if values.max() < level else " (exceeded everywhere)"
-        handles.append(Line2D([], [], color=colors[i], label=f"{i + 1}:  {level / 1e8:.2f}$\\cdot 10^8$ Pa{note}"))
+        note = "" if len(paths[i]) else " (not reached)" if values.max() < level else \
+            " (exceeded everywhere)" if values.min() > level else " (in spots only)"
+        handles.append(Line2D([], [], color=colors[i], label=f"{i + 1}:  {MPA * level:.4g} MPa{note}"))
     return handles
 
 

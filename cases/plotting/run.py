@@ -10,6 +10,7 @@ from plotting import contact, maps
 from plotting.inputs import (InputError, MissingInput, header_of, option, read_summary, read_text, read_whole_table)
 from plotting.tools import read_tools
 from plotting.units import LENGTHS, SYSTEMS, describe, neutral
+from plotting.vtp import read_vtp
 from plotting.vtu import read_vtu
 
 
@@ -81,17 +82,48 @@ class Run:
         return maps.deformed(self.field, self.units.length)
 
     @cached_property
+    def supports(self):
+        """(places n x 2, whether x and y are fixed n x 2) of the nodes that are held, in the files' unit; none if no file says it."""
+        path = self.path("supports.vtp")
+        if not os.path.isfile(path):
+            return np.empty((0, 2)), np.empty((0, 2), bool)
+        points = read_vtp(path)
+        return points.points[:, :2], points.data["fixed"] > 0
+
+    @cached_property
+    def mirrors(self):
+        """Signs of x and y for the parts that symmetry leaves out: (-1, 1) where the left half is. A line of symmetry is x = 0 or
+        y = 0 with the workpiece on one side, whose nodes are all held across it and not all along it."""
+        (places, fixed), size = self.supports, 1e-9 * np.ptp(self.field.points, axis=0).max()
+        half = []
+        for axis in (0, 1):
+            line = np.abs(self.field.points[:, axis]) < size
+            held = (np.abs(places[:, axis]) < size) & fixed[:, axis]
+            inside = (self.field.points[:, axis] > -size).all() or (self.field.points[:, axis] < size).all()
+            half.append(inside and held.sum() > 2 and held.sum() == line.sum() and not fixed[held, 1 - axis].all())
+        if self.axisymmetric:
+            half[0] = True
+        signs = [(-1, 1)] * half[0] + [(1, -1)] * half[1]
+        return signs + [(-1, -1)] * (len(signs) == 2)
+
+    @cached_property
     def tools(self):
         path = self.path("tools.csv")
         return read_tools(path, self.units.length) if os.path.isfile(path) else []
 
     @cached_property
-    def series(self):
-        """(t, path) of the field files on the way; none of an earlier run if this one was to write none."""
+    def frames(self):
+        """[(t, {"workpiece": path, "tools": path, "contact surface": path})] of the series, that of the start first; none of an
+        earlier run if this one was to write none."""
         path = self.path("fields.pvd")
         if self.has("summary.json") and option(self.summary, "series") == 0:
             return []
-        return read_series(path) if os.path.isfile(path) else []
+        return read_frames(path) if os.path.isfile(path) else []
+
+    @cached_property
+    def series(self):
+        """(t, path) of the field files on the way."""
+        return [(t, parts["workpiece"]) for t, parts in self.frames if t > 0]
 
     @cached_property
     def t(self):
@@ -140,11 +172,14 @@ class Run:
             raise MissingInput(f"{self.path('summary.json')}: no result {name!r}") from None
 
 
-def read_series(path):
-    """(t, path) of the files that a ParaView collection names and that are there."""
+def read_frames(path):
+    """(t, {name of the part: path}) of the files that a ParaView collection names and that are there."""
+    frames = {}
     try:
-        entries = ElementTree.fromstring(read_text(path)).findall("Collection/DataSet")
-        pairs = [(float(e.get("timestep")), os.path.join(os.path.dirname(path), e.get("file"))) for e in entries]
+        for entry in ElementTree.fromstring(read_text(path)).findall("Collection/DataSet"):
+            file = os.path.join(os.path.dirname(path), entry.get("file"))
+            if os.path.isfile(file):
+                frames.setdefault(float(entry.get("timestep")), {})[entry.get("name", "workpiece")] = file
     except (ElementTree.ParseError, TypeError, ValueError) as error:
         raise InputError(f"{path}: {error}") from None
-    return [(t, file) for t, file in pairs if os.path.isfile(file)]
+    return [(t, parts) for t, parts in sorted(frames.items()) if "workpiece" in parts]

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Pictures of any scene: scene.py OUTDIR reads what rcCase wrote there and puts PNG files beside it.
 
-rcCaseEnd runs it for a script without a plot.py: stress, plastic strain, stress error, sequence, history, pressure, expected, in the
+rcCaseEnd runs it for a script without a plot.py: scene, stress, plastic strain, stress error, sequence, history, pressure, expected, in the
 script's own units, of which nothing is known. A picture is left out where its files are missing.
 """
 import os

@@ -9,10 +9,12 @@ try:
     import numpy as np
     from matplotlib.patches import Rectangle
     from matplotlib.ticker import MaxNLocator
-    from plotting import contact, maps
+    from plotting import contact, fields, maps
     from plotting.case import draw
     from plotting.figure import (BLUE, GRAY, GREEN, MICRON, MM, ORANGE, RED, SKY, key_below, new_figure, say_empty)
     from plotting.inputs import InputError, option, read_summary, read_table
+    from plotting.run import Run
+    from plotting.start import start_figure
     from plotting.vtu import read_vtu
 except ImportError as error:
     sys.exit(f"plot.py: {error}; the Debian packages python3-matplotlib, python3-numpy and python3-meshio are "
@@ -44,7 +46,7 @@ def read_run(folder):
         events=read_table(path["events.csv"], ("t", "x", "y"), ("event",), rows=0),
         summary=read_summary(path["summary.json"]),
         surface=read_table(path["surface.csv"], SURFACE, ("state",), rows=2),
-        field=field, mesh=maps.deformed(field))
+        folder=folder, field=field, mesh=maps.deformed(field))
 
 
 def at_end(run):
@@ -107,6 +109,10 @@ def isoline_figure(run, levels, box, title):
     return figure
 
 
+def scene(run):
+    return start_figure(Run(run.folder, "m"))
+
+
 def stress_below_yield(run):
     return isoline_figure(run, LEVELS_BELOW, whole_view(run), "Von Mises stress below the initial yield stress")
 
@@ -135,9 +141,10 @@ def plastic_strain(run):
         axes.grid(False)
         handles = draw_tool_and_contact(axes, run, 0.45 * (limits[1] - limits[0]))
         if values.max() > 0:
-            bands = maps.draw_bands(axes, run.mesh, values, levels)
+            bands = maps.draw_bands(axes, run.mesh, values, levels, fields.STRAIN.colors)
     if values.max() > 0:
-        figure.colorbar(bands, ax=[near, whole], label="accumulated plastic strain [-]", ticks=levels, format="%.3g")
+        figure.colorbar(bands, ax=[near, whole], label="accumulated plastic strain [-]\nwhite: elastic",
+                        ticks=levels[1:], format="%.3g")
     else:
         say_empty(near, "no plastic strain")
     whole.add_patch(Rectangle((box[0], box[2]), box[1] - box[0], box[3] - box[2], fill=False, edgecolor=RED,
@@ -208,9 +215,9 @@ def events(run):
     return contact.events_figure(run.events, run.history, "Contact events")
 
 
-PICTURES = (stress_below_yield, stress_above_yield, plastic_strain, tool_histories, contact_traction, surface_profile,
+PICTURES = (scene, stress_below_yield, stress_above_yield, plastic_strain, tool_histories, contact_traction, surface_profile,
             events)
 
 
 if __name__ == "__main__":
-    sys.exit(draw(sys.argv[1:], read_run, PICTURES))
+    sys.exit(draw(sys.argv[1:], read_run, PICTURES, read_movie=lambda folder: Run(folder, "m")))

@@ -12,7 +12,7 @@ def bite(run):
     """Path of nose, tail and pusher, forces along x on the strip, roll force and torques over the rolls' path."""
     history = run.history
     path, two = history["path"], "Q_lower.y" in history
-    figure, axes = new_figure(8.0, 9.0, nrows=3, sharex=True)
+    figure, axes = new_figure(8.0, 10.5, nrows=4, sharex=True)
     axes[0].plot(path, path, color=GRAY, linestyle=":", label="surface of the upper roll")
     axes[0].plot(path, history["nose"] - history["nose"][0], color=BLUE, label="nose")
     axes[0].plot(path, history["tail"] - history["tail"][0], color=GREEN, label="tail")
@@ -21,13 +21,14 @@ def bite(run):
     axes[1].plot(path, history["Q_pusher.x"] / (1 + two), color=ORANGE,
                  label="half of the pusher's" if two else "pusher")
     axes[1].plot(path, history["pull"], color=BLUE, linestyle="--", label="mean of the rolls" if two else "roll")
-    axes[1].set_ylabel("force on the strip along x [N/mm]")
-    axes[2].plot(path, -history["Q_upper.y"], color=RED, label="roll force [N/mm]")
-    axes[2].plot(path, history["Q_upper.angle"], color=BLUE, label="torque, upper roll [N mm/mm]")
+    axes[1].set_ylabel("force along x [N/mm]")
+    axes[2].plot(path, -history["Q_upper.y"], color=RED, label="roll force")
+    axes[2].set_ylabel("roll force [N/mm]")
+    axes[3].plot(path, history["Q_upper.angle"], color=BLUE, label="upper roll")
     if two:
-        axes[2].plot(path, -history["Q_lower.angle"], color=GREEN, linestyle=(0, (6, 6)),
-                     label="torque, lower roll [N mm/mm]")
-    axes[2].set_xlabel("path of the roll's surface [mm]")
+        axes[3].plot(path, -history["Q_lower.angle"], color=GREEN, linestyle=(0, (6, 6)), label="lower roll")
+    axes[3].set_ylabel(r"torque [N$\cdot$mm/mm]")
+    axes[3].set_xlabel("path of the roll's surface [mm]")
     for place in axes:
         place.legend()
     results = run.summary.get("results", {})

@@ -7,6 +7,7 @@
 #              name=first:last:random or name=first:last:latin (SAMPLES=20 points, SEED=1) for each option: values.py
 #     OPTIONS  options of all variants;  RESULT: names in "results" or "final" of summary.json to draw
 #     JOBS     runs at a time, default one for each core
+#     EXPLORE  1, as make explore sets it: every variant draws its pictures, and explore.html shows them beside sliders
 #     SSH      other machines, "host1,host2" (":" is this one): ssh without a password, GNU parallel here, and there the same
 #              folder under the same path (a network folder) with the same system, so that build/ runs
 # Each variant has its folder out/sweep/CASE/R=0.01,mu=0.1/ with log.txt. Variants that finished with the same options and the
@@ -14,7 +15,8 @@
 # if a variant failed.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
-: "${CASE:=rolling}" "${BURNISH:=build/burnish}" "${PYTHON:=/usr/bin/python3}" "${JOBS:=$(nproc)}" "${SSH:=}"
+: "${EXPLORE:=}" "${CASE:=rolling}" "${BURNISH:=build/burnish}" "${PYTHON:=/usr/bin/python3}" "${JOBS:=$(nproc)}" "${SSH:=}"
+case " ${OPTIONS-} " in *" -pictures "*) ;; *) [ -z "$EXPLORE" ] || OPTIONS="-pictures 1 ${OPTIONS-}" ;; esac
 export CASE BURNISH PYTHON VARY="${VARY-}" OPTIONS="${OPTIONS-}" RESULT="${RESULT-}" TARGET="${TARGET-}"
 top=out/sweep/$(basename "$CASE" .edp)
 
@@ -35,4 +37,5 @@ fi
 "$PYTHON" cases/sweep/gather.py
 status=$?
 "$PYTHON" cases/sweep/plot.py || status=1
+if [ -n "$EXPLORE" ]; then "$PYTHON" cases/sweep/explore.py || status=1; fi
 exit "$status"

@@ -4,9 +4,19 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import numpy as np
 from plotting.case import main
 from plotting.figure import BLUE, GRAY, ORANGE, new_figure
 from plotting.inputs import read_whole_table
+
+
+def mark_folds(axes, x, y):
+    """Where the barrelling jumps down: a node of the side has come to the platen, and the contact is wider by an edge."""
+    for k in np.flatnonzero(np.diff(y) < -0.05 * y.max()):
+        axes.axvspan(x[k], x[k + 1], color=ORANGE, alpha=0.3, linewidth=0)
+        axes.annotate("a node of the side\nfolds onto the platen:\nthe contact is wider\nby one edge", (x[k], y[k]),
+                      xytext=(0.97, 0.08), textcoords="axes fraction", ha="right", va="bottom", fontsize=10,
+                      arrowprops={"arrowstyle": "->", "color": GRAY})
 
 
 def force(run):
@@ -21,7 +31,8 @@ def force(run):
     left.legend(loc="lower right")
     right.plot(100 * history["reduction"], history["barrelling"], color=BLUE)
     right.set_ylabel("largest half width less that of the contact [mm]")
-    right.set_title("Barrelling; falls where a side node folds over")
+    right.set_title("Barrelling")
+    mark_folds(right, 100 * history["reduction"], history["barrelling"])
     left.set_title(f"Force; with friction {run.result('force ratio'):.3f} times the other at the end")
     for axes in (left, right):
         axes.set_xlabel("reduction of height [%]")

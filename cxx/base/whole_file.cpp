@@ -56,6 +56,13 @@ void replace_file(const std::string& path, bool ok) {
                   (older ? "; the one before it is kept" : ""));
 }
 
+void write_whole(const std::string& path, const std::string& text) {
+  std::ofstream file(new_name(path), std::ios::binary);
+  file << text;
+  file.close();
+  replace_file(path, file.good());
+}
+
 void keep_whole_lines(const std::string& path, bool ok) {
   if (ok) return;
   const std::string reason = reason_of(path);

@@ -6,6 +6,8 @@ namespace burnish {
 
 /// Where the new content of a file is written: "folder/.new.name".
 std::string new_name(const std::string& path);
+/// Makes text the content of a file. @throws FileError
+void write_whole(const std::string& path, const std::string& text);
 /// Moves new_name(path) onto path. @param ok false: writing it failed; it is removed, and path stays as it is
 /// @throws FileError naming path and reason
 void replace_file(const std::string& path, bool ok);

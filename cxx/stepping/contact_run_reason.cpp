@@ -37,7 +37,9 @@ template <int Dim> std::string ContactRun<Dim>::reason(const std::string& of_bod
   if (found.find("limit load") != std::string::npos && m_accepted.history.dt > 0)
     last =
         "; " + last_equilibrium(*m_setup, m_accepted.prescribed, state.q, m_accepted.generalized_force, m_t);
-  return found + last + end_of_tool(*m_setup, state);
+  const std::string end = end_of_tool(*m_setup, state);
+  const bool cycles = found.find("inconsistent contact states") != std::string::npos;
+  return found + last + (end.empty() && cycles ? hangs_on_few(*m_setup, state) : end);
 }
 
 template std::string ContactRun<2>::leaps(const Eigen::VectorXd&) const;

@@ -1,5 +1,6 @@
 // Why a step has not converged, in words.
 #include "stepping/corrector.hpp"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -85,7 +86,9 @@ template <int Dim> std::string Corrector<Dim>::reason_of_failure(double scale) c
     text << why;
     if (goes_on && m_rounding <= allowed(scale))
       text << (why.empty() ? ": " : "; ") << "the tool goes on moving under its force, a limit load";
-  } else if (m_balance.friction > (1 + m_options.tolerance) * m_balance.friction_limit) {
+  } else if (m_balance.friction_limit > 0 &&
+             std::count(m_prescribed.is_motion.begin(), m_prescribed.is_motion.end(), 0) > 0 &&
+             m_balance.friction > (1 + m_options.tolerance) * m_balance.friction_limit) {
     text << ": the forces balance with friction that adds up to " << m_balance.friction
          << " over the contact nodes, whose limits add up to " << m_balance.friction_limit
          << ": too little to balance a coordinate under force";

@@ -155,9 +155,23 @@ template <int Dim> std::string end_of_tool(const ContactSetup<Dim>& setup, const
   return "";
 }
 
+template <int Dim> std::string hangs_on_few(const ContactSetup<Dim>& setup, const ContactState<Dim>& state) {
+  constexpr long few = 4;
+  if (constrains_rigid_motions(setup.body())) return "";
+  const long touching = std::count_if(state.nodes.begin(), state.nodes.end(),
+                                      [](const auto& node) { return in_contact(node.state); });
+  if (touching == 0 || touching > few) return "";
+  std::ostringstream text;
+  text << "; the workpiece, to which supports leave a rigid motion, hangs on " << touching
+       << (touching == 1 ? " node" : " nodes")
+       << " in contact and may slip from one to the next: a holder, another support, or a finer mesh there";
+  return text.str();
+}
+
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template std::string program_jump<Dim>(const ContactSetup<Dim>&, const FailedStep<Dim>&);                  \
   template std::string end_of_tool<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&);                 \
+  template std::string hangs_on_few<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&);                \
   template std::string unheld_workpiece<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,             \
                                              const Eigen::VectorXd&);                                        \
   template std::string pulling_force<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,                \

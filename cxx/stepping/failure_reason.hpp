@@ -16,6 +16,8 @@ template <int Dim> struct FailedStep {
 template <int Dim> std::string program_jump(const ContactSetup<Dim>& setup, const FailedStep<Dim>& step);
 /// A node that passes the end of an open tool loses its force there at once: says so, or "".
 template <int Dim> std::string end_of_tool(const ContactSetup<Dim>& setup, const ContactState<Dim>& state);
+/// A body to which supports leave a rigid motion, held by four nodes in contact or fewer: says so, or "".
+template <int Dim> std::string hangs_on_few(const ContactSetup<Dim>& setup, const ContactState<Dim>& state);
 
 /// A body that supports leave a rigid motion which the nodes in contact do not take either, the tools at rest; or "".
 template <int Dim>

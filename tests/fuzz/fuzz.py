@@ -21,6 +21,9 @@ RIGHT = {*range(9), 20, 130}
 LONGEST = 60                 # s, of one run; they take a second
 MEMORY = 6 << 30             # bytes
 NUMBERS = "0 -1 1 2 1e-300 1e300 -1e300 1e9 2^31 2^32 2^40 -2^40 0.5 1e-9 (1e300*1e300) (1e300*1e300-1e300*1e300) 3 1000".split()
+# FreeFEM itself crashes where an array or a text is larger than the memory: not ours to find, so none is made so large.
+HUGE = {"2^31", "2^32", "2^40", "1e9", "1e300", "(1e300*1e300)"}
+SIZES = re.compile(r"\[int[^\]]*\]|\bfor\s*\(|\.resize\(")
 TEXTS = ["", " ", "x", "y", "angle", "nothing", "a,b", "../x", "/dev/null", "$(false)", "\xe4", "x" * 300, "x + ", "1/0*x"]
 OPTIONS = {"rolling": "-element P1 -inner 4 -outer 20 -sides 4 -steps 10", "punch": "-n 4 -element P1", "cam": "-n 8 -element P1 -steps 5",
            "incline": "-nx 3 -steps 4", "damage": "-n 2 -element P1 -steps 10", "upsetting": "-n 3 -element P1 -steps 5",
@@ -42,10 +45,12 @@ def mutated(text, chance):
     lines = text.split("\n")
     for _ in range(chance.randint(1, 3)):
         k = chance.randrange(len(lines))
+        if lines[k].startswith("Vh ["):     # FreeFEM itself crashes where the values are fewer than the components
+            continue
         kind = chance.random()
         if kind < 0.45:
             found = [m for m in re.finditer(r"(?<![\w.])\d+(\.\d*)?(e[-+]?\d+)?", lines[k])]
-            new = chance.choice(NUMBERS)
+            new = chance.choice([n for n in NUMBERS if n not in HUGE] if SIZES.search(lines[k]) else NUMBERS)
         elif kind < 0.55:
             found, new = list(re.finditer(r'(?<=")[^"]*(?=")', lines[k])), chance.choice(TEXTS)
         elif kind < 0.75:

@@ -8,8 +8,13 @@ lab.py NAME: reads cases/labs/NAME/lab.json:
 A script with gaps ends with status 20 and "gap 1 is open"; a solution has none; gaps are numbered through the lab; the key
 names every gap.
 plot.py FOLDER FILE draws the answers' plot from the results of solution.edp; expected.png beside it is one.
+
+lab.py NAME FILE... [--against CSV]: compares answers.csv files that were handed in, with lab.json, or with the values of another
+answers.csv, that of a run of solution.edp with other options; prints a line for each, exit status 1 if one is off.
 """
+import contextlib
 import csv
+import io
 import json
 import os
 import re
@@ -94,6 +99,21 @@ def text_off(folder):
     return [f"README.md lacks the section \"{name}\"" for name in SECTIONS if name not in heads]
 
 
+def mark(name, files, against):
+    """Answers handed in: how many of each file are right, and those that are not."""
+    expected = json.loads((TOP / "cases/labs" / name / "lab.json").read_text())["answers"]
+    if against:
+        given = {row["name"]: float(row["value"]) for row in csv.DictReader(open(against))}
+        expected = {key: [given[key], tolerance] for key, (_, tolerance) in expected.items()}
+    off = 0
+    for file in files:
+        with contextlib.redirect_stdout(io.StringIO()):
+            wrong = list(answers_off(expected, file))
+        print(f"{file}: {len(expected) - len(wrong)} of {len(expected)} answers", *wrong, sep="\n  ")
+        off += len(wrong)
+    return 1 if off else 0
+
+
 def main(name):
     folder, out = TOP / "cases/labs" / name, Path(os.environ["SCRATCH"])
     lab = json.loads((folder / "lab.json").read_text())
@@ -116,4 +136,6 @@ def main(name):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]))
+    words = sys.argv[2:]
+    other = words.pop(words.index("--against") + 1) if "--against" in words else None
+    sys.exit(mark(sys.argv[1], [w for w in words if w != "--against"], other) if words else main(sys.argv[1]))

@@ -3,6 +3,7 @@
 # is listed, makes the exit status 1 and is run again; what cannot be run is refused before anything runs.
 set -u
 picture=$PWD/tests/support/picture.py
+page=$PWD/tests/regression/explore.py
 work=$SCRATCH/top # links to the cases, so that out/ is our own
 mkdir -p "$work" && ln -s "$PWD/cases" "$work" && cd "$work" || exit 1
 coarse="-inner 3 -outer 16 -sides 3 -steps 4 -width 2 -tolerance 1e-3"
@@ -38,6 +39,7 @@ lines more 7
 ran more 2
 holds more "rolling: 6 variants, 4 finished before"
 cmp -s before.json "$top/R=0.014,mu=0.3/summary.json" || fail "more: a finished variant was run again"
+"${PYTHON:-python3}" cases/sweep/explore.py >log 2>&1 && "${PYTHON:-python3}" "$page" $top "option -R is -1" >>log 2>&1 || fail "explore: its page"
 
 # 3. The same again: only the failed ones run; a word that is varied; other options or another script: all run
 sweep 1 again "R=14e-3,16e-3,-1 mu=0.25,0.3"

@@ -4,7 +4,7 @@
 
 Every name of the columns C++, Script, CSV and VTU must occur: C++ names in cxx/ (`Type::member` in a file that declares the
 type), names of scripts in plugins/ or edp/ (members and named parameters as texts in plugins/, or in the tables of the
-core that the plugin reads), columns in the writers of edp/ or in the names of events in cxx/contact. A pair of names in a row that breaks the rule of NAMES.md must be in the table of exceptions; an exception that
+core that the plugin reads), columns in the writers of edp/ and cxx/output or in the names of events in cxx/contact. A pair of names in a row that breaks the rule of NAMES.md must be in the table of exceptions; an exception that
 no row needs is an error too. Prints file:line and what is wrong; exit status 1 if there is anything.
 """
 import os
@@ -12,7 +12,8 @@ import re
 import sys
 
 NAMES, ALGORITHMS = "cxx/NAMES.md", "cxx/ALGORITHMS.md"
-WRITERS = ["edp/rcOutput.idp", "edp/rcSummary.idp", "edp/rcRunState.idp", "cxx/contact/events.cpp"]
+WRITERS = ["edp/rcOutput.idp", "edp/rcSummary.idp", "edp/rcRunState.idp", "cxx/contact/events.cpp",
+           "cxx/output/workpiece_file.cpp", "cxx/output/contact_files.cpp"]
 OPTION_FILES = ["cxx/stepping/options.hpp", "cxx/stepping/step_control.hpp", "cxx/stepping/stepper.hpp",
                 "cxx/stepping/step_scheme.hpp", "cxx/material/update_options.hpp", "cxx/checks/check_options.hpp",
                 "cxx/report/report_options.hpp"]

@@ -59,10 +59,10 @@ if (rcElement == "P1") { scene(P1) } else { scene(P2) }
 END_OF_SCENE
 
 run 0 finished
-drawn finished history.png plastic-strain.png pressure.png sequence.png stress-error.png stress.png
+drawn finished history.png plastic-strain.png pressure.png scene.png sequence.png stress-error.png stress.png
 ! grep -q "burnish: warning: " "$SCRATCH/log.txt" || fail "finished: a warning"
 run 3 stopped -fails 1 -series 0
-drawn stopped history.png pressure.png stress-error.png stress.png
+drawn stopped history.png pressure.png scene.png stress-error.png stress.png
 
 echo 'import sys; open(sys.argv[1] + "/own.txt", "w").write("drawn")' >"$scene/plot.py"
 run 0 own -element P1 -series 0

@@ -1,7 +1,6 @@
 #include "geometry/circle.hpp"
 #include "unit/geometry/cad_samples.hpp"
 #include "unit/geometry/profile_checks.hpp"
-#include <chrono>
 #include <random>
 
 using namespace burnish;
@@ -233,16 +232,4 @@ TEST(CadCurve, TightestRadius) {
                     "Bezier(1)={1,2,3,4};")
                   .tightest_radius(),
               0.5, 1e-10);
-}
-
-// Reported, and far above what it takes (1 to 2 microseconds), so that the test holds on a busy machine.
-TEST(CadCurve, ClosestPointIsQuick) {
-  const CadCurve lobe = stored("lobe.step");
-  const int n = 20000;
-  const auto start = std::chrono::steady_clock::now();
-  double sum = 0;
-  for (int i = 0; i < n; ++i) sum += lobe.closest_point({9 * std::cos(i), 9 * std::sin(i)}, ANY).gap;
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  RecordProperty("microseconds", std::to_string(1e6 * seconds / n));
-  EXPECT_LT(1e6 * seconds / n, 30) << "microseconds a point, " << sum;
 }

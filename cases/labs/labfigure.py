@@ -1,0 +1,51 @@
+"""What the plot.py of the labs share:  plot.py FOLDER [FILE]
+
+Draws the lab's figure of the results in FOLDER into FILE, or into FOLDER/plot.png. Without FILE the pictures of any scene
+(stress, pressure, history, ...) are drawn into FOLDER as well, in mm and MPa: so it is called at the end of a run. A folder
+of another script of the lab, without the tables of the figure, gets these pictures only.
+"""
+import io
+import os
+import sys
+
+from plotting.case import DEFAULT, draw_all
+from plotting.figure import Image, apply_style, plt
+from plotting.inputs import InputError, MissingInput
+from plotting.run import Run
+
+LARGER = {"font.size": 13, "axes.titlesize": 13, "axes.labelsize": 13, "legend.fontsize": 12}  # readable at half size
+
+
+def save(figure, file):
+    """A PNG of always the same size, 256 colors."""
+    drawn = io.BytesIO()
+    figure.savefig(drawn, format="png", dpi=110)
+    plt.close(figure)
+    with Image.open(drawn) as picture:
+        picture.convert("RGB").quantize(256, dither=Image.Dither.NONE).save(file, optimize=True)
+    print(file, flush=True)
+
+
+def draw_lab(folder, file, draw, patient):
+    """Exit status; patient: tables that are missing are no fault."""
+    apply_style()
+    plt.rcParams.update(LARGER)
+    try:
+        save(draw(folder), file)
+    except InputError as error:
+        if not (patient and isinstance(error, MissingInput)):
+            print(f"plot.py: {error}", file=sys.stderr)
+            return 1
+    return 0
+
+
+def main(arguments, draw):
+    """The body of a plot.py; draw: function of the folder that returns the figure. Returns the exit status."""
+    if len(arguments) not in (1, 2) or arguments[0].startswith("-"):
+        print("usage: plot.py FOLDER [FILE]    (the folder of a run's results, the PNG file to be drawn)", file=sys.stderr)
+        return 2
+    if len(arguments) == 2:
+        return draw_lab(arguments[0], arguments[1], draw, patient=False)
+    folder = arguments[0]
+    status = draw_lab(folder, os.path.join(folder, "plot.png"), draw, patient=True)
+    return max(status, draw_all(Run(folder, "mm"), DEFAULT, folder, patient=True))

@@ -1,0 +1,61 @@
+"""The scene at t = 0: mesh, supports, contact surface, tools."""
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.lines import Line2D
+from matplotlib.tri import Triangulation
+
+from plotting import fields, maps, tools
+from plotting.figure import BLUE, RED, key_under_labels, new_figure
+
+KINDS = ((True, True, "s", "held"), (True, False, ">", "held along x"), (False, True, "^", "held along y"))
+
+
+def draw_supports(axes, run):
+    """A mark at every node that is held; returns handles for the key."""
+    places, fixed = run.supports
+    handles = []
+    for x, y, marker, label in KINDS:
+        chosen = (fixed == (x, y)).all(axis=1)
+        if chosen.any():
+            size = 5.0 if chosen.sum() < 60 else 3.0
+            handles += axes.plot(*(run.units.length * places[chosen]).T, linestyle="none", marker=marker, color=RED, markersize=size,
+                                 markeredgewidth=0, label=label, zorder=5, clip_on=False)
+    return handles
+
+
+def draw_surface(axes, run):
+    """The contact surface, which the table has in order."""
+    surface = run.surface
+    path = run.units.length * np.column_stack([surface["X"], surface["Y"]])
+    steps = np.hypot(*np.diff(path, axis=0).T)
+    edges = np.stack([path[:-1], path[1:]], axis=1)[steps < 8 * np.median(steps)]
+    axes.add_collection(LineCollection(edges, colors=BLUE, linewidths=2.2, zorder=4))
+    return [Line2D([], [], color=BLUE, linewidth=2.2, label="contact surface")]
+
+
+def elements_of(triangles):
+    """Corners of the elements: of quadratic ones the file has the four triangles between their nodes, see workpiece_file.cpp."""
+    if len(triangles) % 4:
+        return triangles
+    first, second, third, middle = (triangles[k::4] for k in range(4))
+    inner = np.column_stack([second[:, 2], first[:, 2], first[:, 1]])
+    return np.column_stack([first[:, 0], second[:, 1], third[:, 2]]) if (middle == inner).all() else triangles
+
+
+def start_figure(run, width=8.5):
+    """The undeformed mesh, the nodes held, the contact surface and the tools."""
+    mesh = Triangulation(*(run.units.length * run.field.points).T, elements_of(run.field.triangles))
+    outlines = tools.at_time(run.tools, 0)
+    box = tools.widened(fields.mesh_box(mesh), outlines)
+    figure, axes = new_figure(width, fields.shape_of(box, width))
+    maps.set_view(axes, box, run.units.length_unit)
+    axes.grid(False)
+    axes.triplot(mesh, color="black", linewidth=0.35, alpha=min(0.8, 3000 / len(mesh.triangles)), zorder=1.5)
+    maps.draw_outline(axes, mesh)
+    handles = tools.draw_tools(axes, outlines, mesh)
+    if run.has("surface.csv"):
+        handles += draw_surface(axes, run)
+    handles += draw_supports(axes, run)
+    axes.set_title("Mesh, supports and tools at t = 0")
+    key_under_labels(axes, handles, min(4, len(handles)))
+    return figure

@@ -1,0 +1,50 @@
+"""The site of the manual: Sphinx with MyST reads the pages where they lie in the tree; make docs."""
+import os
+import re
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+TOP = HERE.parents[1]
+sys.path.insert(0, str(HERE))
+
+project, author, copyright = "Burnish", "the authors of Burnish", "the authors of Burnish, GPL-3.0-or-later"
+root_doc = "edp/manual/index"
+include_patterns = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "cxx/*.md", "cases/README.md", "cases/*/README.md", "cases/labs/*.md",
+                    "cases/labs/*/*.md", "tests/chart/README.md", "edp/manual/*.md", "edp/manual/*/*.md", "out/reference/*.md"]
+exclude_patterns = ["build/**", "**/key.md", "out/docs/**"]
+extensions = ["myst_parser", "mathml"]
+source_suffix = {".md": "markdown"}
+myst_enable_extensions = ["dollarmath", "colon_fence"]
+myst_heading_anchors = 4
+myst_dmath_allow_labels = False
+suppress_warnings = ["misc.highlighting_failure"]
+highlight_language = "none"
+html_theme = "furo"
+html_title = "Burnish: rigid-tool contact for FreeFEM"
+html_static_path = ["static"]
+html_css_files = ["burnish.css"]
+html_copy_source = False
+html_show_sphinx = False
+html_math_renderer = "mathml"
+
+LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)#\s]+/)\)")
+FENCES = {"freefem": "cpp"}
+
+
+def to_site(app, document, source):
+    """Links to a folder go to its README, or are left out; scripts are colored as C++."""
+    folder = TOP / Path(document).parent
+
+    def readme(link):
+        page = Path(link[3]) / "README.md"
+        return f"[{link[2]}]({page})" if (folder / page).is_file() else link[2]
+
+    text = LINK.sub(readme, source[0])
+    for name, other in FENCES.items():
+        text = re.sub(rf"^```{name}\b.*$", f"```{other}", text, flags=re.MULTILINE)
+    source[0] = text
+
+
+def setup(app):
+    app.connect("source-read", to_site)

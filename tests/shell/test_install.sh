@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# make install: the wrapper and plain FreeFem++ with the lines printed run a script from any folder, without the tree;
+# make uninstall leaves nothing.
+set -eu
+wrong=0
+fail() { echo "FAILED: $1"; wrong=1; }
+make -s PACKAGES=true BUILD="$BUILD" PREFIX="$SCRATCH/usr" install >"$SCRATCH/install.txt"
+grep -q 'includepath += "'"$SCRATCH/usr/share/burnish/edp"'"' "$SCRATCH/install.txt" || fail "the lines for FreeFem++ are not printed"
+! grep -rl -e "$PWD/edp" -e "$BUILD/plugins" -e "$PWD/cases" "$SCRATCH/usr/bin" "$SCRATCH/usr/share/burnish/freefem++.pref" || fail "paths of the tree in what is installed"
+mkdir -p "$SCRATCH/away" "$SCRATCH/home"
+awk '/^```freefem/ {inside = 1; next} /^```/ {if (inside) exit} inside' README.md | sed 's/square(60, 20,/square(20, 7,/' >"$SCRATCH/away/own.edp"
+cd "$SCRATCH/away"
+env -u BURNISH -u BURNISH_TOP "$SCRATCH/usr/bin/burnish" own.edp >run.txt 2>&1 || { fail "the wrapper: exit status $?"; tail -n 5 run.txt; }
+grep -q "^t 1 " run.txt || fail "the run has not reached its end"
+env -u BURNISH -u BURNISH_TOP "$SCRATCH/usr/bin/burnish" help contact.add >help.txt && grep -q frictionlaw= help.txt || fail "burnish help"
+cp "$SCRATCH/usr/share/burnish/freefem++.pref" "$SCRATCH/home/.freefem++.pref"
+env -u FF_LOADPATH -u FF_INCLUDEPATH -u BURNISH_TOP HOME="$SCRATCH/home" FreeFem++ -nw -v 0 own.edp >plain.txt 2>&1 || { fail "FreeFem++: exit status $?"; tail -n 5 plain.txt; }
+cmp -s <(grep "^t " run.txt) <(grep "^t " plain.txt) || fail "plain FreeFem++ gives other numbers"
+cd - >/dev/null
+make -s PACKAGES=true BUILD="$BUILD" PREFIX="$SCRATCH/usr" uninstall >/dev/null
+[ -z "$(find "$SCRATCH/usr" -type f)" ] || { fail "files left after uninstall"; find "$SCRATCH/usr" -type f; }
+exit $wrong
