@@ -42,10 +42,11 @@ def locking(axes, runs):
         for told, fill, word in ((0, color, ""), (1, "white", ", with a report")):
             points = [s for s in some if s[2] == told]
             if points:
-                axes.plot([s[0] for s in points], [s[1] for s in points], mark, color=color, markerfacecolor=fill, markersize=9,
-                          label=element + word)
+                axes.plot([s[0] for s in points], [s[1] for s in points], mark, color=color, markerfacecolor=fill,
+                          markersize=9, label=element + word)
     axes.axhspan(0.95, 1.05, color=GRAY, alpha=0.25, label="called right")
-    axes.set(xlabel="0.5 - Poisson's ratio [-]", ylabel="depth / fine mesh [-]", title="Danger: nearly incompressible", ylim=(0, 1.15))
+    axes.set(xlabel="0.5 - Poisson's ratio [-]", ylabel="depth / fine mesh [-]", title="Danger: nearly incompressible",
+             ylim=(0, 1.15))
     axes.invert_xaxis()
     axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 
