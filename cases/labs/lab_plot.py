@@ -29,12 +29,15 @@ def answers(folder):
         return {row["name"]: float(row["value"]) for row in csv.DictReader(rows)}
 
 
-def table(file):
-    """{column: list of numbers} of a CSV file."""
+def table(file, *needed):
+    """{column: list of numbers} of a CSV file; needed: columns that it must have."""
     if not Path(file).is_file():
         sys.exit(f"{file} is not there")
     with open(file, encoding="utf-8") as text:
         rows = list(csv.DictReader(text))
+    missing = [name for name in needed if not rows or name not in rows[0]]
+    if missing:
+        sys.exit(f"{file} has no column {missing[0]!r}: it is of another script")
     return {name: [float(row[name]) for row in rows] for name in (rows[0] if rows else {})}
 
 

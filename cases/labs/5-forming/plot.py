@@ -2,16 +2,17 @@
 """Plot of lab 5: plot.py FOLDER [FILE [SWEEP]]
   FOLDER  results of lab.edp; SWEEP: folder of the runs of strip.edp, one folder each, FOLDER unless given"""
 import math
+import os
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(os.environ.get("BURNISH_TOP") or Path(__file__).resolve().parents[3]) / "cases/labs"))
 from lab_plot import answers, folder_and_file, option, save, table  # noqa: E402
 from plotting.figure import BLUE, GRAY, GREEN, ORANGE, RED, new_figure  # noqa: E402
 
 
 def bending(axes, folder):
-    history, given = table(folder / "history.csv"), answers(folder)
+    history, given = table(folder / "history.csv", "bend_angle"), answers(folder)
     axes.plot(history["bend_angle"], history["punch_force"], color=BLUE, label="computed")
     end = given["bend_angle"]
     axes.plot(end - given["springback_theory"], 0, "o", color=ORANGE, markersize=9, label="pure bending, unloaded")

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Plot of lab 6: plot.py FOLDER [FILE]; FOLDER: results of lab.edp and danger.edp in folders of their own, out/6-accuracy"""
 import csv
+import os
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(os.environ.get("BURNISH_TOP") or Path(__file__).resolve().parents[3]) / "cases/labs"))
 from lab_plot import answers, folder_and_file, option, save  # noqa: E402
 from matplotlib.ticker import FormatStrFormatter  # noqa: E402
 from plotting.figure import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, SKY, new_figure  # noqa: E402

@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """Plot of lab 7: plot.py FOLDER [FILE]; FOLDER: results of lab.edp, in it hardening/ with those of hardening.edp"""
+import os
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(os.environ.get("BURNISH_TOP") or Path(__file__).resolve().parents[3]) / "cases/labs"))
 from lab_plot import folder_and_file, save, table  # noqa: E402
 from plotting.figure import BLUE, GRAY, GREEN, ORANGE, new_figure  # noqa: E402
 
@@ -34,7 +35,7 @@ def hardening(axes, folder):
 def main():
     folder, file = folder_and_file()
     figure, axes = new_figure(6.4, 7.2, nrows=2)
-    rubber(axes[0], table(folder / "history.csv"))
+    rubber(axes[0], table(folder / "history.csv", "work", "Q_y"))
     hardening(axes[1], folder)
     save(figure, file)
 
