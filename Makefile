@@ -172,9 +172,12 @@ $(SUITES:%=test-%): test-%: packages
 	@$(TEST) $(call suite,$*)
 
 test-viewers: viewers
-.PHONY: viewers
+test-labs: notebooks
+.PHONY: viewers notebooks
 viewers:
 	@$(PACKAGES) viewers
+notebooks:
+	@$(PACKAGES) labs
 
 # FreeFEM itself is not instrumented: the run-time libraries come before it. What it leaks, how it pairs new with free and
 # what it defines twice is not ours.

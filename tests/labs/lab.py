@@ -2,8 +2,11 @@
 
 lab.py NAME: reads cases/labs/NAME/lab.json:
   "runs": [{"script": "solution.edp", "options": "-n 8", "status": 0, "text": ["words of the output"]}, ...]
+    a run may have "folder": that of its results, its script's name unless given ("solution/mu=0.1" lies where the plot finds
+    it), and "answers" of its own
   "answers": {"name": [value, tolerance], ...}   of solution.edp; relative tolerance, absolute where 0 is expected
-A script with gaps ends with status 20 and "gap 1 is open"; solution.edp has none; the key names every gap.
+A script with gaps ends with status 20 and "gap 1 is open"; a solution has none; gaps are numbered through the lab; the key
+names every gap.
 plot.py FOLDER FILE draws the answers' plot from the results of solution.edp; expected.png beside it is one.
 
 lab.py NAME FILE... [--against CSV]: compares answers.csv files that were handed in, with lab.json, or with the values of another
@@ -30,15 +33,19 @@ def run(folder, job, out):
     """Errors of one run: wrong exit status, missing words."""
     script = folder / job["script"]
     words = [os.environ["BURNISH"], str(script.relative_to(TOP)), *job.get("options", "").split()]
+    name = job.get("folder", script.stem)
     if job.get("out", True):
-        words += ["-out", str(out / script.stem)]
+        words += ["-out", str(out / name)]
     done = subprocess.run(words, cwd=TOP, stdin=subprocess.DEVNULL, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    (out / f"{script.stem}.txt").write_text(done.stdout)
+    (out / f"{name.replace('/', '-')}.txt").write_text(done.stdout)
     if done.returncode != job.get("status", 0):
         yield f"{job['script']}: exit status {done.returncode} instead of {job.get('status', 0)}:\n{done.stdout[-1500:]}"
     for text in job.get("text", []):
         if text not in done.stdout:
             yield f"{job['script']}: the output lacks \"{text}\":\n{done.stdout[-1500:]}"
+    file = out / name / "answers.csv"
+    if "answers" in job:
+        yield from answers_off(job["answers"], file) if file.is_file() else [f"{file} is not there"]
 
 
 def answers_off(expected, file):
@@ -57,16 +64,17 @@ def answers_off(expected, file):
 def gaps_off(folder):
     """Gaps that are numbered with holes, that the key forgets, that the solution leaves open."""
     gap = re.compile(r"\brcGap(?:Text)?\((\d+)")
-    key = (folder / "key.md").read_text()
+    key, known = (folder / "key.md").read_text(), set()
     for script in sorted(folder.glob("*.edp")):
         numbers = sorted({int(n) for n in gap.findall(script.read_text())})
-        if script.name == "solution.edp" and numbers:
-            yield f"solution.edp leaves gaps {numbers} open"
-        if numbers and numbers != list(range(1, len(numbers) + 1)):
-            yield f"{script.name}: gaps {numbers}, expected 1 to their number"
+        known |= set(numbers)
+        if script.name.startswith("solution") and numbers:
+            yield f"{script.name} leaves gaps {numbers} open"
         for n in numbers:
             if not re.search(rf"\bgap {n}\b", key, re.IGNORECASE):
                 yield f"key.md does not tell of gap {n} of {script.name}"
+    if known and known != set(range(1, len(known) + 1)):
+        yield f"gaps {sorted(known)}, expected 1 to their number"
 
 
 def size(png):

@@ -1,0 +1,44 @@
+#!/usr/bin/python3
+"""Plot of lab 7: plot.py FOLDER [FILE]; FOLDER: results of lab.edp, in it hardening/ with those of hardening.edp"""
+import os
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(os.environ.get("BURNISH_TOP") or Path(__file__).resolve().parents[3]) / "cases/labs"))
+from lab_plot import folder_and_file, save, table  # noqa: E402
+from plotting.figure import BLUE, GRAY, GREEN, ORANGE, new_figure  # noqa: E402
+
+
+def rubber(axes, history):
+    axes.plot(history["t"], history["work"], color=BLUE, label="work of the roller")
+    axes.plot(history["t"], history["energy"], color=ORANGE, linestyle="--", label="energy of the block")
+    axes.plot(history["t"], [-f for f in history["Q_y"]], color=GREEN, label="pressing force [N/mm]")
+    axes.axvline(0.5, color=GRAY, linestyle=":")
+    axes.set(xlabel="t [-]: pressed until 0.5, then drawn along", ylabel="work, energy [N], force [N/mm]",
+             title="Rubber by forms of the script")
+    axes.legend(loc="lower right")
+
+
+def hardening(axes, folder):
+    file = folder / "hardening/history.csv"
+    if not file.is_file():
+        return axes.set_title(f"{file} is not there yet: hardening.edp")
+    history = table(file)
+    start = max(history["height"][0], 1e-300)
+    squeezed = [100 * (1 - h / start) for h in history["height"]]
+    axes.plot(squeezed, history["force"], color=BLUE, label="computed")
+    axes.plot(squeezed, history["theory"], color=ORANGE, linestyle="--", label="homogeneous compression, rigid-plastic")
+    axes.set(xlabel="reduction of the height [%]", ylabel="force [N/mm]", title="Hardening by a formula of one's own")
+    axes.legend(loc="lower right")
+
+
+def main():
+    folder, file = folder_and_file()
+    figure, axes = new_figure(6.4, 7.2, nrows=2)
+    rubber(axes[0], table(folder / "history.csv", "work", "Q_y"))
+    hardening(axes[1], folder)
+    save(figure, file)
+
+
+if __name__ == "__main__":
+    main()
