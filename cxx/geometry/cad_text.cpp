@@ -118,13 +118,31 @@ void check_geo(const std::string& path, const std::string& text) {
   }
 }
 
+// The text without comments and without what stands in quotation marks.
+std::string code_of(const std::string& text) {
+  std::string code;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string two = text.substr(i, 2);
+    const std::string end = two == "//" ? "\n" : two == "/*" ? "*/" : text[i] == '"' ? "\"" : "";
+    if (end.empty()) {
+      code += text[i];
+      continue;
+    }
+    const std::size_t at = text.find(end, i + (text[i] == '"' ? 1 : 2));
+    if (at == std::string::npos) break;
+    i = at + end.size() - 1;
+    code += end == "\n" ? '\n' : ' ';
+  }
+  return code;
+}
+
 // A number that no file knows would change nothing: a typing error.
 void check_known(const std::string& quoted, const GeoText& all,
                  const std::map<std::string, double>& numbers) {
   if (!all.whole) return;
   for (const auto& number : numbers) {
     const std::regex name("\\b" + number.first + "\\b");
-    const auto holds = [&](const auto& file) { return std::regex_search(file.second, name); };
+    const auto holds = [&](const auto& file) { return std::regex_search(code_of(file.second), name); };
     if (std::none_of(all.files.begin(), all.files.end(), holds))
       fail(WHERE, quoted + " has no number \"" + number.first + "\"");
   }

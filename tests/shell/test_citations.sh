@@ -7,9 +7,9 @@ set -eu
 copy="$SCRATCH/copy"
 mkdir -p "$copy/cxx"
 cp cxx/*.md cxx/*.bib "$copy/cxx"
-for folder in cases edp plugins tests; do ln -s "$PWD/$folder" "$copy/$folder"; done
-for folder in cxx/*/; do ln -s "$PWD/$folder" "$copy/${folder%/}"; done
-for file in *.md; do ln -s "$PWD/$file" "$copy/$file"; done
+for folder in cases edp plugins tests; do ln -sfT "$PWD/$folder" "$copy/$folder"; done
+for folder in cxx/*/; do ln -sfT "$PWD/$folder" "$copy/${folder%/}"; done
+for file in *.md; do ln -sfT "$PWD/$file" "$copy/$file"; done
 "$PYTHON" tests/shell/citations.py "$copy" >/dev/null || { echo "the copy differs"; exit 1; }
 
 # the words are put together here, else this file would cite what does not exist

@@ -6,8 +6,8 @@ set -eu
 
 copy="$SCRATCH/copy" wrong=0
 mkdir -p "$copy/cxx"
-for folder in edp plugins; do ln -s "$PWD/$folder" "$copy/$folder"; done
-for folder in cxx/*/; do ln -s "$PWD/$folder" "$copy/${folder%/}"; done
+for folder in edp plugins; do ln -sfT "$PWD/$folder" "$copy/$folder"; done
+for folder in cxx/*/; do ln -sfT "$PWD/$folder" "$copy/${folder%/}"; done
 expect() { # file, what sed does to it, what must be said then
   cp cxx/NAMES.md cxx/ALGORITHMS.md "$copy/cxx"
   sed -i "$2" "$copy/cxx/$1"

@@ -19,7 +19,7 @@ check . || fail "the reference"
 
 copy="$SCRATCH/copy"
 mkdir -p "$copy"
-ln -s "$PWD/cxx" "$PWD/cases" "$copy"
+ln -sf "$PWD/cxx" "$PWD/cases" "$copy"
 cp -r plugins edp "$copy"
 wanted=()
 change() { # file, what sed does to it, what must be said then

@@ -195,6 +195,8 @@ TEST(CadFileErrors, Numbers) {
                            "Line(1) = {1, 2};";
   EXPECT_NEAR(drawn(text, {}, "R=1").length(), std::sqrt(2), 1e-15);
   expect_invalid([&] { drawn(text, {}, "Q=1"); }, "has no number \"Q\"");
+  expect_invalid([&] { drawn("// Q is the width\n/* Q */ " + text, {}, "Q=1"); },
+                 "has no number \"Q\""); // in comments only
   expect_invalid([&] { drawn(text, {}, "H=5"); },
                  "it gives H another value, 1; write DefineConstant[ H = ... ] there");
   expect_invalid([&] { drawn(text, {}, "R=2; R=3"); }, "number \"R\" is given twice");
