@@ -165,7 +165,7 @@ test-plugin: ## the plugin through scripts, and every error message: tests/plugi
 test-verification: ## problems with known answers, tests/verification
 test-regression: ## coarse cases against stored numbers, tests/regression
 test-long: ## slow tests, tests/long
-test-labs: ## scripts, answers and plots of the labs in cases/labs (their CPU time: half an hour)
+test-labs: ## scripts, answers, plots and notebooks of the labs in cases/labs (three minutes)
 test-viewers: ## files and pages in the programs that show them, VTK and Chromium, tests/viewers (installs both)
 $(SUITES:%=test-%): test-%: packages
 	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
