@@ -72,9 +72,27 @@ def wrong_commands(page, targets):
                     yield f"{line}: {said}"
 
 
+def said():
+    """All texts in quotation marks of the core and the library, joined where one goes on in the next."""
+    files = [*TOP.glob("cxx/**/*.cpp"), *TOP.glob("plugins/*.cpp"), *TOP.glob("edp/*.idp")]
+    source = "\n".join(path.read_text() for path in files).replace('\\"', "'")
+    return re.sub(r'"\s*\n?\s*(?:<<)?\s*"', "", source)
+
+
+def wrong_words(page, sources):
+    """Messages of a run that a page quotes, the first cells of its tables in italics, are those of the code."""
+    for cell in re.findall(r"^\| (\*.*?\*) \|", page.read_text(), re.MULTILINE):
+        for words in re.findall(r"\*([^*]+)\*", cell):
+            for part in re.split(r"\.\.\.|\"[^\"]*\"|\d+", words):
+                if len(part.strip()) > 3 and part.strip(" ,") not in sources:
+                    yield f"no message holds \"{part.strip()}\""
+
+
 def main(pages):
     targets = set(re.findall(r"^([a-z-]+):", (TOP / "Makefile").read_text(), re.MULTILINE))
-    messages = [f"{page.name}: {text}" for page in pages for text in [*wrong_scripts(page), *wrong_commands(page, targets)]]
+    sources = said()
+    messages = [f"{page.name}: {text}" for page in pages
+                for text in [*wrong_scripts(page), *wrong_commands(page, targets), *wrong_words(page, sources)]]
     blocks = sum(len(list(scripts_of(page))) for page in pages)
     print(*messages, f"{len(pages)} pages, {blocks} blocks of scripts, {len(messages)} wrong", sep="\n")
     return 1 if messages or not blocks else 0
