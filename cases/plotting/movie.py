@@ -193,7 +193,8 @@ def write_movie(run, folder):
     screen = Screen(run, frames)
     pictures = [screen.picture(frame) for frame in frames]
     plt.close(screen.figure)
-    name = os.path.basename(os.path.abspath(folder))
+    above, name = os.path.split(os.path.abspath(folder))
+    name = os.path.basename(above) if name == "out" else name
     html = page(name, [frame.t for frame in frames], [data_uri(p) for p in pictures], pictures[0].size)
     return [write_whole(os.path.join(folder, "movie.html"), html.encode()),
             write_whole(os.path.join(folder, "movie.gif"), gif(pictures))]

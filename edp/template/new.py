@@ -12,7 +12,7 @@ HERE = Path(__file__).resolve().parent
 def made(path, name):
     """Writes the files of the template into a new folder; returns their names."""
     path.mkdir(parents=True)
-    for template, target in (("scene.edp", f"{name}.edp"), ("README.md", "README.md")):
+    for template, target in (("scene.edp", f"{name}.edp"), ("README.md", "README.md"), ("plot.py", "plot.py")):
         text = (HERE / template).read_text()
         (path / target).write_text(re.sub(r"\bNAME\b", name, text).replace("FOLDER", str(path)))
         yield path / target
