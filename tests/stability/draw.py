@@ -13,20 +13,25 @@ MARKERS = {"right": "o", "detected": "X", "slow": "P", "silent": "s", "failed": 
 
 
 def label(method):
-    return f"{method[0]}\n{method[1]}"
+    return f"{method[0].replace('penalty', 'penalty' + chr(10))}\n{method[1]}"
 
 
-def draw_map(dangers, methods, rows, path):
-    """Dangers down, methods across; a cell is divided into the values of its sweep, from left to right."""
+def draw_map(dangers, ours, rivals, rows, path):
+    """Dangers down, methods across, ours first; a cell is divided into the values of its sweep, from left to right."""
     by = {(r["danger"], r["scheme"], r["element"], r["x"]): r["outcome"] for r in rows}
-    fig, ax = plt.subplots(figsize=(11, 1.6 + 0.29 * len(dangers)))
+    methods = [*ours, *rivals]
+    fig, ax = plt.subplots(figsize=(14, 1.6 + 0.29 * len(dangers)))
     for i, d in enumerate(dangers):
         for j, method in enumerate(methods):
             width = 0.94 / len(d["values"])
             for k, x in enumerate(d["values"]):
-                color = COLORS[by[d["name"], *method, x]]
+                outcome = by.get((d["name"], *method, x))
+                if outcome is None:
+                    continue
+                color = COLORS[outcome]
                 ax.add_patch(Rectangle((j + 0.03 + k * width, i + 0.1), 0.92 * width, 0.8, color=color, lw=0))
         ax.text(len(methods) + 0.06, i + 0.5, f"{d['meaning']}: {', '.join(d['values'])}", va="center", fontsize=7.5)
+    ax.axvline(len(ours), color="0.4", lw=1)
     ax.set_xlim(0, len(methods))
     ax.set_ylim(len(dangers), 0)
     ax.set_xticks([j + 0.5 for j in range(len(methods))], [label(m) for m in methods])
@@ -35,14 +40,15 @@ def draw_map(dangers, methods, rows, path):
     ax.tick_params(length=0)
     for side in ax.spines.values():
         side.set_visible(False)
-    count = {name: sum(r["outcome"] == name for r in rows) for name in COLORS}
-    fig.legend(handles=[Patch(color=COLORS[n], label=f"{n}: {count[n]}") for n in COLORS], loc="lower center", ncol=5,
+    mine = [r["outcome"] for r in rows if (r["scheme"], r["element"]) in ours]
+    others = [r["outcome"] for r in rows if (r["scheme"], r["element"]) in rivals]
+    fig.legend(handles=[Patch(color=COLORS[n], label=f"{n}: ours {mine.count(n)}, rivals {others.count(n)}") for n in COLORS], loc="lower center", ncol=5,
                frameon=False, bbox_to_anchor=(0.5, 0.2 / fig.get_figheight()))
     fig.text(0.5, 0.1 / fig.get_figheight(), "right: within its tolerance.  detected: refused, stopped, or the cause "
-             "reported.  silent: wrong without a word.  slow: more than 15 s by the article's literal scheme", ha="center",
+             "reported.  silent: wrong without a word.  slow: more than 15 s by the article's literal scheme or a rival", ha="center",
              fontsize=8.5)
     height = fig.get_figheight()
-    fig.subplots_adjust(left=0.22, right=0.7, top=1 - 0.6 / height, bottom=0.7 / height)
+    fig.subplots_adjust(left=0.22, right=0.7, top=1 - 0.75 / height, bottom=0.7 / height)
     fig.savefig(path, dpi=110)
     plt.close(fig)
 
@@ -54,6 +60,8 @@ def draw_danger(danger, methods, rows, path):
     top, bottom = 1e4, 1e-4
     for j, method in enumerate(methods):
         mine = [r for r in rows if r["danger"] == danger["name"] and (r["scheme"], r["element"]) == tuple(method)]
+        if not mine:
+            continue
         shift = 0.12 * (j - (len(methods) - 1) / 2)
         xs = [values.index(r["x"]) + shift for r in mine]
         # no number: above all
@@ -80,7 +88,7 @@ def draw_danger(danger, methods, rows, path):
     plt.close(fig)
 
 
-def draw(dangers, methods, rows, folder):
-    draw_map(dangers, methods, rows, os.path.join(folder, "map.png"))
+def draw(dangers, ours, rivals, rows, folder):
+    draw_map(dangers, ours, rivals, rows, os.path.join(folder, "map.png"))
     for d in dangers:
-        draw_danger(d, methods, rows, os.path.join(folder, re.sub(r"[^a-z0-9]+", "-", d["name"].lower()) + ".png"))
+        draw_danger(d, [*ours, *rivals], rows, os.path.join(folder, re.sub(r"[^a-z0-9]+", "-", d["name"].lower()) + ".png"))

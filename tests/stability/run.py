@@ -4,8 +4,10 @@ run.py [--only TEXT] [--references] [--store]      see the Makefile's target sta
   right     the numbers are within their tolerance, and the run says that it finished
   detected  they are not, or there is no answer, and the run refused, stopped, or reported the cause by name
   silent    they are not, and no word of the cause
-  slow      the article's literal scheme, which stops at every event of every element, did not end within SLOW seconds
+  slow      the article's literal scheme, which stops at every event of every element, or a method of others
+            did not end within SLOW seconds
   failed    the run crashed, or did not end in time
+Methods of others (rivals.edp) run the dangers whose line names one for them; a silent cell of theirs is shown as such.
 expected.csv holds what every cell came to when it was stored; a run that comes to less, or any silent or failed cell of
 our methods, ends with status 1. references.csv holds the numbers of the reference runs.
 """
@@ -22,6 +24,7 @@ import draw
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 METHODS = [("implicit", "P2"), ("implicit", "P1"), ("event", "P2"), ("event", "P1"), ("article", "P2")]
+RIVALS = [("penalty10", "P2"), ("penalty1000", "P2"), ("multiplier", "P2"), ("augmented", "P2")]
 RANK = {"right": 0, "detected": 1, "slow": 2, "silent": 3, "failed": 4}
 REFUSED = {3, 4, 20}
 LIMIT = 100  # seconds of one run
@@ -34,9 +37,17 @@ def dangers():
         for line in f:
             if line.startswith("#") or not line.strip():
                 continue
-            name, script, values, reference, word, meaning = (part.strip() for part in line.split(";"))
+            name, script, values, reference, word, meaning, *rivals = (part.strip() for part in line.split(";"))
             yield {"name": name, "script": script.split(), "values": values.split(), "reference": reference.split(),
-                   "word": word, "meaning": meaning}
+                   "word": word, "meaning": meaning, "rivals": rivals[0].split() if rivals else None}
+
+
+def methods_of(danger):
+    return METHODS + (RIVALS if danger["rivals"] else [])
+
+
+def script_of(danger, method):
+    return ["rivals", "-danger", *danger["rivals"]] if method in RIVALS else danger["script"]
 
 
 def run(script, options, limit=LIMIT):
@@ -143,14 +154,14 @@ FIELDS = ["danger", "scheme", "element", "x", "outcome", "error_over_tolerance",
 def run_all(chosen, jobs, table):
     """Rows of FIELDS; each is written to the CSV table as soon as its run has ended."""
     references = read_references()
-    tasks = [(d, scheme, element, x) for d in chosen for scheme, element in METHODS for x in d["values"]]
+    tasks = [(d, scheme, element, x) for d in chosen for scheme, element in methods_of(d) for x in d["values"]]
     started, rows = time.time(), []
 
     def one(task):
         danger, scheme, element, x = task
         begun = time.time()
-        slow = scheme == "article"
-        status, text = run(danger["script"], ["-x", x, "-element", element, "-scheme", scheme], SLOW if slow else LIMIT)
+        slow = scheme == "article" or (scheme, element) in RIVALS
+        status, text = run(script_of(danger, (scheme, element)), ["-x", x, "-element", element, "-scheme", scheme], SLOW if slow else LIMIT)
         known = references.get((danger["name"], " ".join(filled(danger["reference"], x, (scheme, element)))), {})
         outcome, off = ("slow", None) if status is None and slow else judge(danger, status, text, known)
         words = said(text)
@@ -181,7 +192,7 @@ def compare(rows, store):
     for row in rows:
         key = (row["danger"], row["scheme"], row["element"], row["x"])
         expected = stored.get(key)
-        if RANK[row["outcome"]] >= RANK["silent"]:
+        if key[1:3] not in RIVALS and RANK[row["outcome"]] >= RANK["silent"]:
             complaints.append(f"{row['outcome']}: {', '.join(key)}: error over tolerance {row['error_over_tolerance'] or '-'}, "
                               f"status {row['status']}: {row['last_line']}")
         elif row["outcome"] == "slow" or expected == "slow":
@@ -215,9 +226,12 @@ def main():
         table = csv.DictWriter(f, FIELDS, lineterminator="\n")
         table.writeheader()
         rows = run_all(chosen, jobs, table)
-    draw.draw(chosen, METHODS, rows, options.out)
-    count = {name: sum(row["outcome"] == name for row in rows) for name in RANK}
-    print(f"{len(rows)} runs: " + ", ".join(f"{count[name]} {name}" for name in RANK) + f"; pictures in {options.out}")
+    draw.draw(chosen, METHODS, RIVALS, rows, options.out)
+    for whose, methods in (("ours", METHODS), ("rivals", RIVALS)):
+        mine = [row for row in rows if (row["scheme"], row["element"]) in methods]
+        count = {name: sum(row["outcome"] == name for row in mine) for name in RANK}
+        print(f"{whose}: {len(mine)} runs: " + ", ".join(f"{count[name]} {name}" for name in RANK))
+    print(f"pictures in {options.out}")
     complaints = compare(rows, options.store)
     for line in complaints:
         print("  " + line)
