@@ -15,6 +15,7 @@ import sys
 
 COMMON = {"out", "pictures", "series", "model", "check"}
 ACCURACY = 0.01
+REPEATS, SHORT = 3, 2.0       # runs of a model, as long as one takes less, CPU s
 
 
 def read(folder):
@@ -79,8 +80,21 @@ def run(script, options, changed, folder):
     """Summary of a run with some options changed; None if it did not reach its end."""
     words = words_of({k: v for k, v in {**options, **changed}.items() if k not in COMMON})
     command = [os.environ["BURNISH"], script, *words, "-out", folder, "-pictures", "0", "-check", "0", "-series", "0"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    return read(folder) if done.returncode in (0, 4) else None
+    least = None
+    for _ in range(REPEATS):      # a short run's time is noise by half on a busy machine: the least of some
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode not in (0, 4):
+            return None
+        summary = read(folder)
+        if least is None or seconds_of(summary) < seconds_of(least):
+            least = summary
+        if seconds_of(summary) > SHORT:
+            break
+    return least
+
+
+def seconds_of(summary):
+    return summary["cpu_seconds"]["total"]
 
 
 def main():
@@ -91,12 +105,13 @@ def main():
     if not results(base):
         print("burnish: -model auto: the run has no results to compare", file=sys.stderr)
         return 1
-    table = [("as asked", {}, base["cpu_seconds"]["total"], 0.0, "-", base["status"])]
+    again = run(script, options, {}, os.path.join(folder, "model-0")) or base      # without files on the way, as the others
+    table = [("as asked", {}, seconds_of(again), 0.0, "-", base["status"])]
 
     def attempt(what, changed):
         summary = run(script, options, changed, os.path.join(folder, f"model-{len(table)}"))
         off, name = change(base, summary) if summary else (float("inf"), "-")
-        seconds = summary["cpu_seconds"]["total"] if summary else float("nan")
+        seconds = seconds_of(summary) if summary else float("nan")
         table.append((what, changed, seconds, off, name, summary["status"] if summary else "stopped early"))
         return off <= accuracy and summary["status"] == base["status"]
 
