@@ -54,23 +54,23 @@ void write_tensor(const char* name, const Names& names, const std::array<Field, 
   for (int i = 0; i < 4; ++i) file.array(names[i], 1, numbers(part[i]));
 }
 
-std::array<Field, 4> stress_at_nodes(const Workpiece<2>& body, const std::vector<double>& stress) {
+std::array<Field, 4> stress_at_nodes(const NodalFit<2>& at_nodes, const std::vector<double>& stress) {
   std::array<Field, 4> part;
-  const Eigen::Map<const Eigen::Matrix<double, 4, Eigen::Dynamic>> points(stress.data(), 4,
-                                                                          body.discretization().num_points());
-  for (int i = 0; i < 4; ++i) part[i] = nodal_average(body.discretization(), Field(points.row(i)));
+  const Eigen::Map<const Eigen::Matrix<double, 4, Eigen::Dynamic>> points(
+      stress.data(), 4, static_cast<Eigen::Index>(stress.size() / 4));
+  for (int i = 0; i < 4; ++i) part[i] = at_nodes(Field(points.row(i)));
   return part;
 }
 
 void write_points(const Workpiece<2>& body, VtkFile& file) {
   const Discretization<2>& mesh = body.discretization();
-  const auto at_nodes = [&](const Field& points) { return nodal_average(mesh, points); };
+  const NodalFit<2> at_nodes(mesh);
   const std::vector<double> stress = stress_field(body);
   file.array("displacement", 3, in_space(body.state().displacement.data(), mesh.num_nodes));
-  write_tensor("stress", STRESS, stress_at_nodes(body, stress), file);
+  write_tensor("stress", STRESS, stress_at_nodes(at_nodes, stress), file);
   file.array("stress_eq", 1, numbers(at_nodes(stress_eq_field(body))));
   file.array("plastic_strain_eq", 1, numbers(at_nodes(body.internal("plastic_strain_eq"))));
-  file.array("stress_error", 1, numbers(at_nodes(stress_error(mesh, stress).point)));
+  file.array("stress_error", 1, numbers(at_nodes(stress_error(mesh, at_nodes, stress).point)));
   if (body.law().internal_variables().names().find("backstress") != std::string::npos) {
     std::array<Field, 4> part;
     for (int i = 0; i < 4; ++i) part[i] = at_nodes(body.internal("backstress", i));

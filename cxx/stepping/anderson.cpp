@@ -2,29 +2,47 @@
 
 namespace burnish {
 
+void AndersonMixer::clear() {
+  m_has_last = false;
+  m_differences.clear();
+  m_products.resize(0, 0);
+}
+
+// The oldest one is dropped beyond the memory.
+void AndersonMixer::add_difference(const Entry& before, const Entry& now) {
+  const Eigen::Index n = now.b.size();
+  if (static_cast<int>(m_differences.size()) == m_memory) {
+    m_differences.pop_front();
+    m_products = m_products.bottomRightCorner(m_memory - 1, m_memory - 1).eval();
+  }
+  m_differences.push_back(
+      {(now.z - before.z) + (now.g - before.g), (now.g - before.g).head(n), now.b - before.b});
+  const Eigen::Index m = static_cast<Eigen::Index>(m_differences.size());
+  m_products.conservativeResize(m, m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    m_products(i, m - 1) = m_differences[i].g.dot(m_differences.back().b);
+    m_products(m - 1, i) = m_differences.back().g.dot(m_differences[i].b);
+  }
+}
+
 Eigen::VectorXd AndersonMixer::mix(const Eigen::VectorXd& z, const Eigen::VectorXd& g,
                                    const Eigen::VectorXd& b) {
   m_mixed = false;
-  m_history.push_back({z, g, b});
-  if (static_cast<int>(m_history.size()) > m_memory + 1) m_history.pop_front();
-  const Eigen::Index m = static_cast<Eigen::Index>(m_history.size()) - 1, n = b.size();
-  if (m < 1 || m_memory == 0) return g;
-  Eigen::MatrixXd dg(n, m), db(n, m);
-  for (Eigen::Index i = 0; i < m; ++i) {
-    dg.col(i) = (m_history[i + 1].g - m_history[i].g).head(n);
-    db.col(i) = m_history[i + 1].b - m_history[i].b;
-  }
-  Eigen::MatrixXd normal = dg.transpose() * db;
-  normal = 0.5 * (normal + normal.transpose()).eval();
-  const Eigen::VectorXd right = db.transpose() * g.head(n);
+  if (m_memory == 0) return g;
+  Entry now{z, g, b};
+  if (m_has_last) add_difference(m_last, now);
+  m_last = std::move(now);
+  m_has_last = true;
+  const Eigen::Index m = static_cast<Eigen::Index>(m_differences.size()), n = b.size();
+  if (m < 1) return g;
+  Eigen::MatrixXd normal = 0.5 * (m_products + m_products.transpose());
   normal.diagonal() *= 1 + 1e-12;
+  Eigen::VectorXd right(m);
+  for (Eigen::Index i = 0; i < m; ++i) right[i] = m_differences[i].b.dot(g.head(n));
   const Eigen::VectorXd c = normal.ldlt().solve(right);
   if (!c.allFinite() || c.cwiseAbs().maxCoeff() > 5) return g;
   Eigen::VectorXd step = g;
-  for (Eigen::Index i = 0; i < m; ++i) {
-    const Entry &old = m_history[i], &now = m_history[i + 1];
-    step -= c[i] * ((now.z - old.z) + (now.g - old.g));
-  }
+  for (Eigen::Index i = 0; i < m; ++i) step -= c[i] * m_differences[i].z_and_g;
   m_mixed = true;
   return step;
 }

@@ -10,7 +10,7 @@ namespace burnish {
 class AndersonMixer {
 public:
   explicit AndersonMixer(int memory) : m_memory(memory) {}
-  void clear() { m_history.clear(); }
+  void clear();
   /// Coefficients and mixed update: returns the increment to add to z instead of g.
   /// @param z iterate, n; @param g correction, n; @param b right-hand side with K g = b, n (its first entries
   /// may be
@@ -23,9 +23,16 @@ private:
   struct Entry {
     Eigen::VectorXd z, g, b;
   };
+  struct Difference { // of two iterations that follow each other
+    Eigen::VectorXd z_and_g, g, b;
+  };
+  void add_difference(const Entry& before, const Entry& now);
   int m_memory;
   bool m_mixed = false;
-  std::deque<Entry> m_history;
+  bool m_has_last = false;
+  Entry m_last;
+  std::deque<Difference> m_differences;
+  Eigen::MatrixXd m_products; // g_i . b_j of the differences
 };
 
 } // namespace burnish

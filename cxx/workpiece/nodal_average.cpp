@@ -16,52 +16,78 @@ template <int Dim> std::vector<std::vector<int>> elements_of_nodes(const Discret
   return elements;
 }
 
-// Linear least-squares fit over the points of a patch, evaluated at the node.
-template <int Dim>
-double fit_at_node(const Discretization<Dim>& d, const std::vector<int>& patch, const Vector<Dim>& node,
-                   const Eigen::VectorXd& values, bool within) {
-  constexpr int terms = Dim + 1; // 1 and the coordinates
-  using Row = Eigen::Matrix<double, terms, 1>;
-  Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
-  Row right = Row::Zero();
-  double low = values[patch[0] * d.points_per_element], high = low, size2 = 0;
-  int count = 0;
-  for (const int pass : {0, 1}) // the size of the patch first, to make the fit free of units
-    for (const int e : patch)
-      for (int q = 0; q < d.points_per_element; ++q) {
-        const int p = e * d.points_per_element + q;
-        const Vector<Dim> r = Eigen::Map<const Vector<Dim>>(d.point.data() + Dim * p) - node;
-        if (pass == 0) {
-          size2 = std::max(size2, r.squaredNorm());
-          continue;
-        }
-        Row row;
-        row << 1, r / std::sqrt(size2);
-        normal += row * row.transpose();
-        right += values[p] * row;
-        low = std::min(low, values[p]);
-        high = std::max(high, values[p]);
-        ++count;
-      }
-  const double mean = right[0] / count;
-  double flat = FLAT;
-  for (int k = 0; k < terms; ++k) flat *= count;
-  if (count < terms + (within ? 1 : 0) || std::abs(normal.determinant()) < flat) return mean;
-  const double fitted = normal.ldlt().solve(right)[0];
-  return within ? std::clamp(fitted, low, high) : fitted;
+} // namespace
+
+template <int Dim> NodalFit<Dim>::NodalFit(const Discretization<Dim>& d) : m_num_values(d.num_points()) {
+  const auto patches = elements_of_nodes(d);
+  m_begin.push_back(0);
+  m_has_fit.reserve(patches.size());
+  for (int n = 0; n < d.num_nodes; ++n) {
+    for (const int e : patches[n])
+      for (int q = 0; q < d.points_per_element; ++q) m_point.push_back(e * d.points_per_element + q);
+    m_begin.push_back(static_cast<int>(m_point.size()));
+    add_weights(d, n);
+  }
 }
 
-} // namespace
+// Weights of the value at the node of the linear least-squares fit over the points of its patch.
+template <int Dim> void NodalFit<Dim>::add_weights(const Discretization<Dim>& d, int n) {
+  constexpr int terms = Dim + 1; // 1 and the coordinates
+  using Row = Eigen::Matrix<double, terms, 1>;
+  const int first = m_begin[n], count = m_begin[n + 1] - first;
+  std::vector<Row> row(count);
+  double size2 = 0; // makes the fit free of units
+  for (int i = 0; i < count; ++i) {
+    const Vector<Dim> r =
+        Eigen::Map<const Vector<Dim>>(d.point.data() + Dim * m_point[first + i]) - d.node(n);
+    size2 = std::max(size2, r.squaredNorm());
+    row[i] << 1, r;
+  }
+  Eigen::Matrix<double, terms, terms> normal = Eigen::Matrix<double, terms, terms>::Zero();
+  for (Row& r : row) {
+    r.template tail<Dim>() /= std::sqrt(size2);
+    normal += r * r.transpose();
+  }
+  double flat = FLAT;
+  for (int k = 0; k < terms; ++k) flat *= count;
+  m_has_fit.push_back(count >= terms && std::abs(normal.determinant()) >= flat);
+  const Row unit = Row::Unit(0),
+            weights = m_has_fit.back() ? Row(normal.ldlt().solve(unit)) : Row(unit / count);
+  for (const Row& r : row) m_weight.push_back(weights.dot(r));
+}
+
+template <int Dim> double NodalFit<Dim>::at(int n, const Eigen::VectorXd& values, bool within) const {
+  const int first = m_begin[n], count = m_begin[n + 1] - first;
+  double fitted = 0, mean = 0, low = values[m_point[first]], high = low;
+  for (int i = first; i < first + count; ++i) {
+    const double value = values[m_point[i]];
+    fitted += m_weight[i] * value;
+    mean += value / count;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (!m_has_fit[n]) return mean;
+  if (!within) return fitted;
+  return count > Dim + 1 ? std::clamp(fitted, low, high) : mean;
+}
+
+template <int Dim>
+Eigen::VectorXd NodalFit<Dim>::operator()(const Eigen::VectorXd& values, bool within) const {
+  require(values.size() == m_num_values, "nodal_average", "number of values", values.size(),
+          "one per quadrature point");
+  const int nodes = static_cast<int>(m_begin.size()) - 1;
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(nodes);
+  for (int n = 0; n < nodes; ++n)
+    if (m_begin[n] < m_begin[n + 1]) result[n] = at(n, values, within);
+  return result;
+}
+
+template class NodalFit<2>;
+template class NodalFit<3>;
 
 template <int Dim>
 Eigen::VectorXd nodal_average(const Discretization<Dim>& d, const Eigen::VectorXd& values, bool within) {
-  require(values.size() == d.num_points(), "nodal_average", "number of values", values.size(),
-          "one per quadrature point");
-  const auto patches = elements_of_nodes(d);
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(d.num_nodes);
-  for (int n = 0; n < d.num_nodes; ++n)
-    if (!patches[n].empty()) result[n] = fit_at_node<Dim>(d, patches[n], d.node(n), values, within);
-  return result;
+  return NodalFit<Dim>(d)(values, within);
 }
 
 template Eigen::VectorXd nodal_average<2>(const Discretization<2>&, const Eigen::VectorXd&, bool);

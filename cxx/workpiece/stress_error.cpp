@@ -6,6 +6,12 @@
 namespace burnish {
 
 template <int Dim> StressError stress_error(const Discretization<Dim>& d, const std::vector<double>& stress) {
+  return stress_error(d, NodalFit<Dim>(d), stress);
+}
+
+template <int Dim>
+StressError stress_error(const Discretization<Dim>& d, const NodalFit<Dim>& fit,
+                         const std::vector<double>& stress) {
   constexpr int components = num_stress<Dim>;
   const int points = d.num_points();
   require(stress.size() == static_cast<std::size_t>(points) * components, "stress_error", "size of stress",
@@ -16,7 +22,7 @@ template <int Dim> StressError stress_error(const Discretization<Dim>& d, const 
     const double twice = k < 3 ? 1 : 2; // shear entries count twice
     const Eigen::VectorXd values =
         Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<components>>(stress.data() + k, points);
-    const Eigen::VectorXd nodal = nodal_average(d, values, false);
+    const Eigen::VectorXd nodal = fit(values, false);
     for (int p = 0; p < points; ++p) {
       const int* nodes = d.element(p / d.points_per_element);
       double recovered = 0;
@@ -42,6 +48,10 @@ template <int Dim> StressError stress_error(const Discretization<Dim>& d, const 
 }
 
 template StressError stress_error<2>(const Discretization<2>&, const std::vector<double>&);
+template StressError stress_error<2>(const Discretization<2>&, const NodalFit<2>&,
+                                     const std::vector<double>&);
 template StressError stress_error<3>(const Discretization<3>&, const std::vector<double>&);
+template StressError stress_error<3>(const Discretization<3>&, const NodalFit<3>&,
+                                     const std::vector<double>&);
 
 } // namespace burnish

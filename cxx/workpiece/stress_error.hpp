@@ -1,6 +1,6 @@
 #pragma once
 // How much finer the stress varies than the mesh: its nodal recovery against the stress itself [ZienkiewiczZhu1992].
-#include "mesh/discretization.hpp"
+#include "workpiece/nodal_average.hpp"
 
 namespace burnish {
 
@@ -14,5 +14,9 @@ struct StressError {
 /// @throws std::invalid_argument unless there are so many numbers
 template <int Dim>
 StressError stress_error(const Discretization<Dim>& discretization, const std::vector<double>& stress);
+/// @param fit that of the discretization
+template <int Dim>
+StressError stress_error(const Discretization<Dim>& discretization, const NodalFit<Dim>& fit,
+                         const std::vector<double>& stress);
 
 } // namespace burnish
