@@ -44,14 +44,16 @@ PROGRAMS := unit verification long benchmark
 CORE     := $(BUILD)/libburnish.a
 PLUGIN   := $(BUILD)/plugins/burnish.so
 # gmsh is linked with this one only, which the core opens when a .geo file is to be read; it looks for it beside
-# itself, then in ../plugins
+# itself, then in ../plugins; so it is with OpenCASCADE and CAD files
 GMSH     := $(BUILD)/plugins/burnish_gmsh.so
+CAD      := $(BUILD)/plugins/burnish_cad.so
 WRAPPER  := $(BUILD)/burnish
 GMSH_SOURCES   := $(call sources,cxx/gmsh)
-CXX_SOURCES    := $(filter-out $(GMSH_SOURCES),$(call sources,cxx))
+CAD_SOURCES    := $(call sources,cxx/cad)
+CXX_SOURCES    := $(filter-out $(GMSH_SOURCES) $(CAD_SOURCES),$(call sources,cxx))
 PLUGIN_SOURCES := $(sort $(wildcard plugins/*.cpp))
 $(foreach p,$(PROGRAMS),$(eval SOURCES_$(p) := $(if $(wildcard tests/$(p)),$(call sources,tests/$(p)))))
-ALL_SOURCES := $(CXX_SOURCES) $(GMSH_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
+ALL_SOURCES := $(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
 
 # What a suite runs: its GoogleTest program (every .cpp of its folder), and every .edp and .sh of its folders.
 # Helpers are .idp, .hpp and .py files, or live in tests/support; stray is what would be skipped silently.
@@ -217,7 +219,7 @@ bench: ## time the core's kernels (Google Benchmark, tests/benchmark); nothing p
 SHARE = $(DESTDIR)$(PREFIX)/share/burnish
 install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines for plain FreeFem++ are printed
 	@install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/burnish $(SHARE)/cases
-	@install -m 644 $(PLUGIN) $(GMSH) $(DESTDIR)$(PREFIX)/lib/burnish
+	@install -m 644 $(PLUGIN) $(GMSH) $(CAD) $(DESTDIR)$(PREFIX)/lib/burnish
 	@rm -rf $(SHARE)/edp $(SHARE)/plugins $(SHARE)/cases && install -d $(SHARE)/cases
 	@cp -r edp $(SHARE)/edp && cp -r cases/plotting cases/sweep $(SHARE)/cases && find $(SHARE) -name __pycache__ -exec rm -rf {} +
 	@cp --parents plugins/*.cpp cases/*/*.edp cases/*/*.idp $(SHARE)  # their heads and options: burnish help
@@ -259,7 +261,7 @@ help: ## this list
 	@awk -F':.*## ' '/^[a-z%-]+:.*## / {sub("%", "NAME", $$1); printf "make %-18s %s\n", $$1, $$2}' Makefile
 
 # --- rules of compilation ----------------------------------------------------------------------------------------
-compile: $(CORE) $(WRAPPER) $(PLUGIN) $(GMSH)
+compile: $(CORE) $(WRAPPER) $(PLUGIN) $(GMSH) $(CAD)
 programs: $(call program,unit) $(call program,verification)
 
 # $(call keep,TEXT): write TEXT to the target only if it changed, so that only real changes rebuild
@@ -285,7 +287,7 @@ $(BUILD)/obj/cxx/%:              READ_BEFORE = -include $(BUILD)/read/core.hpp
 $(BUILD)/obj/plugins/%:          READ_BEFORE = -include $(BUILD)/read/plugins.hpp
 $(BUILD)/obj/tests/unit/%:         READ_BEFORE = -include $(BUILD)/read/tests.hpp
 $(BUILD)/obj/tests/verification/%: READ_BEFORE = -include $(BUILD)/read/tests.hpp
-$(call objects,$(CXX_SOURCES) $(GMSH_SOURCES)): $(BUILD)/read/core.hpp.gch
+$(call objects,$(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES)): $(BUILD)/read/core.hpp.gch
 $(call objects,$(PLUGIN_SOURCES)): $(BUILD)/read/plugins.hpp.gch
 $(call objects,$(SOURCES_unit) $(SOURCES_verification)): $(BUILD)/read/tests.hpp.gch
 $(BUILD)/read/core.hpp.gch:  cxx/base/precompiled.hpp
@@ -308,13 +310,18 @@ $(PLUGIN): $(call objects,$(PLUGIN_SOURCES)) $(CORE)
 	@echo "link    $@"
 	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
 
+$(CAD): $(call objects,$(CAD_SOURCES)) $(CORE)
+	@mkdir -p $(@D)
+	@echo "link    $@"
+	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
+
 $(GMSH): $(call objects,$(GMSH_SOURCES))
 	@mkdir -p $(@D)
 	@echo "link    $@"
 	@$(CXX) -shared $(LDFLAGS) $^ -lgmsh -o $@.new && mv $@.new $@
 
 define program_rule
-$(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(CORE) | $(GMSH)
+$(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(CORE) | $(GMSH) $(CAD)
 	@mkdir -p $$(@D)
 	@echo "link    $$@"
 	@$$(CXX) $$(LDFLAGS) $$(filter %.o,$$^) $$(CORE) $(2) -pthread -Wl,--as-needed $$(LIBRARIES) -o $$@.new \

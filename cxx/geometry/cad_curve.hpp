@@ -1,19 +1,10 @@
 #pragma once
 // Profiles drawn in a CAD system: .geo, .step, .stp or .brep files.
 #include "geometry/cad_search.hpp"
-#include "geometry/shape_kind.hpp"
+#include "geometry/cad_selection.hpp"
+#include "geometry/profile.hpp"
 
 namespace burnish {
-
-/// What to take from a file.
-struct CadSelection {
-  std::string file;
-  std::vector<int> curves; ///< tags as gmsh numbers them; empty: all
-  double scale = 1;        ///< tool's unit of length per unit of the file; STEP files arrive in mm
-  std::string numbers;     ///< "R=10e-3; H=2e-3" for the DefineConstants of a .geo file
-  bool inside = false;     ///< body on the other side
-  double seconds = 10;     ///< of computing that gmsh may take over a .geo file
-};
 
 /// Curves of the plane z = 0, ordered into one open chain or closed loop and turned as needed; neighbors must
 /// join smoothly. Parameter s: on each curve linear in the CAD parameter, as long as its arc; so |x_s| = 1 on
@@ -72,8 +63,5 @@ private:
 
 /// The curves of a selection in the order given, in the tool's unit of length.
 std::vector<CadPiece> read_curves(const CadSelection& selection);
-
-/// "cad="file"" in scripts.
-ShapeKind cad_curve_shape();
 
 } // namespace burnish

@@ -1,6 +1,6 @@
 // CAD curves as scripts name them.
 #include "base/error.hpp"
-#include "geometry/cad_curve.hpp"
+#include "geometry/cad_library.hpp"
 #include <cmath>
 
 namespace burnish {
@@ -37,7 +37,7 @@ ShapeKind cad_curve_shape() {
             selection.scale = given.number("scale", selection.scale);
             selection.numbers = given.text("geo");
             selection.inside = given.flag("inside");
-            return std::make_shared<CadCurve>(selection);
+            return open_cad_curve(selection);
           }};
 }
 

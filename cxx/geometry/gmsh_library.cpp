@@ -1,5 +1,6 @@
 #include "geometry/gmsh_library.hpp"
 #include "base/child_process.hpp"
+#include "base/companion_library.hpp"
 #include "base/error.hpp"
 #include "base/temporary.hpp"
 #include "geometry/cad_text.hpp"
@@ -8,8 +9,6 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
-#include <dlfcn.h>
-#include <filesystem>
 #include <regex>
 #include <vector>
 
@@ -19,27 +18,9 @@ namespace {
 
 constexpr const char* NAME = "burnish_gmsh.so";
 
-// Beside the plugin, or in the folder plugins beside the one of a test program.
-void* open_library() {
-  Dl_info self;
-  if (dladdr(reinterpret_cast<const void*>(&open_library), &self) == 0)
-    fail("gmsh", "where is this program?");
-  const auto folder = std::filesystem::path(self.dli_fname).parent_path();
-  std::string path = (folder / NAME).string();
-  const std::string other = (folder / ".." / "plugins" / NAME).string();
-  if (!std::filesystem::exists(path) && std::filesystem::exists(other)) path = other;
-  if (path == NAME) path = std::string("./") + NAME; // not somewhere in the system's folders
-  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library) return library;
-  fail("gmsh", std::string("gmsh's library cannot be opened: ") + dlerror() +
-                   "; Debian's package libgmsh-dev has it, and make builds " + NAME);
-}
-
 template <class Call> Call function(const char* name) {
-  static void* const library = open_library();
-  void* const address = dlsym(library, name);
-  if (!address) fail("gmsh", std::string(NAME) + " is of another version: it has no " + name);
-  return reinterpret_cast<Call>(address);
+  static void* const library = open_companion(NAME, "gmsh", "libgmsh-dev");
+  return reinterpret_cast<Call>(companion_function(library, NAME, name));
 }
 
 std::vector<burnish_gmsh_number> pointers_to(const GeoNumbers& numbers) {

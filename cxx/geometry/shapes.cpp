@@ -1,7 +1,7 @@
 #include "geometry/shapes.hpp"
 #include "base/error.hpp"
 #include "geometry/arc_chain.hpp"
-#include "geometry/cad_curve.hpp"
+#include "geometry/cad_selection.hpp"
 #include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
 #include <algorithm>

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# gmsh is opened only for .geo files, from the library beside the plugin; nothing stays behind, whatever happens.
+# OpenCASCADE is opened for CAD files only, gmsh for .geo files only, from the libraries beside the plugin; nothing stays behind,
+# whatever happens.
 set -eu
 plugins="$BUILD/plugins"
 fail() { echo "$*"; exit 1; }
 
 for linked in "$plugins/burnish.so"; do
-  ! ldd "$linked" | grep -q libgmsh || fail "$linked is linked with gmsh"
+  ! ldd "$linked" | grep -qE "libgmsh|libTK" || fail "$linked is linked with gmsh or OpenCASCADE"
 done
 
 # what a script has in its process
@@ -24,7 +25,7 @@ read -r -d '' before after _ <"$SCRATCH/maps.txt" || true
 
 # no library: a clear error
 mkdir -p "$SCRATCH/alone"
-cp "$plugins/burnish.so" "$SCRATCH/alone"
+cp "$plugins/burnish.so" "$plugins/burnish_cad.so" "$SCRATCH/alone"
 cat >"$SCRATCH/geo.edp" <<'END'
 include "burnish.idp"
 tool t(cad="tests/support/cad/lobe.step");
@@ -37,6 +38,10 @@ chmod +x "$SCRATCH/alone/burnish"
 cat "$SCRATCH/alone.txt"
 [ "$status" = 20 ] || fail "exit status $status instead of 20"
 grep -q "tool: gmsh.s library cannot be opened: .*libgmsh-dev has it" "$SCRATCH/alone.txt" || fail "no clear message"
+rm "$SCRATCH/alone/burnish_cad.so" && status=0
+"$SCRATCH/alone/burnish" "$SCRATCH/geo.edp" >"$SCRATCH/alone.txt" 2>&1 || status=$?
+[ "$status" = 20 ] || fail "without burnish_cad.so: exit status $status instead of 20"
+grep -q "OpenCASCADE.s library cannot be opened: .*libocct-data-exchange-dev has it" "$SCRATCH/alone.txt" || fail "no clear message: $(cat "$SCRATCH/alone.txt")"
 
 # temporary files: of files that are read, refused, and that break gmsh down
 mkdir -p "$SCRATCH/tmp"
