@@ -172,6 +172,7 @@ $(SUITES:%=test-%): test-%: packages
 	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
 	@$(TEST) $(call suite,$*)
 
+test-manual: export TIMEOUT ?= 3000
 test-viewers: viewers
 test-labs: notebooks
 .PHONY: viewers notebooks
