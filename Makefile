@@ -39,7 +39,7 @@ PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
 # --- sources and products ----------------------------------------------------------------------------------
 sources   = $(sort $(shell find $(wildcard $(1)) -name '*.cpp' 2>/dev/null </dev/null))
 objects   = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
-SUITES   := unit plugin verification regression long labs viewers
+SUITES   := unit plugin verification regression long labs viewers manual
 PROGRAMS := unit verification long benchmark
 CORE     := $(BUILD)/libburnish.a
 PLUGIN   := $(BUILD)/plugins/burnish.so
@@ -168,11 +168,13 @@ test-verification: ## problems with known answers, tests/verification
 test-regression: ## coarse cases against stored numbers, tests/regression
 test-long: ## slow tests, tests/long
 test-labs: ## scripts, answers, plots and notebooks of the labs in cases/labs (three minutes)
+test-manual: ## the commands that the manual prints, the long ones, too (some minutes)
 test-viewers: ## files and pages in the programs that show them, VTK and Chromium, tests/viewers (installs both)
 $(SUITES:%=test-%): test-%: packages
 	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
 	@$(TEST) $(call suite,$*)
 
+test-manual: export TIMEOUT ?= 3000
 test-viewers: viewers
 test-labs: notebooks
 .PHONY: viewers notebooks

@@ -1,8 +1,9 @@
 """Makes the pictures of the cases' READMEs again: make figures CASE=all OPTIONS="bending|cam"
 
-figures.csv says for each picture which run it is from. Every run is made once, in out/figures, two at a time unless JOBS says
-otherwise; its picture takes the place of the one in the tree. Pictures of cost (cost.png) are those of the sweeps in the READMEs, of
-tests/chart and tests/stability those of make chart and make stability. Exit status 1 if a run or a picture is missing.
+figures.csv says for each picture which run, sweep or lab it is from. Every one is made once, in out/figures, two at a time unless JOBS
+says otherwise; its picture takes the place of the one in the tree. Pictures of cost (cost.png) are of sweeps, whose times count: they
+are made one after the other, after all others (OPTIONS=cost.png on a quiet machine). Those of tests/chart and tests/stability are those
+of make chart and make stability. Exit status 1 if a run or a picture is missing.
 """
 import concurrent.futures
 import os
@@ -15,6 +16,7 @@ from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[1]
 OUT = TOP / "out/figures"
+BURNISH = os.environ.get("BURNISH", str(TOP / "build/burnish"))
 ENDED = {0, 4}
 
 
@@ -22,30 +24,56 @@ def rows(pattern):
     """(picture of the tree, words of the run, picture of the run) whose first one fits the pattern."""
     for line in (TOP / "cases/figures.csv").read_text().splitlines():
         if line and not line.startswith("#"):
-            picture, words, name = (part.strip() for part in line.split(";"))
+            picture, _, rest = line.partition(";")
+            words, _, name = rest.rpartition(";")
+            picture, name = picture.strip(), name.strip()
             if re.search(pattern, picture):
                 yield picture, tuple(shlex.split(words)), name
 
 
 def folder(words):
+    if words[0] == "sweep":
+        return TOP / "out/sweep" / dict(word.split("=", 1) for word in words[1:])["CASE"]
     return OUT / re.sub(r"[^\w.=-]+", "_", "_".join(words))
 
 
 def made(words):
     """Makes a run and those that it names as -beside; returns what is wrong, or ""."""
+    if words[0] in OTHER:
+        return OTHER[words[0]](words)
     beside = words[words.index("-beside") + 1].split(",") if "-beside" in words else []
     for path in beside:       # out/figures/CASE-WORD: the run with -backstress WORD
         run((words[0], "-backstress", Path(path).name.split("-")[-1]), TOP / path)
     return run(words, folder(words))
 
 
-def run(words, out):
+def sweep(words):
+    """sweep CASE=hertz "VARY=..." ...: as make sweep, one variant after the other."""
+    given = dict(word.split("=", 1) for word in words[1:])
+    shutil.rmtree(folder(words), ignore_errors=True)
+    return called(["cases/sweep/sweep.sh"], words, OUT / f"sweep-{given['CASE']}", {**given, "JOBS": "1"})
+
+
+def lab(words):
+    """lab NAME: its solutions as make test-labs runs them, with its plot; what it says of answers is its test's."""
+    called([sys.executable, "tests/labs/lab.py", words[1]], words, folder(words), {"SCRATCH": str(folder(words)), "PYTHON": sys.executable})
+    return ""
+
+
+def called(command, words, out, environment):
     out.mkdir(parents=True, exist_ok=True)
-    command = [os.environ.get("BURNISH", str(TOP / "build/burnish")), f"cases/{words[0]}/{words[0]}.edp", *words[1:], "-out", str(out)]
     with open(out / "log.txt", "w") as log:
-        status = subprocess.run(command, cwd=TOP, stdout=log, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL).returncode
+        status = subprocess.run(command, cwd=TOP, stdout=log, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                                env={**os.environ, "BURNISH": BURNISH, **environment}).returncode
     print(" ".join(words), "" if status == 0 else f"exit status {status}", flush=True)
     return "" if status in ENDED else f"{' '.join(words)}: exit status {status}, {out}/log.txt"
+
+
+OTHER = {"sweep": sweep, "lab": lab}
+
+
+def run(words, out):
+    return called([BURNISH, f"cases/{words[0]}/{words[0]}.edp", *words[1:], "-out", str(out)], words, out, {})
 
 
 def main():
@@ -54,7 +82,8 @@ def main():
         return "figures.py: no picture of figures.csv fits"
     runs = list(dict.fromkeys(words for _, words, _ in chosen))
     with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("JOBS", 2))) as pool:
-        wrong = [text for text in pool.map(made, runs) if text]
+        wrong = [text for text in pool.map(made, [words for words in runs if words[0] != "sweep"]) if text]
+    wrong += [text for text in map(made, [words for words in runs if words[0] == "sweep"]) if text]
     for picture, words, name in chosen:
         source = folder(words) / name
         if source.is_file():

@@ -24,6 +24,10 @@
 //   rcOptionsEnd(dummy)   refuses unknown options; with -h the help is printed and the script ends there, with -options list
 //       all options with their values, as one line of JSON
 //     dummy     not read
+//   rcOptionUsed(name, words)   whether the script uses one of the names, outside of comments; if not, the option is refused
+//     name      of an option that would have no say otherwise
+//     words     "rcScheme", or several
+//     ! the script does not use it
 //   rcOptionsJson(dummy)   the values used, "R": 0.015, ...
 //     dummy     not read
 //   rcScriptFolder(dummy)   folder of the script
@@ -38,7 +42,9 @@
 #include "leave.hpp"
 #include "plugin.hpp"
 #include "script/text.hpp"
+#include "script/words.hpp"
 #include "script_options.hpp"
+#include <cstdlib>
 
 extern KN<String>* pkarg; // FreeFEM's ARGV
 
@@ -94,6 +100,16 @@ bool options_end(const long&) {
     return true;
   });
 }
+bool option_used(string* const& name, string* const& words) {
+  return guarded([&] {
+    const char* path = std::getenv("FF_INCLUDEPATH");
+    const bool used = script_uses(script_options().script(), *words, path ? path : "");
+    if (!used && script_options().given(*name))
+      throw std::invalid_argument("option " + *name + " is given, but the script does not use it: " + *words +
+                                  " occurs nowhere in " + script_options().script());
+    return used;
+  });
+}
 bool range(string* const& names, const double& least, const double& most) {
   return guarded([&] { return script_options().range(*names, least, most), true; });
 }
@@ -121,6 +137,7 @@ void register_options() {
   Global.Add("rcText", "(", new OneOperator4s_<string*, string*, string*, string*, string*>(text_with_help));
   Global.Add("rcRange", "(", new OneOperator3_<bool, string*, double, double>(range));
   Global.Add("rcPositive", "(", new OneOperator1_<bool, string*>(positive));
+  Global.Add("rcOptionUsed", "(", new OneOperator2_<bool, string*, string*>(option_used));
   Global.Add("rcOptionsEnd", "(", new OneOperator1_<bool, long>(options_end));
   Global.Add("rcOptionsJson", "(", new OneOperator1s_<string*, long>(options_json));
   Global.Add("rcScriptFolder", "(", new OneOperator1s_<string*, long>(script_folder));

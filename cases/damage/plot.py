@@ -42,8 +42,7 @@ def integrity(run):
         maps.set_view(part, BOX)
         bands = maps.draw_bands(part, maps.deformed(field, 1.0), values, np.linspace(0, 1, 11) + 1e-9 * np.arange(11), "inferno")
         maps.draw_outline(part, maps.deformed(field, 1.0))
-        for outline in tools.at_time(run.tools, t):
-            part.plot(*outline.points.T, color="black", linewidth=1.2)
+        tools.draw_tools(part, tools.at_time(run.tools, t), maps.deformed(field, 1.0), names=False)
         part.set_title(f"t = {t:.3g}: least integrity {values.min():.2f}")
     figure.colorbar(bands, ax=axes, label="integrity", shrink=0.8)
     return figure

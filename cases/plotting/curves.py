@@ -145,8 +145,10 @@ def pressure_panel(axes, run, name, mu=None, expected=None, columns=3):
             continue
         axes.plot(arc[order], values, color=color, label=label)
         if len(order) < 120:
-            axes.plot(arc[order], run.units.stress * run.surface[nodal][order], color=color, marker="o", markersize=3,
-                      linestyle="none", alpha=0.5, label="nodal force over tributary area" if nodal == "pressure" else None)
+            dots = run.units.stress * run.surface[nodal][order]
+            near = np.abs(dots) < 5 * np.abs(values).max(initial=0)    # not at an axis, where the area of a node is next to nothing
+            axes.plot(arc[order][near], dots[near], color=color, marker="o", markersize=3, linestyle="none", alpha=0.5,
+                      label="nodal force over tributary area" if nodal == "pressure" else None)
         if mu and label == "pressure p":
             for sign in (1, -1):
                 axes.plot(arc[order], sign * mu * values, color=GRAY, linewidth=0.9, linestyle="--", zorder=1.5,

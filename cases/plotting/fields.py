@@ -162,6 +162,7 @@ def sequence_figure(run, quantity, number=4, width=10.0):
                            run.mirrors)
         bands = mine or bands
         axes.set_title(f"t = {t:.3g}")
+        axes.locator_params(axis="x", nbins=6)
         axes.label_outer()
     for axes in list(panels.flat)[len(shown):]:
         axes.set_visible(False)

@@ -9,7 +9,7 @@ import numpy as np
 from plotting import contact, maps
 from plotting.inputs import (InputError, MissingInput, header_of, option, read_summary, read_text, read_whole_table)
 from plotting.tools import read_tools
-from plotting.units import LENGTHS, SYSTEMS, describe, neutral
+from plotting.units import LENGTHS, SYSTEMS, describe, neutral, of_ring
 from plotting.vtp import read_vtp
 from plotting.vtu import read_vtu
 
@@ -146,7 +146,7 @@ class Run:
     @cached_property
     def units(self):
         if self.system:
-            return SYSTEMS[self.system]
+            return of_ring(SYSTEMS[self.system]) if self.axisymmetric else SYSTEMS[self.system]
         return neutral(self.size(), self.largest_stress(), self.axisymmetric)
 
     def size(self):

@@ -4,10 +4,16 @@ from collections import namedtuple
 import numpy as np
 
 # Factors from the numbers of the files to those of the pictures, and the units there; the force and the moment of a
-# plane scene are per unit of thickness
+# plane scene are per unit of thickness, those of an axisymmetric one are of the whole ring
 Units = namedtuple("Units", "length stress force moment length_unit stress_unit force_unit moment_unit")
 SYSTEMS = {"m": Units(1e3, 1e-6, 1e-3, 1.0, "mm", "MPa", "kN/m", r"N$\cdot$m/m"),
            "mm": Units(1.0, 1.0, 1.0, 1.0, "mm", "MPa", "N/mm", r"N$\cdot$mm/mm")}
+
+
+def of_ring(units):
+    """The same without "per unit of thickness"."""
+    return units._replace(force_unit=units.force_unit.split("/")[0], moment_unit=units.moment_unit.split("/")[0])
+
 
 # What a column is; the kinds of the default history
 LENGTH, ANGLE, FORCE, MOMENT, NODES, STRESS, STRAIN, TIME, OTHER = (

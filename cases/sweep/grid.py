@@ -2,7 +2,7 @@
   sweep.json    parameters in order, with units and meanings, and the variants: folder, values, options
   commands.txt  one shell command for each variant that is not finished yet
 and prints how many there are. Exit status 2 and a line on stderr for what cannot be run. CASE is the name of a case, or the
-path of a script that reads its options as cases do (edp/rcCase.idp). Ways to write VARY: values.py.
+path of a script that reads its options as cases do (edp/rcCaseOptions.idp). Ways to write VARY: values.py.
 """
 import glob
 import hashlib
@@ -32,8 +32,8 @@ def script_of(case):
     return case, script
 
 
-def parse_options(text, vary):
-    """Fixed options "-a 1 -b x" -> list of words with the defaults first."""
+def parse_options(text, vary, script):
+    """Fixed options "-a 1 -b x" -> list of words, first the defaults of those that the script has."""
     try:
         words = shlex.split(text)
     except ValueError as error:
@@ -46,8 +46,16 @@ def parse_options(text, vary):
             raise SweepError(f"OPTIONS: {name} is set by the sweep")
         if name[1:] in vary:
             raise SweepError(f"OPTIONS: {name} is varied by VARY")
-    defaults = [w for n, v in DEFAULTS.items() if "-" + n not in names for w in ("-" + n, v)]
+    known = has(script)
+    defaults = [w for n, v in DEFAULTS.items() if "-" + n not in names and n in known for w in ("-" + n, v)]
     return defaults + words
+
+
+def has(script):
+    """Names of the options that a script has; those that it refuses as they stand are told by ask_case."""
+    done = subprocess.run([os.environ["BURNISH"], script, "-options", "list"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, errors="replace", stdin=subprocess.DEVNULL)
+    return re.findall(r'"-?(\w+)":', done.stdout) if done.returncode == 0 else [*DEFAULTS]
 
 
 def case_name():
@@ -56,7 +64,7 @@ def case_name():
 
 def described(script):
     """{option: (unit, meaning)} as the scripts tell: rcReal("-R", 1, "mm", "radius")."""
-    text = read_text(os.path.join("edp", "rcCase.idp")) + read_text(script)
+    text = read_text(os.path.join("edp", "rcCaseOptions.idp")) + read_text(script)
     found = re.findall(r'rc(?:Real|Int|Text)\("-(\w+)",[^"]*(?:"[^"]*",\s*)?"([^"]*)",\s*"([^"]*)"\)', text)
     return {name: (unit, meaning) for name, unit, meaning in found}
 
@@ -134,7 +142,7 @@ def main():
     case, script = script_of(os.environ.get("CASE", ""))
     top = f"out/sweep/{case}"
     vary = parse_vary(os.environ.get("VARY", ""), ("out", "options", *DEFAULTS))
-    listed = list(variants(vary, parse_options(os.environ.get("OPTIONS", ""), vary), top))
+    listed = list(variants(vary, parse_options(os.environ.get("OPTIONS", ""), vary, script), top))
     ask_case(os.environ["BURNISH"], script, listed[0]["options"])
     done = len(listed) - write_variants(top, case, script, vary, listed)
     print(f"{case}: {len(listed)} variants" + (f", {done} finished before" if done else ""))

@@ -128,7 +128,7 @@ def main():
     tolerance = to_number(os.environ.get("TOLERANCE") or "1e-3", "TOLERANCE")
     if not 0 < tolerance < 1:
         raise SweepError(f"TOLERANCE is {tolerance:g}, expected 0 < TOLERANCE < 1")
-    options = parse_options(os.environ.get("OPTIONS", ""), {option: None})
+    options = parse_options(os.environ.get("OPTIONS", ""), {option: None}, script)
     ask_case(os.environ["BURNISH"], script, [*options, "-" + option, plain(str(first))])
     folder = f"out/sweep/{case}"
     result = Result(script, folder, name, option, options)

@@ -13,6 +13,7 @@ public:
   const std::string& script() const { return m_script; } ///< path of the script, "" if there is none
   std::string folder() const;                            ///< of the script, "." if it is here
 
+  bool given(const std::string& name) const { return find(name) != nullptr; } ///< it is among the words
   /// Value of an option, or the default. @param name with its dash; @param unit, meaning for the help; may be empty
   /// @throws std::invalid_argument for a name that FreeFEM takes for itself, an option without a value, a value that is
   ///         no number, or no whole one

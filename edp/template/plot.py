@@ -10,5 +10,5 @@ import sys
 sys.path.insert(0, os.path.join(os.environ["BURNISH_TOP"], "cases"))
 from plotting.case import main
 
-sys.exit(main(sys.argv[1:], length="mm",       # forces in N/mm, stresses in MPa
+sys.exit(main(sys.argv[1:], length="mm",       # forces in N/mm (axisymmetric: N), stresses in MPa
               columns={"depth_mm": ("depth", "mm", 1.0), "width_mm": ("contact width", "mm", 1.0)}))

@@ -33,6 +33,11 @@ rolling 20 'option -element is "P3"|expected P1 or P2' -element P3
 rolling 20 'option -scheme is "magic"|expected implicit, event or article' -scheme magic
 rolling 20 'option -steps is 0|expected 1 to 1e+06' -steps 0
 rolling 20 'option -inner is 1|expected 2 to' -inner 1
+shear() { refuse 20 "$1" "$BURNISH" cases/shear/shear.edp -out "$SCRATCH/r" "${@:2}"; }
+for option in element scheme tolerance accuracy series forms assembly solver model; do
+  shear "option -$option is given, but the script does not use it|occurs nowhere in cases/shear/shear.edp" -$option 1
+done
+refuse 20 'option -steps is given, but the script does not use it: rcLeastSteps' "$BURNISH" cases/rolling-contact/rolling-contact.edp -steps 10
 [ ! -e "$SCRATCH/r" ] || { echo "FAILED: a refused run made its output folder"; failures=$((failures + 1)); }
 small=(-element P1 -inner 4 -outer 20 -sides 4 -pictures 0)
 rolling 20 'nu = 0.5|-1 < nu < 0.5' "${small[@]}" -nu 0.5

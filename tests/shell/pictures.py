@@ -70,6 +70,8 @@ class Scene(unittest.TestCase):
         self.assertIn(r"drive force [$10^{3}$ force/length]", titles)
         self.assertEqual(units.neutral(40.0, 300.0).length_unit, "length")
         self.assertEqual(units.neutral(40.0, 300.0, axisymmetric=True).force_unit, "force")
+        ring = units.of_ring(units.SYSTEMS["mm"])
+        self.assertEqual((ring.force_unit, ring.moment_unit), ("N", r"N$\cdot$mm"))
 
     def draw(self, folder):
         """The exit code of the pictures of any scene, their names, and what is said."""

@@ -6,9 +6,10 @@ import os
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(os.environ.get("BURNISH_TOP") or Path(__file__).resolve().parents[3]) / "cases/labs"))
-from lab_plot import answers, folder_and_file, option, save, table  # noqa: E402
-from plotting.figure import BLUE, GRAY, GREEN, ORANGE, RED, new_figure  # noqa: E402
+TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 3)
+sys.path.insert(0, os.path.join(os.environ.get("BURNISH_TOP") or TOP, "cases"))
+from labs.labfigure import answers, main, option, table
+from plotting.figure import BLUE, GRAY, GREEN, ORANGE, RED, new_figure
 
 
 def bending(axes, folder):
@@ -56,20 +57,21 @@ def curl(axes, runs):
     other.plot(speed, [1e3 * a["curvature"] for _, a in some], "D--", color=RED, label="curvature")
     other.set_ylabel("curvature, upward [1/m]")
     other.grid(False)
-    axes.set(xlabel="surface speed, lower / upper roll [-]", ylabel="torque [N mm/mm]", title=f"Unequal speeds, friction {mu:g}")
+    axes.set(xlabel="surface speed, lower / upper roll [-]", ylabel=r"torque [N$\cdot$mm/mm]", title=f"Unequal speeds, friction {mu:g}")
+    for scale in (axes, other):    # room for the key
+        scale.set_ylim(top=1.6 * scale.get_ylim()[1])
     axes.legend(*[a + b for a, b in zip(axes.get_legend_handles_labels(), other.get_legend_handles_labels())], loc="upper left")
 
 
-def main():
-    folder, file = folder_and_file()
-    top = Path(sys.argv[3]) if len(sys.argv) > 3 else folder
-    runs = sorted(f.parent for f in top.glob("*/answers.csv"))
+def draw(folder, sweep=None):
+    folder = Path(folder)
+    runs = sorted(f.parent for f in Path(sweep or folder).glob("*/answers.csv"))
     figure, axes = new_figure(6.4, 9.6, nrows=3)
     bending(axes[0], folder)
     grip(axes[1], runs)
     curl(axes[2], runs)
-    save(figure, file)
+    return figure
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main(sys.argv[1:3], lambda folder: draw(folder, *sys.argv[3:4]), scene=False))

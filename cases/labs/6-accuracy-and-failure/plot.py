@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 """Plot of lab 6: plot.py FOLDER [FILE]; FOLDER: results of lab.edp and danger.edp in folders of their own, out/6-accuracy"""
-import csv
 import os
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(os.environ.get("BURNISH_TOP") or Path(__file__).resolve().parents[3]) / "cases/labs"))
-from lab_plot import answers, folder_and_file, option, save  # noqa: E402
-from matplotlib.ticker import FormatStrFormatter  # noqa: E402
-from plotting.figure import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, SKY, new_figure  # noqa: E402
+TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 3)
+sys.path.insert(0, os.path.join(os.environ.get("BURNISH_TOP") or TOP, "cases"))
+from labs.labfigure import answers, main, option, table
+from matplotlib.ticker import FormatStrFormatter
+from plotting.figure import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, SKY, new_figure
 
 COLORS = {"condensed": BLUE, "multiplier": GREEN, "penalty 1": ORANGE, "penalty 10": RED, "penalty 100": PURPLE}
 
@@ -16,13 +16,11 @@ COLORS = {"condensed": BLUE, "multiplier": GREEN, "penalty 1": ORANGE, "penalty 
 def chart(axes, files):
     """Error of the pressure against CPU time, a line for each method and element."""
     for file in files:
-        with open(file, encoding="utf-8") as text:
-            rows = list(csv.DictReader(text))
+        rows = table(file, texts=("method", "element"))
         if rows:
-            first = rows[0]
-            axes.loglog([float(r["seconds"]) for r in rows], [100 * float(r["pressure"]) for r in rows],
-                        "o-" if first["element"] == "P1" else "s--", color=COLORS.get(first["method"], SKY),
-                        markersize=7 if first["element"] == "P1" else 5, label=f"{first['method']}, {first['element']}")
+            method, element = rows["method"][0], rows["element"][0]
+            axes.loglog(rows["seconds"], [100 * e for e in rows["pressure"]], "o-" if element == "P1" else "s--",
+                        color=COLORS.get(method, SKY), markersize=7 if element == "P1" else 5, label=f"{method}, {element}")
     axes.set(xlabel="CPU time [s]", ylabel="error of the pressure [%]", title="Hertz: speed against accuracy")
     axes.grid(True, which="both")
     for axis, ticks in ((axes.xaxis, (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2)), (axes.yaxis, (0.5, 1, 2, 5, 10, 20))):
@@ -52,13 +50,13 @@ def locking(axes, runs):
     axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 
 
-def main():
-    folder, file = folder_and_file()
+def draw(folder):
+    folder = Path(folder)
     figure, axes = new_figure(8.4, 7.6, nrows=2)
     chart(axes[0], sorted([*folder.glob("chart.csv"), *folder.glob("*/chart.csv")]))
     locking(axes[1], sorted(f.parent for f in folder.glob("*/summary.json")))
-    save(figure, file)
+    return figure
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main(sys.argv[1:], draw, scene=False))

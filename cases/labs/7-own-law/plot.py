@@ -4,9 +4,10 @@ import os
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(os.environ.get("BURNISH_TOP") or Path(__file__).resolve().parents[3]) / "cases/labs"))
-from lab_plot import folder_and_file, save, table  # noqa: E402
-from plotting.figure import BLUE, GRAY, GREEN, ORANGE, new_figure  # noqa: E402
+TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 3)
+sys.path.insert(0, os.path.join(os.environ.get("BURNISH_TOP") or TOP, "cases"))
+from labs.labfigure import main, table
+from plotting.figure import BLUE, GRAY, GREEN, ORANGE, new_figure
 
 
 def rubber(axes, history):
@@ -32,13 +33,13 @@ def hardening(axes, folder):
     axes.legend(loc="lower right")
 
 
-def main():
-    folder, file = folder_and_file()
+def draw(folder):
+    folder = Path(folder)
     figure, axes = new_figure(6.4, 7.2, nrows=2)
     rubber(axes[0], table(folder / "history.csv", "work", "Q_y"))
     hardening(axes[1], folder)
-    save(figure, file)
+    return figure
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main(sys.argv[1:], draw, scene=False))

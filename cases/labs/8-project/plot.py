@@ -4,13 +4,14 @@ import os
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(os.environ.get("BURNISH_TOP") or Path(__file__).resolve().parents[3]) / "cases/labs"))
-from lab_plot import answers, folder_and_file, option, save, table  # noqa: E402
-from plotting.figure import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, new_figure  # noqa: E402
+TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 3)
+sys.path.insert(0, os.path.join(os.environ.get("BURNISH_TOP") or TOP, "cases"))
+from labs.labfigure import answers, main, option, table
+from plotting.figure import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, new_figure
 
 
-def main():
-    folder, file = folder_and_file()
+def draw(folder):
+    folder = Path(folder)
     runs = [folder, *sorted(f.parent for f in folder.glob("*/answers.csv"))]
     figure, axes = new_figure(6.4, 7.6, nrows=2)
     for run, color in zip(runs, (BLUE, ORANGE, GREEN, RED, PURPLE, GRAY)):
@@ -20,10 +21,11 @@ def main():
         axes[1].plot(profile["x"], profile["y"], color=color, label=f"groove {answers(run)['groove']:.3f} mm")
     axes[0].set(xlabel="depth of the tool [mm]", ylabel="force [N/mm]", title="Pressed and lifted")
     axes[1].set(xlabel="x [mm]", ylabel="y [mm]", title="The groove that stays (half)", xlim=(0, 4))
+    axes[0].set_ylim(top=1.5 * axes[0].get_ylim()[1])    # room for the key
     for place in axes:
         place.legend()
-    save(figure, file)
+    return figure
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main(sys.argv[1:], draw, scene=False))

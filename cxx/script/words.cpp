@@ -1,0 +1,73 @@
+#include "script/words.hpp"
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace burnish {
+namespace {
+
+const std::string LIBRARY = "burnish.idp"; // names every word
+
+std::string read_without_comments(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream whole;
+  whole << file.rdbuf();
+  const std::string text = whole.str();
+  std::string code;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!quoted && text.compare(i, 2, "//") == 0) i = text.find('\n', i);
+    if (!quoted && i != std::string::npos && text.compare(i, 2, "/*") == 0) i = text.find("*/", i);
+    if (i == std::string::npos) break;
+    if (text[i] == '"' && (i == 0 || text[i - 1] != '\\')) quoted = !quoted;
+    code += text[i];
+  }
+  return code;
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, at);)
+    if (!part.empty()) parts.push_back(part);
+  return parts;
+}
+
+class Search {
+public:
+  Search(const std::string& words, const std::string& folders) : m_folders(split(folders, ';')) {
+    std::string either;
+    for (const std::string& word : split(words, ' ')) either += (either.empty() ? "" : "|") + word;
+    m_words = "\\b(" + either + ")\\b";
+  }
+  bool finds(const std::string& path) {
+    if (!m_read.insert(std::filesystem::weakly_canonical(path)).second) return false;
+    const std::string code = read_without_comments(path);
+    if (std::regex_search(code, m_words)) return true;
+    static const std::regex INCLUDE("\\binclude\\s*\"([^\"]+)\"");
+    const std::string own = path.substr(0, path.rfind('/') + 1); // "" without a folder
+    for (std::sregex_iterator found(code.begin(), code.end(), INCLUDE), last; found != last; ++found) {
+      const std::string name = (*found)[1];
+      if (name == LIBRARY) continue;
+      if (finds(own + name)) return true;
+      for (const std::string& folder : m_folders)
+        if (finds(folder + "/" + name)) return true;
+    }
+    return false;
+  }
+
+private:
+  std::regex m_words;
+  std::vector<std::string> m_folders;
+  std::set<std::string> m_read;
+};
+
+} // namespace
+
+bool script_uses(const std::string& script, const std::string& words, const std::string& folders) {
+  return !words.empty() && Search(words, folders).finds(script);
+}
+
+} // namespace burnish

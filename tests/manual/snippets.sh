@@ -1,0 +1,3 @@
+#!/usr/bin/env bash
+# All commands that the manual prints, the long ones, too.
+exec "$PYTHON" tests/shell/snippets.py all
