@@ -1,0 +1,122 @@
+"""What friction in the matrix costs and gains: consistent, symmetric part, on the right-hand side.
+
+tangents.py [--quick] [--only TEXT] [--repeat N] [--fine] [--out FOLDER]       BURNISH=build/burnish
+Every scene by the core's solver (a symmetric factor of the body, kept for several iterations, and the dense block of the contact)
+and by the condensed matrix, anew in every iteration (UMFPACK where it is not symmetric, CHOLMOD where it is), see METHOD.md 3.21.
+Runs of a repetition are done in turns; CPU seconds of the whole process, median and spread (half of largest less smallest over the
+median). `off`: largest difference of a result from that of the first way, over the result. Writes tangents.csv and tangents.md.
+Exit status 1 if a run that says it has finished is off by more than WRONG.
+"""
+import argparse
+import csv
+import json
+import os
+import statistics
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TOP = os.path.dirname(os.path.dirname(HERE))
+WRONG = 1e-2
+WAYS = [("block, consistent", ""), ("block, symmetric", "-frictiontangent symmetric"), ("block, lagged", "-frictiontangent lagged"),
+        ("sparse, consistent", "-solver UMFPACK"), ("sparse, symmetric", "-frictiontangent symmetric -solver CHOLMOD"),
+        ("sparse, lagged", "-frictiontangent lagged -solver CHOLMOD")]
+SCENES = [  # name, script, options, of --quick
+    ("hertz", "tests/chart/tangents.edp", "-n 8", "-n 4 -steps 5"),
+    ("partial-slip", "cases/partial-slip/partial-slip.edp", "-n 8", "-n 4 -steps 6"),
+    ("indentation", "cases/indentation/indentation.edp", "-half 1 -fine 25", "-half 1 -fine 12 -steps 12"),
+    ("rolling", "cases/rolling/rolling.edp", "-inner 5 -outer 75 -sides 10", "-inner 4 -outer 40 -sides 6"),
+    ("rolling, default", "cases/rolling/rolling.edp", "", "")]
+FRICTION = ["0.1", "0.2", "0.5"]
+
+
+def run(script, words, folder):
+    command = [os.environ["BURNISH"], os.path.join(TOP, script), *words, "-pictures", "0", "-series", "0", "-check", "0", "-out", folder]
+    done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=1200)
+    path = os.path.join(folder, "summary.json")
+    if done.returncode not in (0, 3, 4) or not os.path.exists(path):
+        sys.exit(f"tangents: exit status {done.returncode} of {' '.join(command)}:\n{done.stdout[-2000:]}{done.stderr[-1000:]}")
+    with open(path) as f:
+        summary = json.load(f)
+    os.remove(path)
+    return summary
+
+
+def off(results, expected):
+    """Largest difference of a result, over its value."""
+    return max((abs(results[name]["value"] / item["value"] - 1) for name, item in expected.items()
+                if item["value"] and name in results), default=float("nan"))
+
+
+def measure(scenes, frictions, repeat, quick, folder):
+    rows = []
+    for name, script, full, short in scenes:
+        for mu in frictions:
+            found = {way: [] for way, _ in WAYS}
+            for _ in range(repeat):
+                for way, options in WAYS:
+                    if found[way] and found[way][0]["status"] != "finished":
+                        continue
+                    found[way].append(run(script, f"{short if quick else full} -mu {mu} {options}".split(), folder))
+                    print(f"  {name}, mu {mu}, {way}: {found[way][-1]['cpu_seconds']['total']:.2f} s", file=sys.stderr, flush=True)
+            first = found[WAYS[0][0]][0]
+            for way, _ in WAYS:
+                one, seconds = found[way][0], [s["cpu_seconds"]["total"] for s in found[way]]
+                middle = statistics.median(seconds)
+                counts = one["counts"]
+                rows.append({"scene": name, "mu": mu, "way": way, "outcome": one["status"], "steps": counts["steps"],
+                             "rejected": counts["rejected_steps"], "iterations": counts["iterations"],
+                             "factorizations": counts["factorizations"], "seconds": middle,
+                             "spread": (max(seconds) - min(seconds)) / 2 / middle, "off": off(one["results"], first["results"]),
+                             "reason": one["reason"] or one["steps"]["last_rejection"]})
+    return rows
+
+
+def table(rows):
+    lines = ["| Scene | μ | Way | steps | rejected | iterations | factors | CPU s | over block | off |", "|---|---|---|---|---|---|---|---|---|---|"]
+    for row in rows:
+        base = next(r for r in rows if (r["scene"], r["mu"]) == (row["scene"], row["mu"]))
+        if row["outcome"] == "finished":
+            end = f"{row['seconds']:.2f} ± {100 * row['spread']:.0f} % | {row['seconds'] / base['seconds']:.2f} | {row['off']:.0e}"
+        else:
+            end = f"{row['outcome']} | | "
+        first = row is base
+        lines.append(f"| {row['scene'] if first else ''} | {row['mu'] if first else ''} | {row['way']} | {row['steps']} | "
+                     f"{row['rejected']} | {row['iterations']} | {row['factorizations']} | {end} |")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", action="store_true", help="coarse meshes, one friction coefficient")
+    parser.add_argument("--fine", action="store_true", help="the default mesh of rolling, too")
+    parser.add_argument("--only", default="", metavar="TEXT", help="scenes whose name contains TEXT")
+    parser.add_argument("--mu", default="", help="friction coefficients, as 0.1,0.5")
+    parser.add_argument("--repeat", type=int, default=3, metavar="N")
+    parser.add_argument("--out", default="out/tangents", metavar="FOLDER")
+    options = parser.parse_args()
+    os.makedirs(options.out, exist_ok=True)
+    frictions = options.mu.split(",") if options.mu else ["0.2"] if options.quick else FRICTION
+    scenes = [s for s in SCENES if options.only in s[0] and (options.fine or "default" not in s[0])]
+    if not scenes:
+        sys.exit(f"tangents: no scene contains \"{options.only}\", expected one of {', '.join(s[0] for s in SCENES)}")
+    rows = measure(scenes, frictions, 1 if options.quick else options.repeat, options.quick, os.path.join(options.out, "run"))
+    with open(os.path.join(options.out, "tangents.csv"), "w", newline="") as f:
+        writer = csv.DictWriter(f, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows({k: f"{v:.5g}" if isinstance(v, float) else v for k, v in row.items()} for row in rows)
+    text = table(rows)
+    with open(os.path.join(options.out, "tangents.md"), "w") as f:
+        f.write(text)
+    print(text)
+    for row in rows:
+        if row["rejected"] or row["outcome"] != "finished":
+            print(f"{row['scene']}, mu {row['mu']}, {row['way']}: {row['reason']}")
+    wrong = [row for row in rows if row["outcome"] == "finished" and not row["off"] < WRONG]
+    for row in wrong:
+        print(f"WRONG: {row['scene']}, mu {row['mu']}, {row['way']}: a result is off by {100 * row['off']:.2g} %")
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
