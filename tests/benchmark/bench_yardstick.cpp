@@ -19,7 +19,8 @@ struct Matrix {
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_AMD;
     const int n = 2 * SIDE * SIDE;
-    cholmod_triplet* T = cholmod_allocate_triplet(n, n, 18 * static_cast<std::size_t>(n), -1, CHOLMOD_REAL, &common);
+    cholmod_triplet* T =
+        cholmod_allocate_triplet(n, n, 18 * static_cast<std::size_t>(n), -1, CHOLMOD_REAL, &common);
     for (int a = 0; a < SIDE * SIDE; ++a)
       for (int dx = -1; dx <= 1; ++dx)
         for (int dy = -1; dy <= 1; ++dy) add_pair(T, a, dx, dy);

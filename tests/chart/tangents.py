@@ -1,9 +1,10 @@
 """What friction in the matrix costs and gains: consistent, symmetric part, on the right-hand side.
 
-tangents.py [--quick] [--only TEXT] [--repeat N] [--fine] [--out FOLDER]       BURNISH=build/burnish
+tangents.py [--quick] [--only TEXT] [--ways TEXT] [--mu LIST] [--repeat N] [--fine] [--out FOLDER]       BURNISH=build/burnish
 Every scene by the core's solver (a symmetric factor of the body, kept for several iterations, and the dense block of the contact)
-and by the condensed matrix, anew in every iteration (UMFPACK where it is not symmetric, CHOLMOD where it is), see METHOD.md 3.21.
-Runs of a repetition are done in turns; CPU seconds of the whole process, median and spread (half of largest less smallest over the
+and by the condensed matrix, anew in every iteration: UMFPACK; rows that are not symmetric as a dense border (BURNISH); the symmetric part,
+by BURNISH since it may be indefinite (CHOLMOD, if not UMFPACK); lagged by CHOLMOD, see METHOD.md 3.21.
+Runs of a repetition are done in turns, those longer than ONCE once; CPU seconds of the whole process, median and spread (half of largest less smallest over the
 median). `off`: largest difference of a result from that of the first way, over the result. Writes tangents.csv and tangents.md.
 Exit status 1 if a run that says it has finished is off by more than WRONG.
 """
@@ -11,6 +12,7 @@ import argparse
 import csv
 import json
 import os
+import re
 import statistics
 import subprocess
 import sys
@@ -18,12 +20,13 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
 WRONG = 1e-2
+ONCE = 3  # [s]
 WAYS = [("block, consistent", ""), ("block, symmetric", "-frictiontangent symmetric"), ("block, lagged", "-frictiontangent lagged"),
-        ("sparse, consistent", "-solver UMFPACK"), ("sparse, symmetric", "-frictiontangent symmetric -solver CHOLMOD"),
-        ("sparse, lagged", "-frictiontangent lagged -solver CHOLMOD")]
+        ("sparse, consistent", "-solver UMFPACK"), ("sparse, border", "-solver BURNISH"),
+        ("sparse, symmetric", "-frictiontangent symmetric -solver BURNISH"), ("sparse, lagged", "-frictiontangent lagged -solver CHOLMOD")]
 SCENES = [  # name, script, options, of --quick
-    ("hertz", "tests/chart/tangents.edp", "-n 8", "-n 4 -steps 5"),
-    ("partial-slip", "cases/partial-slip/partial-slip.edp", "-n 8", "-n 4 -steps 6"),
+    ("hertz", "tests/chart/tangents.edp", "-n 6 -steps 10", "-n 4 -steps 5"),
+    ("partial-slip", "cases/partial-slip/partial-slip.edp", "-n 6 -steps 8 -nu 0.3 -split 2", "-n 4 -steps 6 -nu 0.3 -split 2"),
     ("indentation", "cases/indentation/indentation.edp", "-half 1 -fine 25", "-half 1 -fine 12 -steps 12"),
     ("rolling", "cases/rolling/rolling.edp", "-inner 5 -outer 75 -sides 10", "-inner 4 -outer 40 -sides 6"),
     ("rolling, default", "cases/rolling/rolling.edp", "", "")]
@@ -34,6 +37,10 @@ def run(script, words, folder):
     command = [os.environ["BURNISH"], os.path.join(TOP, script), *words, "-pictures", "0", "-series", "0", "-check", "0", "-out", folder]
     done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=1200)
     path = os.path.join(folder, "summary.json")
+    stopped = re.search(r"^burnish: stopped early at (.*)$", done.stdout, re.MULTILINE)
+    if stopped and not os.path.exists(path):  # the script asks for the end of its program
+        return {"status": "stopped", "reason": stopped.group(1), "results": {}, "cpu_seconds": {"total": float("nan")},
+                "counts": dict.fromkeys(("steps", "rejected_steps", "iterations", "factorizations"), 0)}
     if done.returncode not in (0, 3, 4) or not os.path.exists(path):
         sys.exit(f"tangents: exit status {done.returncode} of {' '.join(command)}:\n{done.stdout[-2000:]}{done.stderr[-1000:]}")
     with open(path) as f:
@@ -48,19 +55,19 @@ def off(results, expected):
                 if item["value"] and name in results), default=float("nan"))
 
 
-def measure(scenes, frictions, repeat, quick, folder):
+def measure(scenes, ways, frictions, repeat, quick, folder):
     rows = []
     for name, script, full, short in scenes:
         for mu in frictions:
-            found = {way: [] for way, _ in WAYS}
+            found = {way: [] for way, _ in ways}
             for _ in range(repeat):
-                for way, options in WAYS:
-                    if found[way] and found[way][0]["status"] != "finished":
+                for way, options in ways:
+                    if found[way] and (found[way][0]["status"] != "finished" or found[way][0]["cpu_seconds"]["total"] > ONCE):
                         continue
                     found[way].append(run(script, f"{short if quick else full} -mu {mu} {options}".split(), folder))
                     print(f"  {name}, mu {mu}, {way}: {found[way][-1]['cpu_seconds']['total']:.2f} s", file=sys.stderr, flush=True)
-            first = found[WAYS[0][0]][0]
-            for way, _ in WAYS:
+            first = found[ways[0][0]][0]
+            for way, _ in ways:
                 one, seconds = found[way][0], [s["cpu_seconds"]["total"] for s in found[way]]
                 middle = statistics.median(seconds)
                 counts = one["counts"]
@@ -68,7 +75,7 @@ def measure(scenes, frictions, repeat, quick, folder):
                              "rejected": counts["rejected_steps"], "iterations": counts["iterations"],
                              "factorizations": counts["factorizations"], "seconds": middle,
                              "spread": (max(seconds) - min(seconds)) / 2 / middle, "off": off(one["results"], first["results"]),
-                             "reason": one["reason"] or one["steps"]["last_rejection"]})
+                             "reason": one["reason"] or one["steps"]["last_rejection"], "asymmetry": one.get("way", {}).get("matrix_asymmetry", "")})
     return rows
 
 
@@ -91,6 +98,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="coarse meshes, one friction coefficient")
     parser.add_argument("--fine", action="store_true", help="the default mesh of rolling, too")
     parser.add_argument("--only", default="", metavar="TEXT", help="scenes whose name contains TEXT")
+    parser.add_argument("--ways", default="", metavar="TEXT", help="the first way, and those whose name contains TEXT")
     parser.add_argument("--mu", default="", help="friction coefficients, as 0.1,0.5")
     parser.add_argument("--repeat", type=int, default=3, metavar="N")
     parser.add_argument("--out", default="out/tangents", metavar="FOLDER")
@@ -100,7 +108,8 @@ def main():
     scenes = [s for s in SCENES if options.only in s[0] and (options.fine or "default" not in s[0])]
     if not scenes:
         sys.exit(f"tangents: no scene contains \"{options.only}\", expected one of {', '.join(s[0] for s in SCENES)}")
-    rows = measure(scenes, frictions, 1 if options.quick else options.repeat, options.quick, os.path.join(options.out, "run"))
+    ways = WAYS[:1] + [w for w in WAYS[1:] if options.ways in w[0]]
+    rows = measure(scenes, ways, frictions, 1 if options.quick else options.repeat, options.quick, os.path.join(options.out, "run"))
     with open(os.path.join(options.out, "tangents.csv"), "w", newline="") as f:
         writer = csv.DictWriter(f, list(rows[0]), lineterminator="\n")
         writer.writeheader()

@@ -63,7 +63,8 @@ TEST(FrictionTangent, SymmetricToRounding) {
   Sample sample(0.4);
   EXPECT_GE(asymmetry(dense(sample.condensed(FrictionTangent::CONSISTENT))), 1e-2);
   for (const auto tangent : {FrictionTangent::SYMMETRIC, FrictionTangent::LAGGED}) {
-    const Eigen::MatrixXd full = dense(sample.condensed(tangent)), half = dense(sample.condensed(tangent, true));
+    const Eigen::MatrixXd full = dense(sample.condensed(tangent)),
+                          half = dense(sample.condensed(tangent, true));
     EXPECT_LE(asymmetry(full), 1e-15);
     EXPECT_LE((full - half).norm(), 1e-15 * full.norm()) << "the lower triangle stands for both";
   }
