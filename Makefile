@@ -213,7 +213,7 @@ bench: build ## kernels and whole scenes against the ratios of the last release 
 	$(COMPILE) $(or $(call program,benchmark),$(error no programs in tests/benchmark))
 	@BURNISH='$(abspath $(WRAPPER))' BENCHMARK='$(abspath $(call program,benchmark))' $(PYTHON) tests/benchmark/bench.py $(OPTIONS)
 
-bench-growth: build ## time and memory of ten steps from 1 000 to 130 000 nodes (ten minutes); OPTIONS="--most 20"
+bench-growth: build ## time and memory of some ten steps from 1 000 to 130 000 nodes (ten minutes); OPTIONS="--most 20"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/benchmark/bench.py --growth $(OPTIONS)
 
 # What a script needs at run time: plugin, script library, pictures and sweeps, the wrapper with the paths of that place.

@@ -8,7 +8,7 @@ median of all repetitions is kept, the spread is half of largest less smallest o
 last release. A name is slower (faster) where the ratios differ by more than both spreads and LEAST together. Nothing passes or fails.
 Of scenes, from their summary.json: the multiple is the CPU time of the run over that of its factorizations; megabytes the peak of the
 process; kB/dof what it takes beyond a FreeFEM with the plugin and the factor, per degree of freedom.
---growth: one scene (growth.edp) from 1 000 to 130 000 nodes in ten steps; the order is that of the time between two lines.
+--growth: one scene (growth.edp) from 1 000 to 130 000 nodes in ten steps or a few more; the order is that of the time between two lines.
 """
 import argparse
 import csv
@@ -28,7 +28,7 @@ KERNELS = r"^(yardstick|stress_update|internal_force|tangent|factorization|whole
 SCENES = {"rolling": "cases/rolling/rolling.edp", "rolling, coarse": "cases/rolling/rolling.edp -inner 5 -outer 75 -sides 10",
           "hertz": "cases/hertz/hertz.edp -meshes 0", "indentation": "cases/indentation/indentation.edp -half 1",
           "strip-rolling": "cases/strip-rolling/strip-rolling.edp"}
-GROWTH = [5, 7, 10, 14, 20, 28, 37, 52]
+GROWTH = [5, 10, 20, 37, 52]
 
 
 def middle(values):
