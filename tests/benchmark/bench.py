@@ -188,7 +188,7 @@ def main():
         rows += found
     if not rows:
         sys.exit(f"bench: nothing contains \"{options.only}\"")
-    print("slower than the last release: " + ", ".join(slower) if slower else "nothing is slower than the last release by more than its spread")
+    print("slower than the last release by more than its spread: " + (", ".join(slower) or "nothing"))
     if options.store:
         store(rows)
 
