@@ -112,7 +112,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep explore stability chart references chart-quick test $(SUITES:%=test-%) bench install uninstall docs packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep explore stability chart references chart-quick test $(SUITES:%=test-%) bench bench-growth install uninstall docs packages format format-check clean help FORCE
 .PHONY: compile programs sanitize sanitized fuzz
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -212,10 +212,13 @@ fuzz: build ## mutated formulas, CAD files, matrices, scripts, a quarter of an h
 	@$(call program,long) --gtest_brief=1 --gtest_filter='*uzz*'
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/fuzz/fuzz.py $(or $(FUZZ_SECONDS),480) $(SEED)
 
-bench: ## time the core's kernels (Google Benchmark, tests/benchmark); nothing passes or fails
+bench: build ## kernels and whole scenes against the ratios of the last release (ten minutes); OPTIONS="--kernels --store": tests/benchmark/bench.py
 	@$(PACKAGES) bench
 	$(COMPILE) $(or $(call program,benchmark),$(error no programs in tests/benchmark))
-	@$(call program,benchmark) $(OPTIONS)
+	@BURNISH='$(abspath $(WRAPPER))' BENCHMARK='$(abspath $(call program,benchmark))' $(PYTHON) tests/benchmark/bench.py $(OPTIONS)
+
+bench-growth: build ## time and memory of some ten steps from 1 000 to 130 000 nodes (ten minutes); OPTIONS="--most 20"
+	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/benchmark/bench.py --growth $(OPTIONS)
 
 # What a script needs at run time: plugin, script library, pictures and sweeps, the wrapper with the paths of that place.
 SHARE = $(DESTDIR)$(PREFIX)/share/burnish

@@ -20,8 +20,9 @@
 //     ! , expected free, touched, sliding, sticking, leaving, receding or contact
 //   C.leftout   what the run took no account of, as a text
 //   C.statistic(name)   counts of the run | -
-//     name      "iterations", "factorizations", "solves", "analyses", "backtracks", "condensations"
-//     ! , expected iterations, factorizations, solves, analyses, backtracks or condensations
+//     name      "iterations", "factorizations", "solves", "analyses", "backtracks", "condensations"; "factorentries": numbers stored in the
+//       last factor of the core
+//     ! , expected iterations, factorizations, solves, analyses, backtracks, condensations or factorentries
 //   C.seconds(phase)   CPU time | s
 //     phase     "condensation", "factorization", "solve", "events", "checks"
 //     ! , expected condensation, factorization, solve, events or checks
@@ -131,9 +132,10 @@ long statistic(const Method<H, StatisticTag>& m, string* const& name) {
     if (*name == "analyses") return counts.analyses;
     if (*name == "backtracks") return counts.backtracks;
     if (*name == "condensations") return counts.condensations;
-    fail("contact.statistic",
-         "unknown name \"" + *name +
-             "\", expected iterations, factorizations, solves, analyses, backtracks or condensations");
+    if (*name == "factorentries") return counts.factor_entries;
+    fail("contact.statistic", "unknown name \"" + *name +
+                                  "\", expected iterations, factorizations, solves, analyses, backtracks, "
+                                  "condensations or factorentries");
   });
 }
 

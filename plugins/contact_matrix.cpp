@@ -8,7 +8,7 @@
 //     R         nodal forces, internal - external | force
 //     terms=    geometric terms | | "complete" | "complete", "article", "none"
 //     rates=    true: right-hand side of pure rates, after C.begin(..., rates=true) | | false
-//     symmetric=   true: one triangle, for CHOLMOD and its like; without friction | | false
+//     symmetric=   true: one triangle, for CHOLMOD and its like; without friction, or with a frictiontangent= that is symmetric | | false
 //     solver=   solver of FreeFEM attached to the matrix, or "BURNISH" | | "BURNISH" | a solver that is loaded
 //     ! needs symmetric=true
 //     ! the force array contains NaN or Inf
@@ -24,6 +24,8 @@
 //     ! no matrix has been condensed yet
 //   C.elasticblend   part of elastic moduli that the next tangent should have in plastic points, after losses of definiteness | -
 //   C.blendexhausted   true: no more of that helps
+//   C.frictiontangent(name)   as frictiontangent= of rcContact, from the next iteration on
+//     name      "consistent", "symmetric", "lagged"
 //   C.cut(u, fraction)   a step of pure rates is shortened: everything is linear in it
 //     u         in, out | length
 //     fraction   part that is kept | - | | 0 < fraction <= 1
@@ -116,6 +118,16 @@ double expand(Stack, const Method<ContactHandle, ExpandTag>& m, const KN_<double
   });
 }
 
+struct FrictionTangentTag {};
+bool set_friction_tangent(const Method<ContactHandle, FrictionTangentTag>& m, string* const& name) {
+  return guarded([&] {
+    ContactObject& contact = m->get();
+    StepOptions& options = contact.started() ? contact.run().corrector().options() : contact.setup->options();
+    options.friction_tangent = friction_tangent_of(*name);
+    return true;
+  });
+}
+
 struct CutTag {};
 bool cut(Stack, const Method<ContactHandle, CutTag>& m, const KN_<double>& u, const double& fraction) {
   return guarded([&] {
@@ -128,6 +140,14 @@ bool cut(Stack, const Method<ContactHandle, CutTag>& m, const KN_<double>& u, co
 }
 
 } // namespace
+
+FrictionTangent friction_tangent_of(const std::string& name) {
+  if (name == "consistent") return FrictionTangent::CONSISTENT;
+  if (name == "symmetric") return FrictionTangent::SYMMETRIC;
+  if (name == "lagged") return FrictionTangent::LAGGED;
+  fail("contact",
+       "unknown frictiontangent \"" + name + "\", expected \"consistent\", \"symmetric\" or \"lagged\"");
+}
 
 void register_contact_matrix() {
   using H = ContactHandle;
@@ -145,6 +165,9 @@ void register_contact_matrix() {
   Add<H*>("rhs", ".", new OneOperator1s_<Array, H*>(right_hand_side));
   add_method<H, CutTag>("cut",
                         [] { return new OneOperator3s_<bool, Method<H, CutTag>, Array, double>(cut); });
+  add_method<H, FrictionTangentTag>("frictiontangent", [] {
+    return new OneOperator2_<bool, Method<H, FrictionTangentTag>, string*>(set_friction_tangent);
+  });
   add_method<H, ExpandTag>(
       "expand", [] { return new OneOperator3s_<double, Method<H, ExpandTag>, Array, Array>(expand); });
 }

@@ -13,6 +13,8 @@
 //     maxiterations=   bound on the iterations of a step | - | 25 | 1 to 1000000
 //     memory=   of the Anderson mixing, 0: none | - | 8 | 0 to 1000
 //     terms=    geometric terms (METHOD.md 3.6) | | "complete" | "complete", "article", "none"
+//     frictiontangent=   friction in the matrix of an iteration, the result is the same (METHOD.md 3.21): "symmetric": its
+//       symmetric part, "lagged": on the right-hand side | | "consistent" | "consistent", "symmetric", "lagged"
 //     tied=     P2: stick and slip at corners, by forces shared with the mid nodes, instead of node by node | | false
 //     axisymmetric=   x is the radius, y the axis, as in rcMaterial | | false
 //     surfaceplaces=   where the mid nodes of P2 edges lie on the true curve: Vh [X, Y] = [...]; X[] | length |
@@ -21,6 +23,7 @@
 //     loose=    true: a tolerance above 1e-2 is taken | | false
 //     ! the contact surface is missing: label=... or labels=...
 //     ! , expected "complete", "article" or "none"
+//     ! , expected "consistent", "symmetric" or "lagged"
 //     ! the space must be [P1,P1] or [P2,P2]
 //   C.add(t)   lets a tool touch the surface, or the part of it with the labels; before the first step
 //     t         the tool, with coordinates
@@ -77,7 +80,7 @@ std::vector<long> labels_of(const Named& a, const char* where) {
 constexpr double LOOSE = 1e-2; // largest tolerance that nobody has to confirm
 
 struct Construct {
-  static const int n = 14;
+  static const int n = 15;
   static basicAC_F0::name_and_type names[n];
   static Made<ContactObject> call(const Named& a, pfes* space) {
     const std::vector<long> labels = labels_of(a, "contact");
@@ -104,6 +107,7 @@ struct Construct {
     options.anderson_memory =
         static_cast<int>(a.integer("memory", options.anderson_memory, 0, 1000, "contact"));
     options.terms = terms_of(a.text("terms", "complete"));
+    options.friction_tangent = friction_tangent_of(a.text("frictiontangent", "consistent"));
     options.tied = a.boolean("tied", options.tied);
     auto object = std::make_shared<ContactObject>();
     object->friction = called("rcContact", [&] { return make_coulomb(a.real("friction", 0)); });
@@ -122,14 +126,21 @@ struct Construct {
     return made(a.stack(), std::move(object));
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {
-    {"label", &typeid(long)},         {"labels", &typeid(KN_<long>)},
-    {"fixed", &typeid(KN_<double>)},  {"friction", &typeid(double)},
-    {"tolerance", &typeid(double)},   {"gaptolerance", &typeid(double)},
-    {"maxiterations", &typeid(long)}, {"memory", &typeid(long)},
-    {"terms", &typeid(string*)},      {"tied", &typeid(bool)},
-    {"axisymmetric", &typeid(bool)},  {"surfaceplaces", &typeid(KN_<double>)},
-    {"straight", &typeid(bool)},      {"loose", &typeid(bool)}};
+basicAC_F0::name_and_type Construct::names[] = {{"label", &typeid(long)},
+                                                {"labels", &typeid(KN_<long>)},
+                                                {"fixed", &typeid(KN_<double>)},
+                                                {"friction", &typeid(double)},
+                                                {"tolerance", &typeid(double)},
+                                                {"gaptolerance", &typeid(double)},
+                                                {"maxiterations", &typeid(long)},
+                                                {"memory", &typeid(long)},
+                                                {"terms", &typeid(string*)},
+                                                {"frictiontangent", &typeid(string*)},
+                                                {"tied", &typeid(bool)},
+                                                {"axisymmetric", &typeid(bool)},
+                                                {"surfaceplaces", &typeid(KN_<double>)},
+                                                {"straight", &typeid(bool)},
+                                                {"loose", &typeid(bool)}};
 
 // Edges of the labels that a tool may touch; empty: all.
 std::vector<Facet<2>> reach_of(const Named& a, const ContactObject& contact) {

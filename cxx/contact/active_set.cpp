@@ -79,7 +79,7 @@ std::vector<NodeLinearization<Dim>> linearize(const ContactModel<Dim>& model, co
     nodes.emplace_back();
     nodes.back().in_contact = in_contact(trial.nodes[candidate].state);
     if (!nodes.back().in_contact) continue;
-    const NodeCones<Dim> cones = cones_of(model, trial, poses, deciding, candidate);
+    const NodeCones<Dim> cones = cones_of(model, trial, poses, deciding, candidate, problem.friction_tangent);
     nodes.back() = linearize_node(model, trial.nodes[candidate], candidate, poses, force(candidate),
                                   problem.terms, &cones);
     if (!model.couplings.empty()) eliminate_followers(model, start.q, problem.terms, nodes.back());
@@ -110,6 +110,7 @@ bool solve_active(const ContactModel<Dim>& model, const BodyView<Dim>& body,
   if (problem.added_stiffness.size() > 0)
     input.added_stiffness = of_nodes<Dim>(problem.added_stiffness, active);
   input.test_stability = problem.test_stability;
+  input.symmetric_part = problem.friction_tangent == FrictionTangent::SYMMETRIC;
   const auto block = solve_contact_block(model, prescribed, start.q, input);
   out.unstable = block.unstable;
   out.singular = block.singular;

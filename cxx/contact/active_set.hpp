@@ -39,6 +39,7 @@ template <int Dim> struct WindowProblem {
   bool adapt = true; ///< false: states stay as they are (event stepping)
   ActiveSetOptions options;
   GeometricTerms terms = GeometricTerms::COMPLETE;
+  FrictionTangent friction_tangent = FrictionTangent::CONSISTENT;
 };
 
 template <int Dim> struct WindowSolution {

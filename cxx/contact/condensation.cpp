@@ -46,7 +46,7 @@ template <int Dim> void Condensation<Dim>::build_pattern(const NodeBlockMatrix<D
 template <int Dim>
 void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u,
                                   const Eigen::VectorXd& R, const PrescribedValues& prescribed,
-                                  GeometricTerms terms, RightHandSide right) {
+                                  GeometricTerms terms, RightHandSide right, FrictionTangent tangent) {
   const auto poses = m_model.poses(state.q);
   const std::vector<DecidingForce<Dim>> deciding = deciding_forces(m_model, state, poses, R);
   m_nodes.clear();
@@ -57,7 +57,7 @@ void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::V
     const int node = m_model.candidates[i];
     const Vector<Dim> Rn = R.template segment<Dim>(Dim * node);
     m_contact_of[node] = static_cast<int>(m_nodes.size());
-    const NodeCones<Dim> cones = cones_of(m_model, state, poses, deciding, static_cast<int>(i));
+    const NodeCones<Dim> cones = cones_of(m_model, state, poses, deciding, static_cast<int>(i), tangent);
     m_nodes.push_back(linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, Rn, terms, &cones));
     if (!m_model.couplings.empty()) eliminate_followers(m_model, state.q, terms, m_nodes.back());
     const auto& linear = m_nodes.back();
@@ -222,25 +222,24 @@ void Condensation<Dim>::keep_candidate_rows(const NodeBlockMatrix<Dim>& K, const
 }
 
 template <int Dim>
-const CondensedSystem& Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K,
-                                                   const ContactState<Dim>& state, const Step& step,
-                                                   const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                                                   GeometricTerms terms, RightHandSide right, bool half) {
+const CondensedSystem&
+Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state, const Step& step,
+                            const Eigen::VectorXd& u, const Eigen::VectorXd& R, GeometricTerms terms,
+                            RightHandSide right, bool half, FrictionTangent tangent) {
   require(K.size() == m_body.X.size(), "condense", "size of K", K.size(),
           "number of dofs of the contact's space");
-  if (half && !m_model.symmetric()) fail("condense", "symmetric storage needs a contact without friction");
-  if (half && terms == GeometricTerms::ARTICLE) fail("condense", "the article's terms are not symmetric");
   m_q = state.q;
   m_drive = driving_force(m_model, *step.end, m_q);
-  if (half) require_symmetric_drive(m_model, *step.end, m_drive);
+  require_form(step, terms, right, half, tangent);
   build_pattern(K);
-  linearize(state, u, R, *step.end, terms, right);
+  linearize(state, u, R, *step.end, terms, right, tangent);
   m_full.value.assign(m_full.col.size(), 0.0);
   add_blocks(K);
   add_geometric_terms();
   add_drive();
   set_right_hand_side(K, step, state, R, right);
   move_geometric_columns(*step.end, state);
+  if (tangent == FrictionTangent::SYMMETRIC) keep_symmetric_part();
   double scale = 0;
   for (int m = 0; m < K.num_nodes; ++m) scale = std::max(scale, std::abs(*K.block(K.find(m, m))));
   set_given(*step.end, state, scale);

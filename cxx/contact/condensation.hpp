@@ -3,6 +3,7 @@
 // (METHOD.md 3.3). One matrix for any sparse solver; the pattern is fixed for the run.
 #include "contact/body_view.hpp"
 #include "contact/driving_force.hpp"
+#include "contact/friction_tangent.hpp"
 #include "contact/linearization.hpp"
 #include "solver/node_block_matrix.hpp"
 
@@ -37,11 +38,13 @@ public:
   Condensation(const ContactModel<Dim>& model, const BodyView<Dim>& body) : m_model(model), m_body(body) {}
   /// @param K tangent of the body, symmetric; @param u displacement, R internal minus external nodal force,
   /// num_dofs
-  /// @param half store the lower triangle only (no friction, COMPLETE or NONE terms)
-  /// @throws std::invalid_argument if K has another size than the body, or half with friction
+  /// @param half store the lower triangle only (no friction or a symmetric tangent of it, COMPLETE or NONE terms)
+  /// @throws std::invalid_argument if K has another size than the body, half with friction in a CONSISTENT tangent,
+  /// another tangent with RATES
   const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
                                   const Step& step, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                                  GeometricTerms terms, RightHandSide right, bool half);
+                                  GeometricTerms terms, RightHandSide right, bool half,
+                                  FrictionTangent tangent = FrictionTangent::CONSISTENT);
   /// Solution in nodes, slips, coordinates and the contact forces that it predicts.
   struct Expansion {
     Eigen::VectorXd du;   ///< num_dofs [length]
@@ -68,7 +71,10 @@ private:
   void build_pattern(const NodeBlockMatrix<Dim>& K);
   Map map_of(int node) const;
   void linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                 const PrescribedValues& prescribed, GeometricTerms terms, RightHandSide right);
+                 const PrescribedValues& prescribed, GeometricTerms terms, RightHandSide right,
+                 FrictionTangent tangent);
+  void require_form(const Step& step, GeometricTerms terms, RightHandSide right, bool half,
+                    FrictionTangent tangent) const;
   void add_blocks(const NodeBlockMatrix<Dim>& K);
   void add_coordinate_rows(const NodeLinearization<Dim>& node, const Eigen::MatrixXd& qK, const Map& column);
   void add_geometric_terms();
@@ -78,6 +84,7 @@ private:
                            const Eigen::VectorXd& R, RightHandSide right);
   void move_geometric_columns(const PrescribedValues& prescribed, const ContactState<Dim>& state);
   void set_given(const PrescribedValues& prescribed, const ContactState<Dim>& state, double scale);
+  void keep_symmetric_part();
   void keep_lower();
   double& at(int row, int column);
 

@@ -1,4 +1,5 @@
 // The condensed system with its given unknowns, and its lower half (METHOD.md 3.7).
+#include "base/error.hpp"
 #include "contact/condensation.hpp"
 #include "contact/coupling.hpp"
 #include "contact/tied_edges.hpp"
@@ -57,6 +58,30 @@ void Condensation<Dim>::set_given(const PrescribedValues& prescribed, const Cont
     if (m_given[row]) m_full.rhs[row] = scale * given[row];
 }
 
+// What was asked for must exist; m_drive is that of this system.
+template <int Dim>
+void Condensation<Dim>::require_form(const Step& step, GeometricTerms terms, RightHandSide right, bool half,
+                                     FrictionTangent tangent) const {
+  if (right == RightHandSide::RATES && tangent != FrictionTangent::CONSISTENT)
+    fail("condense", "pure rates are solved once and need the consistent tangent of friction");
+  if (!half || tangent == FrictionTangent::SYMMETRIC) return;
+  if (!m_model.symmetric() && tangent == FrictionTangent::CONSISTENT)
+    fail("condense",
+         "symmetric storage needs a contact without friction, or one with frictiontangent=\"lagged\" or "
+         "\"symmetric\"");
+  if (terms == GeometricTerms::ARTICLE) fail("condense", "the article's terms are not symmetric");
+  require_symmetric_drive(m_model, *step.end, m_drive);
+}
+
+// The mean of mirrored entries; the right-hand side keeps what is known of the whole matrix.
+template <int Dim> void Condensation<Dim>::keep_symmetric_part() {
+  for (int row = 0; row < m_full.n; ++row)
+    for (int k = m_full.row_start[row]; k < m_full.row_start[row + 1] && m_full.col[k] < row; ++k) {
+      double& mirror = at(m_full.col[k], row);
+      m_full.value[k] = mirror = 0.5 * (m_full.value[k] + mirror);
+    }
+}
+
 template <int Dim> void Condensation<Dim>::keep_lower() {
   m_half.n = m_full.n;
   m_half.half = true;
@@ -77,6 +102,9 @@ template <int Dim> void Condensation<Dim>::keep_lower() {
   template void Condensation<Dim>::move_geometric_columns(const PrescribedValues&,                           \
                                                           const ContactState<Dim>&);                         \
   template void Condensation<Dim>::set_given(const PrescribedValues&, const ContactState<Dim>&, double);     \
+  template void Condensation<Dim>::require_form(const Step&, GeometricTerms, RightHandSide, bool,            \
+                                                FrictionTangent) const;                                      \
+  template void Condensation<Dim>::keep_symmetric_part();                                                    \
   template void Condensation<Dim>::keep_lower();
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)

@@ -103,9 +103,10 @@ deciding_forces(const ContactModel<Dim>& model, const ContactState<Dim>& state,
 template <int Dim>
 NodeCones<Dim> cones_of(const ContactModel<Dim>& model, const ContactState<Dim>& state,
                         const std::vector<Pose<Dim>>& poses, const std::vector<DecidingForce<Dim>>& deciding,
-                        int candidate) {
+                        int candidate, FrictionTangent tangent) {
   const auto cone = [&](int i) {
-    return model.law(i, state.nodes[i].tool).cone(deciding[i].force.N, deciding[i].area);
+    const double N = deciding[i].force.N;
+    return seen_by(tangent, model.law(i, state.nodes[i].tool).cone(N, deciding[i].area), N);
   };
   NodeCones<Dim> cones;
   cones.tied = is_tied(model, state, candidate);
@@ -129,7 +130,7 @@ NodeCones<Dim> cones_of(const ContactModel<Dim>& model, const ContactState<Dim>&
       const Eigen::VectorXd&);                                                                               \
   template NodeCones<Dim> cones_of<Dim>(const ContactModel<Dim>&, const ContactState<Dim>&,                  \
                                         const std::vector<Pose<Dim>>&,                                       \
-                                        const std::vector<DecidingForce<Dim>>&, int);
+                                        const std::vector<DecidingForce<Dim>>&, int, FrictionTangent);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

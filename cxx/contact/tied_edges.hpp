@@ -1,6 +1,7 @@
 #pragma once
 // Edges of quadratic elements in contact with friction: stick and slip are decided at the corners, by forces that the mid
 // nodes share with them, and a mid node is tied to the slips of its ends (METHOD.md 3.19).
+#include "contact/friction_tangent.hpp"
 #include "contact/linearization.hpp"
 
 namespace burnish {
@@ -33,10 +34,10 @@ std::vector<DecidingForce<Dim>>
 deciding_forces(const ContactModel<Dim>& model, const ContactState<Dim>& state,
                 const std::vector<Pose<Dim>>& poses, const Eigen::VectorXd& R);
 
-/// Cones for linearize_node.
+/// Cones for linearize_node, as the tangent sees them.
 template <int Dim>
 NodeCones<Dim> cones_of(const ContactModel<Dim>& model, const ContactState<Dim>& state,
                         const std::vector<Pose<Dim>>& poses, const std::vector<DecidingForce<Dim>>& deciding,
-                        int candidate);
+                        int candidate, FrictionTangent tangent = FrictionTangent::CONSISTENT);
 
 } // namespace burnish

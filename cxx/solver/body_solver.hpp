@@ -35,7 +35,8 @@ public:
   /// C = (K^-1)_cc on the candidates, symmetric, Dim*candidates square; zero rows and columns at fixed dofs
   /// [length/force].
   virtual Eigen::MatrixXd candidate_flexibility() const = 0;
-  virtual int analyses() const = 0; ///< number of analyses made, cached ones not counted
+  virtual std::size_t factor_entries() const = 0; ///< numbers stored in the factor; 0 before analyze
+  virtual int analyses() const = 0;               ///< number of analyses made, cached ones not counted
 };
 
 } // namespace burnish

@@ -207,6 +207,9 @@ template <int Dim> Eigen::MatrixXd SchurFactor<Dim>::schur_complement() const {
   return m_impl->with_fixed_dofs(schur, 1.);
 }
 
+template <int Dim> std::size_t SchurFactor<Dim>::factor_entries() const {
+  return m_impl->factor.factor_entries();
+}
 template <int Dim> int SchurFactor<Dim>::analyses() const { return m_impl->analyses; }
 template <int Dim> int SchurFactor<Dim>::factorizations() const { return m_impl->factorizations; }
 template <int Dim> int SchurFactor<Dim>::solves() const { return m_impl->solves; }

@@ -47,6 +47,7 @@ public:
   /// dofs.
   Eigen::MatrixXd schur_complement() const;
 
+  std::size_t factor_entries() const override;
   int analyses() const override; ///< counts since construction
   int factorizations() const;
   int solves() const; ///< solve and displacement

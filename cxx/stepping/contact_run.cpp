@@ -131,6 +131,8 @@ template <int Dim> Prediction<Dim> ContactRun<Dim>::predicted(const Eigen::Vecto
 template <int Dim> void ContactRun<Dim>::begin_body(double t, Stepping stepping, const Eigen::VectorXd& u) {
   m_hold.begin(t, u);
   if (stepping != Stepping::RATES) return;
+  if (m_corrector.options().friction_tangent != FrictionTangent::CONSISTENT)
+    fail("contact.begin", "pure rates are solved once and need frictiontangent=\"consistent\"");
   if (m_supports.move(u))
     fail("contact.begin", "pure rates know no motion of supports; take the scheme implicit or event");
   if (m_hold.acts(t)) fail("contact.begin", "pure rates know no hold; take the scheme implicit or event");
@@ -233,7 +235,7 @@ const CondensedSystem& ContactRun<Dim>::condense(const NodeBlockMatrix<Dim>& K, 
   m_corrector.count_condensation();
   m_corrector.prepare_condensed();
   return m_condensation.condense(with_hold(K), m_corrector.state(), {&m_prescribed, &m_prescribed_start}, u,
-                                 R, terms, right, half);
+                                 R, terms, right, half, m_corrector.options().friction_tangent);
 }
 
 template <int Dim> double ContactRun<Dim>::expand(const Eigen::VectorXd& z, Eigen::VectorXd& u) {

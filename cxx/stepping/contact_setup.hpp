@@ -34,6 +34,7 @@ public:
   const Mesh<Dim>& mesh() const { return m_mesh; }
   const std::vector<Facet<Dim>>& surface() const { return m_surface; }
   const StepOptions& options() const { return m_options; }
+  StepOptions& options() { return m_options; } ///< before a ContactRun is made of it
   const std::vector<std::shared_ptr<DrivenTool<Dim>>>& tools() const { return m_tools; }
   const std::vector<int>& candidates() const { return m_model.candidates; }
   const ContactModel<Dim>& model() const { return m_model; }

@@ -147,6 +147,8 @@ WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, cons
   problem.options = active_set_options();
   problem.terms = m_options.terms;
   problem.test_stability = !m_floating && m_tangent->added_stiffness.size() > 0;
+  if (!problem.test_stability)
+    problem.friction_tangent = m_options.friction_tangent; // stability needs the derivative
   return problem;
 }
 

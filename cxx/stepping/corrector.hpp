@@ -13,6 +13,7 @@ namespace burnish {
 
 struct CorrectorCounts {
   long iterations = 0, factorizations = 0, solves = 0, analyses = 0, backtracks = 0, condensations = 0;
+  long factor_entries = 0;          ///< numbers stored in the last factor
   double factorization_seconds = 0; ///< CPU: sparse factor
   double condensation_seconds = 0;  ///< CPU: flexibility of the window and dense contact blocks
   double solve_seconds = 0;         ///< CPU: back-substitutions

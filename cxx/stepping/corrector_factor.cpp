@@ -47,6 +47,7 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
     m_counts.analyses += m_tangent->solver->analyses() - analyses;
   }
   ++m_counts.factorizations;
+  m_counts.factor_entries = static_cast<long>(m_tangent->solver->factor_entries());
   m_mixer.clear();
   m_rate.clear();
   if (!m_has_factor) {

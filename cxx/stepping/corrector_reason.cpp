@@ -97,6 +97,8 @@ template <int Dim> std::string Corrector<Dim>::reason_of_failure(double scale) c
                                            m_options.state_force * m_options.tolerance * scale);
     text << (wedged.empty() ? ": the forces balance, but states cycle" : wedged);
   }
+  if (m_options.friction_tangent != FrictionTangent::CONSISTENT)
+    text << "; frictiontangent=\"consistent\" needs fewer iterations";
   return text.str();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // Options and status words shared by all ways through a step. All numbers are free of units.
+#include "contact/friction_tangent.hpp"
 #include "contact/linearization.hpp"
 #include <string>
 
@@ -46,6 +47,7 @@ struct StepOptions {
   int steps_per_factor = 2; ///< event steps that one factor serves
   bool tied = false; ///< quadratic edges: stick and slip by forces shared to the corners (METHOD.md 3.19)
   GeometricTerms terms = GeometricTerms::COMPLETE;
+  FrictionTangent friction_tangent = FrictionTangent::CONSISTENT; ///< of the iteration (METHOD.md 3.21)
 };
 
 enum class StepStatus {

@@ -128,7 +128,8 @@ TEST(ContactBlock, RowsOfTheToolsBalance) {
     const Vector<2> F = block.F.segment<2>(2 * a);
     const Eigen::VectorXd dq = scene.contact.model.tool_q(block.dq, node.tool);
     const Param<2> slip = block.slip.col(static_cast<Eigen::Index>(a));
-    force.segment<3>(3 * node.tool) += node.point.x_q.transpose() * F + node.geo_qq * dq + node.geo_qs * slip;
+    force.segment<3>(3 * node.tool) +=
+        node.point.x_q.transpose() * F + node.geo_qq * dq + node.geo_qs.transpose() * slip;
     if (node.sliding) {
       const Param<2> row = node.W.transpose() * F + node.constant + node.geo_ss * slip + node.geo_sq * dq;
       EXPECT_NEAR(row[0], 0, 1e-13);
@@ -229,5 +230,23 @@ TEST(ContactBlock, AddedStiffnessLeavesNoTrace) {
       EXPECT_NEAR(with.slip(0, a), plain.slip(0, known), 1e-11);
       ++known;
     }
+  }
+}
+
+// Its symmetric part: the same block without friction, another solution with it; motions are as given.
+TEST(ContactBlock, SymmetricPart) {
+  for (const double mu : {0., 0.3}) {
+    Scene scene(mu);
+    const auto whole = scene.solve_block();
+    scene.input.symmetric_part = true;
+    const auto part = scene.solve_block();
+    ASSERT_FALSE(part.singular);
+    const double change = (part.F - whole.F).norm() / whole.F.norm();
+    if (mu > 0) {
+      EXPECT_GE(change, 1e-3);
+    } else {
+      EXPECT_LE(change, 1e-12);
+    }
+    EXPECT_NEAR(part.dq[1], 0.02, 1e-15);
   }
 }

@@ -39,11 +39,11 @@ struct TiedSample {
     contact.place(spring.body, u);
   }
   ContactNode<2>& node(int i) { return contact.state.nodes[i]; }
-  Eigen::MatrixXd tangent(bool half = false) {
+  Eigen::MatrixXd tangent(bool half = false, FrictionTangent friction = FrictionTangent::CONSISTENT) {
     Condensation<2> condensation(contact.model, spring.body);
     return dense(condensation.condense(spring.tangent(u), contact.state,
                                        {&contact.prescribed, &contact.prescribed}, u, spring.force(u),
-                                       GeometricTerms::COMPLETE, RightHandSide::TOTAL, half));
+                                       GeometricTerms::COMPLETE, RightHandSide::TOTAL, half, friction));
   }
   std::vector<Unknown> kinds() const {
     auto kind = unknowns(contact.model, contact.state, contact.prescribed, spring.body);
@@ -127,6 +127,11 @@ TEST(TiedEdges, SymmetricWithoutFriction) {
   TiedSample rough(0.3);
   const Eigen::MatrixXd k = rough.tangent();
   EXPECT_GE((k - k.transpose()).norm(), 1e-2 * k.norm());
+  for (const auto friction : {FrictionTangent::SYMMETRIC, FrictionTangent::LAGGED}) {
+    const Eigen::MatrixXd S = rough.tangent(false, friction);
+    EXPECT_LE((S - S.transpose()).norm(), 1e-14 * S.norm());
+    EXPECT_LE((S - rough.tangent(true, friction)).norm(), 1e-14 * S.norm());
+  }
 }
 
 TEST(TiedEdges, MadeWhereAnEndSticks) {
