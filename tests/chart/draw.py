@@ -8,7 +8,7 @@ from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from report import MEANING, front
 
 COLORS = {"implicit": "#08519c", "event": "#6baed6", "condensed": "#238b45", "penalty 1": "#fdbe85", "penalty 10": "#fd8d3c",
-          "penalty 100": "#d94701", "multiplier": "#6a3d9a", "augmented": "#c51b8a"}
+          "penalty 100": "#d94701", "multiplier": "#6a3d9a", "augmented": "#c51b8a", "CalculiX": "#000000", "Ipopt": "#8c6d31"}
 MARKERS = {"P1": "o", "P2": "s"}
 
 
