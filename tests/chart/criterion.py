@@ -18,7 +18,8 @@ def compared(coarse, fine, area):
         below += a
         if below >= 0.99 * total:
             break
-    return {"counted": total / sum(area), "share": sum(a for c, a in changes if c < CHANGE) / total, "change99": change, "largest": changes[-1][0]}
+    return {"counted": total / sum(area), "share": sum(a for c, a in changes if c < CHANGE) / total, "change99": change,
+            "largest": changes[-1][0]}
 
 
 def measure(scene, article=False):
@@ -37,8 +38,8 @@ def measure(scene, article=False):
 
 
 def table(rows):
-    lines = ["| Element, divisions of the outer arc | Area where it counts | Of that meets it | Change on 99 % of it | Largest change | s, finer mesh |",
-             "|---|---|---|---|---|---|"]
+    lines = ["| Element, divisions of the outer arc | Area where it counts | Of that meets it | Change on 99 % of it | Largest change "
+             "| s, finer mesh |", "|---|---|---|---|---|---|"]
     for r in rows:
         lines.append(f"| {r['element']}, {r['coarse']} to {r['fine']} | {100 * r['counted']:.1f} % | {100 * r['share']:.1f} % | "
                      f"{100 * r['change99']:.2g} % | {100 * r['largest']:.2g} % | {r['seconds']:.1f} |")

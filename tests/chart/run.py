@@ -3,13 +3,13 @@
 run.py [--quick] [--only TEXT] [--references] [--repeat N] [--again] [--store] [--medium] [--out FOLDER]
                                        see the Makefile's targets chart, chart-quick and references
 Scenes are scripts that print `result NAME VALUE`, `curve NAME x value x value ...` and `field NAME value ...`; which methods, meshes and
-steps: scenes.csv, methods.csv; peers, programs beside ours that are asked where they are installed, but not by --quick: peers.csv. All runs of a repetition are done before the next one begins, every other one backwards, so that a machine that slows
-down does so for all. Seconds are CPU seconds from the space to the equilibrium, without the start of the script and its mesh; the
+steps: scenes.csv, methods.csv; peers, programs beside ours that are asked where they are installed, but not by --quick: peers.csv.
+All runs of a repetition are done before the next one begins, every other one backwards, so that a machine that slows down does so for all. Seconds are CPU seconds from the space to the equilibrium, without the start of the script and its mesh; the
 median is kept, and the spread, half of the largest minus the smallest over the median; megabytes are the peak of the whole process.
 Quantities: NAME=0 is an error already, against the exact solution; NAME=run, NAME=1,2,4 (largest error over these quarters of
 the program, each in the CSV, too; end: both ends of the contact), NAME=curve (relative L2 norm over the run's own nodes), NAME=field
-(over the area, in points that all runs share) are relative, against references.csv, curves.csv and fields.csv: a fine run with the difference to a coarser one as its own error, below which no error is given. A run that stops early,
-takes too long or is not to be trusted says so under outcome and has no place on a front.
+(over the area, in points that all runs share) are relative, against references.csv, curves.csv and fields.csv: a fine run with the
+difference to a coarser one as its own error, below which no error is given. A run that stops early, takes too long or is not to be trusted says so under outcome and has no place on a front.
 Results in the folder, for scene hertz: hertz.csv (one row for a method, element, mesh and step), hertz.png, hertz.md (the tables),
 matrices.csv, matrices.png. An error above WRONG (--quick: WRONG_QUICK) in an exact or a
 global quantity of a finished run of a scene's last element on the finest mesh gives exit status 1.

@@ -27,15 +27,17 @@ def rows_of(name, width):
 
 def methods():
     """Peers, other programs, are rivals with a program."""
-    return [{"name": n, "whose": "rival" if w == "peer" else w, "program": o if w == "peer" else "", "options": [] if w == "peer" else o.split(),
-             "matrix": m == "matrix", "meaning": meaning} for n, w, o, m, meaning in rows_of("methods.csv", 5)]
+    return [{"name": n, "whose": "rival" if w == "peer" else w, "program": o if w == "peer" else "",
+             "options": [] if w == "peer" else o.split(), "matrix": m == "matrix", "meaning": meaning}
+            for n, w, o, m, meaning in rows_of("methods.csv", 5)]
 
 
 def installed(method):
     """Is the program of a peer there?"""
     if method["program"].endswith(".py"):
         return shutil.which("ccx") is not None
-    return any(os.path.exists(os.path.join(folder, "ff-Ipopt.so")) for folder in os.environ.get("FF_LOADPATH", "/usr/lib/freefem++").split(";"))
+    folders = os.environ.get("FF_LOADPATH", "/usr/lib/freefem++").split(";")
+    return any(os.path.exists(os.path.join(folder, "ff-Ipopt.so")) for folder in folders)
 
 
 def peer_runs(scene, method, medium):
@@ -70,9 +72,9 @@ def command_of(scene, program):
     return [sys.executable, "-B", path, scene["name"]] if program.endswith(".py") else [os.environ["BURNISH"], path]
 
 
-def run(scene, options, program=""):
-    """Results of one run by name, its curves and fields, outcome and peak memory [MB]."""
-    command = ["timeout", str(LONGEST), *command_of(scene, program), *options]
+def run(scene, options, program="", longest=LONGEST):
+    """Results of one run by name, its curves and fields, outcome and peak memory [MB]; longest: seconds before it is stopped."""
+    command = ["timeout", str(longest), *command_of(scene, program), *options]
     with tempfile.TemporaryFile("w+", errors="replace") as out:
         process = subprocess.Popen(command, cwd=HERE, stdout=out, stderr=subprocess.STDOUT)
         _, status, usage = os.wait4(process.pid, 0)
@@ -159,10 +161,11 @@ def read_rows(name):
         return [list(row.values()) for row in csv.DictReader(f)]
 
 
-def areas(scene):
+def areas(scene, options=()):
     """Of the points where the scene's fields are compared."""
     with tempfile.TemporaryDirectory() as folder:
-        out = subprocess.run([*command_of(scene, ""), "-mesh", os.path.join(folder, "scene.msh")], stdout=subprocess.PIPE, text=True).stdout
+        out = subprocess.run([*command_of(scene, ""), "-mesh", os.path.join(folder, "scene.msh"), *options], stdout=subprocess.PIPE,
+                             text=True).stdout
     return [float(word) for word in re.search(r"^field area (.*)$", out, re.MULTILINE)[1].split()]
 
 
@@ -172,7 +175,7 @@ def write_references(chosen):
     table = [row for row in read_rows("references.csv") if row[0] not in names]
     curves, fields = ([row for row in read_rows(name) if row[0] not in names] for name in ("curves.csv", "fields.csv"))
     for scene in chosen:
-        coarse, fine = (run(scene, options) for options in scene["reference"])
+        coarse, fine = (run(scene, options, longest=10 * LONGEST) for options in scene["reference"])
         words = " ".join(scene["reference"][1])
         for quantity, kind in scene["quantities"].items():
             if kind == "0":
@@ -186,7 +189,9 @@ def write_references(chosen):
                 reference = list(zip(areas(scene), fine["fields"][quantity]))
                 fields += [[scene["name"], quantity, f"{a:.5g}", f"{v:.5g}"] for a, v in reference]
                 table.append([scene["name"], quantity, "1", f"{field_error(coarse['fields'][quantity], reference):.1e}", words])
-            for name in [] if kind in ("curve", "field") else [quantity] if kind == "run" else [f"{quantity}_{k}" for k in kind.split(",")]:
+            if kind in ("curve", "field"):
+                continue
+            for name in [quantity] if kind == "run" else [f"{quantity}_{k}" for k in kind.split(",")]:
                 error = abs(coarse[name] / fine[name] - 1)
                 table.append([scene["name"], name, f"{fine[name]:.8g}", f"{error:.1e}", words])
         for row in table:

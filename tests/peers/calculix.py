@@ -1,6 +1,6 @@
 """A scene of the chart by CalculiX: same options, same lines `result NAME VALUE`, `curve NAME x value ...`, `field NAME value ...`.
 
-calculix.py SCENE [-element P1|P2] [-n N] [-steps N] [-slope S] [-keep FOLDER]
+calculix.py SCENE [-element P1|P2] [-n N] [-steps N] [-slope S] [-dense N] [-keep FOLDER]
 The scene's script saves the mesh and prints its numbers; -slope: of the penalty, in units of E over the distance of surface nodes;
 -keep: folder for the deck and what CalculiX writes. seconds, megabytes: of the process ccx, reading the deck and writing results too.
 """
@@ -35,6 +35,8 @@ def line(kind, name, values):
 def scene_numbers(options, path):
     """Mesh into the file; numbers of the scene, points where fields are compared."""
     command = [os.environ["BURNISH"], os.path.join(CHART, options.scene + ".edp"), "-n", str(options.n), "-mesh", path]
+    if options.dense > 1:
+        command += ["-dense", str(options.dense)]
     out = subprocess.run(command, stdout=subprocess.PIPE, text=True).stdout
     fields = {name: np.array(values.split(), float) for name, values in re.findall(r"^field (\S+) (.*)$", out, re.MULTILINE)}
     if "y" not in fields:
@@ -190,6 +192,7 @@ def main():
     parser.add_argument("-n", type=int, default=8)
     parser.add_argument("-steps", type=int, default=10)
     parser.add_argument("-slope", type=float, default=0)
+    parser.add_argument("-dense", type=int, default=1, help="points where fields are compared: so many times more each way")
     parser.add_argument("-keep", default="")
     options = parser.parse_args()
     if options.keep:
