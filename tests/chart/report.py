@@ -82,9 +82,9 @@ def costs(rows):
                 continue
             seconds = f"{row['seconds']:.2f}" + (f" ± {100 * row['spread']:.0f} %" if row["repeats"] > 1 else "")
             if based:
-                cells += [seconds, str(row["solves"]), f"{row['seconds'] / last['condensed', element]['seconds']:.2f}"]
+                cells += [seconds, str(row["solves"] or "-"), f"{row['seconds'] / last['condensed', element]['seconds']:.2f}"]
             else:
-                cells += [seconds, str(row["factorizations"]), str(row["rejected"]), row["outcome"]]
+                cells += [seconds, str(row["factorizations"] or "-"), str(row["rejected"]), row["outcome"]]
         lines.append("| " + " | ".join(cells) + " |")
     return lines
 

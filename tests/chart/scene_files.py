@@ -197,8 +197,9 @@ def write_references(chosen):
         for row in table:
             if row[0] == scene["name"]:
                 print(f"  {row[0]}: {row[1]} {row[2]}, differs from the coarser run by {row[3]}")
+    order = [scene["name"] for scene in scenes()]
     for name, head, rows in (("references.csv", ["scene", "quantity", "value", "error", "run"], table),
                              ("curves.csv", ["scene", "quantity", "x", "value"], curves),
                              ("fields.csv", ["scene", "quantity", "area", "value"], fields)):
         with open(os.path.join(HERE, name), "w", newline="") as f:
-            csv.writer(f, lineterminator="\n").writerows([head, *rows])
+            csv.writer(f, lineterminator="\n").writerows([head, *sorted(rows, key=lambda row: order.index(row[0]))])

@@ -88,7 +88,7 @@ def measure(options):
             del wanted[name]
         if options.exact:
             wanted = {n: (w[0], [EXACT[n, scene["name"]][0]]) for n, w in wanted.items() if (n, scene["name"]) in EXACT}
-        ladder, steps = {}, [EXACT[n, scene["name"]][1] for n in wanted] if options.exact else LADDER[scene["name"]]
+        ladder, steps = {}, [EXACT[n, scene["name"]][1] for n in wanted] if options.exact else LADDER.get(scene["name"], [])
         for task in steps if wanted else []:
             ladder[task] = middle([once(scene, own, task, known) for _ in range(options.repeat)])
         for name, (peer, tasks) in wanted.items():
