@@ -1,8 +1,8 @@
 """A scene of the chart by CalculiX: same options, same lines `result NAME VALUE`, `curve NAME x value ...`, `field NAME value ...`.
 
-calculix.py SCENE [-element P1|P2] [-n N] [-steps N] [-slope S] [-dense N] [-keep FOLDER]
+calculix.py SCENE [-element P1|P2] [-n N] [-steps N] [-slope S] [-roll R] [-dense N] [-keep FOLDER]
 The scene's script saves the mesh and prints its numbers; -slope: of the penalty, in units of E over the distance of surface nodes;
--keep: folder for the deck and what CalculiX writes. seconds, megabytes: of the process ccx, reading the deck and writing results too.
+-roll: of rolling, elements in an increment; -keep: folder for the deck and what CalculiX writes. seconds, megabytes: of the process ccx, reading the deck and writing results too.
 """
 import argparse
 import math
@@ -172,7 +172,7 @@ def run(options, folder):
     mesh = Mesh(os.path.join(folder, "scene.msh"), options.element == "P2")
     if options.scene == "rolling":
         mesh.xy = np.column_stack(scenes.turned(*mesh.xy.T, s))
-    s["thickness"] = THICKNESS * mesh.spacing(3)
+    s["roll"], s["thickness"] = options.roll, THICKNESS * mesh.spacing(3)
     deck = Deck(os.path.join(folder, "scene.inp"), mesh, s["thickness"])
     scenes.WRITE[options.scene](deck, s, options.steps, options.slope)
     deck.close()
@@ -192,6 +192,7 @@ def main():
     parser.add_argument("-n", type=int, default=8)
     parser.add_argument("-steps", type=int, default=10)
     parser.add_argument("-slope", type=float, default=0)
+    parser.add_argument("-roll", type=float, default=0.25, help="rolling: elements of roll in an increment, at most")
     parser.add_argument("-dense", type=int, default=1, help="points where fields are compared: so many times more each way")
     parser.add_argument("-keep", default="")
     options = parser.parse_args()

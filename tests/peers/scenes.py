@@ -83,7 +83,7 @@ def rolling(deck, s, steps, slope):
     supports = [f"{deck.arc[0]}, 1, 3", f"{deck.arc[1]}, 1, 2"]
     deck.write(*supports, POINTS + "0.25, 0.5, 0.75, 1.")
     pressing(deck, 2e-7 + gap, True, (deck.turn, deck.arc[1]))
-    most = min(1 / steps, 0.25 * h / (Ro * turn))   # a quarter of an element a step
+    most = min(1 / steps, s["roll"] * h / (Ro * turn))
     deck.step(1, most, most, [*free(deck, supports, True), f"{deck.arc[1]}, 3, 3, {turn:.12g}", "*CLOAD",
                               f"{deck.place}, 2, {-s['force'] * deck.thickness:.10g}", f"{deck.turn}, 3, {s['moment'] * deck.thickness:.10g}",
                               *asked(True)], True)
