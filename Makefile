@@ -61,7 +61,7 @@ folders   = $(wildcard $(patsubst %,tests/%,$(if $(filter plugin,$(1)),plugin er
 scripts   = $(if $(call folders,$(1)),$(sort $(shell find $(call folders,$(1)) -name '*.edp' -o -name '*.sh')))
 program   = $(if $(SOURCES_$(1)),$(BUILD)/tests/$(1))
 suite     = $(foreach s,$(1),$(or $(strip $(call program,$(s)) $(call scripts,$(s))),$(error no tests in suite $(s))))
-stray     = $(filter-out tests/run_scripts.sh tests/support/% tests/benchmark/% tests/stability/% tests/chart/% $(ALL_SOURCES) \
+stray     = $(filter-out tests/run_scripts.sh tests/support/% tests/benchmark/% tests/stability/% tests/chart/% tests/peers/% $(ALL_SOURCES) \
               $(foreach s,$(SUITES),$(call scripts,$(s))),$(shell find tests -name '*.cpp' -o -name '*.edp' -o -name '*.sh'))
 
 FORMATTED = cxx plugins tests -name '*.[ch]pp'
@@ -112,7 +112,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep explore stability chart references chart-quick test $(SUITES:%=test-%) bench bench-growth install uninstall docs packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep explore stability chart references chart-quick bench-peers test $(SUITES:%=test-%) bench bench-growth install uninstall docs packages format format-check clean help FORCE
 .PHONY: compile programs sanitize sanitized fuzz
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -153,6 +153,10 @@ chart: build ## speed against accuracy of our methods and their rivals, out/char
 
 references: build ## reference runs of the chart's scenes into tests/chart/references.csv and curves.csv
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py --references --none $(OPTIONS)
+
+bench-peers: build ## CalculiX (installed) and Ipopt against ours in interleaved pairs, as ratios, tests/peers; OPTIONS="--only Ipopt --store"
+	@$(PACKAGES) peers
+	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) -B tests/peers/bench.py $(OPTIONS)
 
 chart-quick: build ## the same on coarse meshes, two minutes
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py --quick $(OPTIONS)

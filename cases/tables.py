@@ -34,7 +34,7 @@ class Run:
             command = [burnish, f"cases/{case}/{case}.edp", "-pictures", "0", "-out", folder, *shlex.split(options)]
             with open(log, "w", encoding="utf-8") as file:
                 code = subprocess.run(command, stdout=file, stderr=subprocess.STDOUT).returncode
-            if code not in (0, 3):
+            if code not in (0, 3, 4):  # 4: finished, not to be trusted
                 sys.exit(f"tables.py: exit code {code} of {' '.join(command)}, see {log}")
             with open(mark, "w", encoding="utf-8") as file:
                 file.write(options)
@@ -165,17 +165,20 @@ def rolling_ways():
                   "times"], rows)
 
 
-def rolling_article():
-    kinds = {"implicit": "", "article": "-scheme article", "complete terms": "-scheme article -terms complete",
-             "no element events": "-scheme article -events none", "radial return": "-scheme article -update single"}
-    runs = [rolling(f"{COARSE} {options}".strip()) for options in kinds.values()]
+def outside(r):
+    found = re.search(r"outside the yield surface by up to (\S+) %", r.log)
+    return f"{float(found[1]):.0f} %" if found else "0"
 
-    def outside(r):
-        found = re.search(r"outside the yield surface by up to (\S+) %", r.log)
-        return f"{float(found[1]):.0f} %" if found else "0"
 
+def blind(r):
+    found = re.search(r"factorizations, (\d+) changes of state without progress, (\d+) blind pieces", r.log)
+    return f"{found[1]}, {found[2]}" if found else "-"
+
+
+def pure_rates(runs, options, rules=False):
+    """Runs of the article's scheme by name, side by side."""
     def line(name, give):
-        return [name, *(give(r) for r in runs)]
+        return [name, *(give(r) for r in runs.values())]
     rows = [line("t reached", lambda r: f"{r.t:g}"),
             line("Q_θ reached (applied: 2000)", lambda r: f"{r.result('moment Q_theta'):.0f}"),
             line("−Q_r reached (applied: 750 000)", lambda r: f"{-1e3 * r.result('force Q_r'):.0f}"),
@@ -189,8 +192,36 @@ def rolling_article():
                  lambda r: r.counts["events"]["slip-to-stick"] + r.counts["events"]["stick-to-slip"]),
             line("factorizations", lambda r: r.factorizations),
             line("CPU s", lambda r: r.cpu)]
-    rows.insert(0, ["options", *(f"`{o.replace('-scheme article ', '')}`" if o else "" for o in kinds.values())])
-    return table(["", *kinds], rows)
+    if rules:
+        rows.insert(-2, line("changes of state without progress, blind pieces", blind))
+    rows.insert(0, ["options", *(f"`{o}`" if o else "" for o in options)])
+    return table(["", *runs], rows)
+
+
+def rolling_article():
+    kinds = {"implicit": "", "article": "-scheme article", "complete terms": "-scheme article -terms complete",
+             "no element events": "-scheme article -events none", "radial return": "-scheme article -update single"}
+    return pure_rates({name: rolling(f"{COARSE} {options}".strip()) for name, options in kinds.items()},
+                      [o.replace("-scheme article ", "") for o in kinds.values()])
+
+
+def rolling_linear():
+    """The article's elements."""
+    runs, options = {}, []
+    for inner, outer, sides in ((4, 40, 8), (5, 75, 10), (10, 150, 20)):
+        mesh = f"-element P1 -inner {inner} -outer {outer} -sides {sides}"
+        for name, option in (("implicit", ""), ("article", "-scheme article")):
+            runs[f"{inner}/{outer}/{sides}: {name}"] = rolling(f"{mesh} {option}".strip())
+            options.append(option)
+    return pure_rates(runs, options, rules=True)
+
+
+def rolling_rules():
+    """The rule that leads a step out of a cycle of states, and its number."""
+    base, numbers = f"-element P1 {COARSE} -scheme article", (1, 2, 4, 8, 20)
+    runs = {f"{k} changes" + (" (default)" if k == 4 else ""): rolling(base + ("" if k == 4 else f" -retries {k}")) for k in numbers}
+    runs["4, steps of half the length"] = rolling(base + " -steps 400")
+    return pure_rates(runs, [*("" if k == 4 else f"-retries {k}" for k in numbers), "-steps 400"], rules=True)
 
 
 def rolling_terms():
@@ -286,6 +317,7 @@ def planetary_others():
 
 
 TABLES = {"rolling": {"steps": rolling_steps, "integrator": rolling_integrator, "ways": rolling_ways, "article": rolling_article,
+                      "linear": rolling_linear, "rules": rolling_rules,
                       "terms": rolling_terms, "mesh": rolling_mesh, "beside": rolling_beside},
           "planetary": {"mesh": planetary_mesh, "loads": planetary_loads, "others": planetary_others}}
 

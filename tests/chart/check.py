@@ -3,7 +3,7 @@
 Bounds are on relative errors, from what the runs give, times two to three; speeds are not looked at. Run by tests/regression/chart.sh."""
 import sys
 
-from scene_files import curve_error, methods, read_curves, read_references, run, scenes
+from scene_files import curve_error, field_error, methods, read_curves, read_fields, read_references, run, scenes
 
 # scene, element, n, steps; bound of ours against the references: quantity, largest; of rivals against ours
 RUNS = [
@@ -16,7 +16,8 @@ RUNS = [
 
 
 def main():
-    known, references, curves = {m["name"]: m for m in methods()}, read_references(), read_curves()
+    known, references = {m["name"]: m for m in methods()}, read_references()
+    curves, fields = read_curves(), read_fields()
     failed = checked = 0
 
     def check(what, error, bound):
@@ -32,7 +33,8 @@ def main():
         ours = run(scene, known[own]["options"] + options)
         check(f"{name}, {own}, finished", ours["outcome"] != "finished", 0)
         for quantity, bound in bounds.items():
-            off = (curve_error(ours["curves"][quantity], curves[name, quantity]) if quantity in ours["curves"]
+            off = (field_error(ours["fields"][quantity], fields[name, quantity]) if quantity in ours["fields"]
+                   else curve_error(ours["curves"][quantity], curves[name, quantity]) if quantity in ours["curves"]
                    else abs(ours[quantity] / references[name, quantity][0] - 1))
             check(f"{name}, {own}: {quantity}", off, bound)
         for rival, bound in rivals.items():

@@ -8,7 +8,7 @@ from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 from report import MEANING, front
 
 COLORS = {"implicit": "#08519c", "event": "#6baed6", "condensed": "#238b45", "penalty 1": "#fdbe85", "penalty 10": "#fd8d3c",
-          "penalty 100": "#d94701", "multiplier": "#6a3d9a", "augmented": "#c51b8a"}
+          "penalty 100": "#d94701", "multiplier": "#6a3d9a", "augmented": "#c51b8a", "CalculiX": "#000000", "Ipopt": "#8c6d31"}
 MARKERS = {"P1": "o", "P2": "s"}
 
 
@@ -55,7 +55,7 @@ def chart(rows, quantities, path):
     for ax in list(axes.flat)[len(quantities):]:
         ax.axis("off")
     handles = [plt.Line2D([], [], color=COLORS.get(m, "k"), lw=2, label=m) for m in dict.fromkeys(r["method"] for r in rows)]
-    handles += [plt.Line2D([], [], color="k", marker=MARKERS[e], ls=s, mfc="w" if e == "P1" else "k", label=e)
+    handles += [plt.Line2D([], [], color="0.5", marker=MARKERS[e], ls=s, mfc="w" if e == "P1" else "0.5", label=e)
                 for e, s in (("P1", ":"), ("P2", "-"))]
     if len({r["dtsteps"] for r in rows}) > 1:
         handles.append(plt.Line2D([], [], color="k", alpha=0.45, label="pale: fewer steps"))

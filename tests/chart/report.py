@@ -5,7 +5,8 @@ STEP = 0.1
 MEANING = {"pressure": "pressure, L2", "pressure_inner": "pressure, L2 inside 0.8 a", "a": "half-width, and largest pressure",
            "depth": "depth of the tool", "shift": "way along the surface",
            "traction": "traction, L2", "sticking": "sticking share", "width": "width of the contact", "p99": "plastic strain, 99 %",
-           "nodal": "plastic strain, largest at a node", "rotation": "rotation", "torque": "torque"}
+           "nodal": "plastic strain, largest at a node", "stress99": "von Mises stress, 99 %", "strain": "field of plastic strain, L2",
+           "stress": "field of von Mises stress, L2", "end": "ends of the contact", "rotation": "rotation", "torque": "torque"}
 
 
 def run_name(row):
@@ -65,7 +66,7 @@ def table(rows, quantities):
 
 def costs(rows):
     """What every method takes with the finest mesh and step; with condensed, on the same forms, beside it."""
-    finest = max((r["n"], r["dtsteps"]) for r in rows)
+    finest = max((r["n"], r["dtsteps"]) for r in rows if r["whose"] == "ours")
     last = {(r["method"], r["element"]): r for r in rows if (r["n"], r["dtsteps"]) == finest}
     based = ("condensed", "P1") in last
     head = ["s", "solves", "over condensed"] if based else ["s", "factorizations", "rejected steps", "outcome"]
@@ -81,9 +82,9 @@ def costs(rows):
                 continue
             seconds = f"{row['seconds']:.2f}" + (f" ± {100 * row['spread']:.0f} %" if row["repeats"] > 1 else "")
             if based:
-                cells += [seconds, str(row["solves"]), f"{row['seconds'] / last['condensed', element]['seconds']:.2f}"]
+                cells += [seconds, str(row["solves"] or "-"), f"{row['seconds'] / last['condensed', element]['seconds']:.2f}"]
             else:
-                cells += [seconds, str(row["factorizations"]), str(row["rejected"]), row["outcome"]]
+                cells += [seconds, str(row["factorizations"] or "-"), str(row["rejected"]), row["outcome"]]
         lines.append("| " + " | ".join(cells) + " |")
     return lines
 

@@ -1,15 +1,15 @@
 """Speed against accuracy: runs every scene by every method, element, mesh and step, and says what to use.
 
-run.py [--quick] [--only TEXT] [--references] [--repeat N] [--again] [--store] [--out FOLDER]
+run.py [--quick] [--only TEXT] [--references] [--repeat N] [--again] [--store] [--medium] [--out FOLDER]
                                        see the Makefile's targets chart, chart-quick and references
-Scenes are scripts that print `result NAME VALUE` and `curve NAME x value x value ...`; which methods, meshes and steps: scenes.csv,
-methods.csv. All runs of a repetition are done before the next one begins, every other one backwards, so that a machine that slows
-down does so for all. Seconds are CPU seconds from the space to the equilibrium, without the start of the script and its mesh; the
+Scenes are scripts that print `result NAME VALUE`, `curve NAME x value x value ...` and `field NAME value ...`; which methods, meshes and
+steps: scenes.csv, methods.csv; peers, programs beside ours that are asked where they are installed, but not by --quick: peers.csv.
+All runs of a repetition are done before the next one begins, every other one backwards, so that a machine that slows down does so for all. Seconds are CPU seconds from the space to the equilibrium, without the start of the script and its mesh; the
 median is kept, and the spread, half of the largest minus the smallest over the median; megabytes are the peak of the whole process.
 Quantities: NAME=0 is an error already, against the exact solution; NAME=run, NAME=1,2,4 (largest error over these quarters of
-the program, each in the CSV, too), NAME=curve (relative L2 norm over the run's own nodes) are relative, against references.csv
-and curves.csv: a fine run with the difference to a coarser one as its own error, below which no error is given. A run that stops early,
-takes too long or is not to be trusted says so under outcome and has no place on a front.
+the program, each in the CSV, too; end: both ends of the contact), NAME=curve (relative L2 norm over the run's own nodes), NAME=field
+(over the area, in points that all runs share) are relative, against references.csv, curves.csv and fields.csv: a fine run with the
+difference to a coarser one as its own error, below which no error is given. A run that stops early, takes too long or is not to be trusted says so under outcome and has no place on a front.
 Results in the folder, for scene hertz: hertz.csv (one row for a method, element, mesh and step), hertz.png, hertz.md (the tables),
 matrices.csv, matrices.png. An error above WRONG (--quick: WRONG_QUICK) in an exact or a
 global quantity of a finished run of a scene's last element on the finest mesh gives exit status 1.
@@ -24,10 +24,12 @@ import statistics
 import sys
 import time
 
+import criterion
 import draw
 import matrices
 import report
-from scene_files import HERE, curve_error, methods, read_curves, read_references, run, scenes, write_references
+from scene_files import (HERE, curve_error, field_error, installed, methods, peer_runs, read_curves, read_fields, read_references, run, scenes,
+                         write_references)
 
 ELEMENTS = ["P1", "P2"]
 WRONG, WRONG_QUICK = 0.1, 0.4
@@ -44,7 +46,7 @@ def repeat_all(tasks, times):
         for i, (scene, method, element, n, steps) in order if k % 2 == 0 else reversed(order):
             if k == 0 or found[i][0]["seconds"] < ONCE:
                 extra = ["-steps", str(steps)] if steps else []
-                found[i].append(run(scene, method["options"] + ["-element", element, "-n", str(n)] + extra))
+                found[i].append(run(scene, method["options"] + ["-element", element, "-n", str(n)] + extra, method["program"]))
             done += 1
             if sys.stderr.isatty():
                 left = (time.time() - begun) * (times * len(tasks) - done) / done
@@ -54,7 +56,7 @@ def repeat_all(tasks, times):
     return found
 
 
-def errors_of(scene, result, references, curves):
+def errors_of(scene, result, references, curves, fields):
     """Errors by name of the quantity, and at every quarter; none where the run did not come so far."""
     found = {}
     for quantity, kind in scene["quantities"].items():
@@ -62,6 +64,8 @@ def errors_of(scene, result, references, curves):
             found[quantity] = abs(result[quantity]) if quantity in result else math.nan
         elif kind == "curve":
             found[quantity] = curve_error(result["curves"].get(quantity), curves[scene["name"], quantity])
+        elif kind == "field":
+            found[quantity] = field_error(result["fields"].get(quantity), fields[scene["name"], quantity])
         else:
             names = [quantity] if kind == "run" else [f"{quantity}_{k}" for k in kind.split(",")]
             parts = {n: abs(result[n] / references[scene["name"], n][0] - 1) if n in result else math.nan for n in names}
@@ -70,7 +74,7 @@ def errors_of(scene, result, references, curves):
     return found
 
 
-def row_of(task, results, references, curves):
+def row_of(task, results, *known):
     scene, method, element, n, steps = task
     seconds = [r["seconds"] for r in results]
     middle = statistics.median(seconds)
@@ -79,7 +83,7 @@ def row_of(task, results, references, curves):
            "megabytes": statistics.median(r["megabytes"] for r in results), "outcome": results[0]["outcome"]}
     for name in ("dofs", "steps", "rejected", "factorizations", "solves"):
         row[name] = int(results[0].get(name, 0))
-    return {**row, **errors_of(scene, results[0], references, curves)}
+    return {**row, **errors_of(scene, results[0], *known)}
 
 
 def write(path, rows):
@@ -106,23 +110,38 @@ def read(path):
 
 def wrong_runs(scene, rows, bound):
     """Sentences of runs on the finest mesh that are off."""
-    finest = max((row["n"], row["dtsteps"]) for row in rows)
+    finest = max((row["n"], row["dtsteps"]) for row in rows if row["whose"] == "ours")
     return [f"{row['method']}, {row['element']}, n = {row['n']}: {q} off by {100 * row[q]:.3g} %"
             for row in rows if (row["n"], row["dtsteps"]) == finest and row["outcome"] == "finished"
             and row["element"] == scene["trusted"] for q, kind in scene["quantities"].items()
             if (kind == "0" or q in GLOBAL) and not row[q] < bound]
 
 
+def peer_tasks(scene, medium):
+    """Those of peers that are installed."""
+    tasks = []
+    for method in methods():
+        asked = list(peer_runs(scene, method, medium)) if method["program"] else []
+        if asked and installed(method):
+            tasks += [(scene, method, *one) for one in asked]
+        elif asked:
+            print(f"{scene['name']}: {method['name']} is not installed and left out")
+    return tasks
+
+
 def measure(scene, options):
     """Runs the scene and looks at its matrices."""
     meshes, steps = scene["quick" if options.quick else "full"]
-    able = [m for m in methods() if not scene["methods"] or m["name"] in scene["methods"]]
+    able = [m for m in methods() if not m["program"] and (not scene["methods"] or m["name"] in scene["methods"])]
     tasks = [(scene, m, e, n, k) for n in meshes for k in steps for e in scene["elements"] for m in able
              if m["whose"] == "ours" or e not in scene["ours"]]
+    if not options.quick:
+        tasks += peer_tasks(scene, options.medium)
     found = repeat_all(tasks, options.repeat or (2 if options.quick else 3))
-    references, curves = read_references(), read_curves()
-    write(os.path.join(options.out, scene["name"] + ".csv"),
-          [row_of(t, results, references, curves) for t, results in zip(tasks, found)])
+    known = read_references(), read_curves(), read_fields()
+    write(os.path.join(options.out, scene["name"] + ".csv"), [row_of(t, results, *known) for t, results in zip(tasks, found)])
+    if scene["name"] == criterion.SCENE and not options.quick:
+        write(os.path.join(options.out, "criterion.csv"), criterion.measure(scene, options.medium))
     if scene["matrices"]:
         write(os.path.join(options.out, "matrices.csv"),
               matrices.look(scene, [m for m in methods() if m["matrix"]], options.quick, options.out))
@@ -144,6 +163,8 @@ def show(scene, folder):
         looked = read(os.path.join(folder, "matrices.csv"))
         draw.matrices(looked, os.path.join(folder, "matrices.png"))
         text += report.matrices(looked)
+    if scene["name"] == criterion.SCENE and os.path.exists(os.path.join(folder, "criterion.csv")):
+        text += "\n".join(["", "## Criterion of convergence", "", *criterion.table(read(os.path.join(folder, "criterion.csv"))), ""])
     with open(os.path.join(folder, scene["name"] + ".md"), "w") as f:
         f.write(text)
     print(text)
@@ -157,7 +178,10 @@ def store(scene, rows, done, folder):
     path = os.path.join(HERE, "README.md")
     with open(path) as f:
         text = f.read()
-    for name, lines in (("use", report.table(done, list(scene["quantities"]))), ("forms", report.costs(rows))):
+    tables = {"use": report.table(done, list(scene["quantities"])), "forms": report.costs(rows)}
+    if scene["name"] == criterion.SCENE and os.path.exists(os.path.join(folder, "criterion.csv")):
+        tables["criterion"] = criterion.table(read(os.path.join(folder, "criterion.csv")))
+    for name, lines in tables.items():
         mark = f"<!-- chart {scene['name']} {name} -->"
         text, count = re.subn(re.escape(mark) + r"\n.*?<!-- end -->", lambda _: "\n".join([mark, *lines, "<!-- end -->"]), text,
                               flags=re.DOTALL)
@@ -176,6 +200,7 @@ def main():
     parser.add_argument("--repeat", type=int, default=0, help="how often every run is made")
     parser.add_argument("--again", action="store_true", help="no runs: pictures and tables of the files in the folder")
     parser.add_argument("--store", action="store_true", help="picture and tables into README.md")
+    parser.add_argument("--medium", action="store_true", help="peers on finer meshes, too: a quarter of an hour more")
     parser.add_argument("--out", default="out/chart")
     options = parser.parse_args()
     chosen = [s for s in scenes() if re.search(options.only, s["name"])]

@@ -4,11 +4,13 @@ import csv
 import math
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+PEERS = os.path.join(os.path.dirname(HERE), "peers")
 LONGEST = 500  # [s] of a run
 POINTS = 81  # of a stored curve
 
@@ -24,8 +26,27 @@ def rows_of(name, width):
 
 
 def methods():
-    return [{"name": n, "whose": w, "options": o.split(), "matrix": m == "matrix", "meaning": meaning}
+    """Peers, other programs, are rivals with a program."""
+    return [{"name": n, "whose": "rival" if w == "peer" else w, "program": o if w == "peer" else "",
+             "options": [] if w == "peer" else o.split(), "matrix": m == "matrix", "meaning": meaning}
             for n, w, o, m, meaning in rows_of("methods.csv", 5)]
+
+
+def installed(method):
+    """Is the program of a peer there?"""
+    if method["program"].endswith(".py"):
+        return shutil.which("ccx") is not None
+    folders = os.environ.get("FF_LOADPATH", "/usr/lib/freefem++").split(";")
+    return any(os.path.exists(os.path.join(folder, "ff-Ipopt.so")) for folder in folders)
+
+
+def peer_runs(scene, method, medium):
+    """(element, n, steps) of a peer in a scene."""
+    for name, where, element, small, more in rows_of("peers.csv", 5):
+        if (name, where) == (method["name"], scene["name"]):
+            for text in (small, more) if medium else (small,):
+                meshes, steps = grid(text)
+                yield from ((element, n, k) for n in meshes for k in steps)
 
 
 def grid(text):
@@ -43,9 +64,17 @@ def scenes():
                "quantities": dict(word.split("=") for word in quantities.split())}
 
 
-def run(scene, options):
-    """Results of one run by name, its curves, outcome and peak memory [MB]."""
-    command = ["timeout", str(LONGEST), os.environ["BURNISH"], os.path.join(HERE, scene["name"] + ".edp"), *options]
+def command_of(scene, program):
+    """Script of the scene, or a peer's: a script for Hertz only, or a program that is told the scene."""
+    if not program:
+        return [os.environ["BURNISH"], os.path.join(HERE, scene["name"] + ".edp")]
+    path = os.path.join(PEERS, program)
+    return [sys.executable, "-B", path, scene["name"]] if program.endswith(".py") else [os.environ["BURNISH"], path]
+
+
+def run(scene, options, program="", longest=LONGEST):
+    """Results of one run by name, its curves and fields, outcome and peak memory [MB]; longest: seconds before it is stopped."""
+    command = ["timeout", str(longest), *command_of(scene, program), *options]
     with tempfile.TemporaryFile("w+", errors="replace") as out:
         process = subprocess.Popen(command, cwd=HERE, stdout=out, stderr=subprocess.STDOUT)
         _, status, usage = os.wait4(process.pid, 0)
@@ -56,6 +85,7 @@ def run(scene, options):
     stopped = found.pop("outcome", 0) != 0
     if code not in (0, 4, 124) or (code != 124 and "seconds" not in found):
         sys.exit(f"chart: exit status {code} of {' '.join(command)}:\n{text[-3000:]}")
+    fields = {name: [float(word) for word in words.split()] for name, words in re.findall(r"^field (\S+) (.*)$", text, re.MULTILINE)}
     curves = {}
     for name, numbers in re.findall(r"^curve (\S+)(.*)$", text, re.MULTILINE):
         values = [float(word) for word in numbers.split()]
@@ -63,7 +93,7 @@ def run(scene, options):
     outcome = "too long" if code == 124 else "stopped" if stopped else "not to be trusted" if code == 4 else "finished"
     found.setdefault("megabytes", usage.ru_maxrss / 1024)  # of a script that does not say it; not less than that of this program
     found.setdefault("seconds", usage.ru_utime + usage.ru_stime)
-    return {**found, "curves": curves, "outcome": outcome}
+    return {**found, "curves": curves, "fields": fields, "outcome": outcome}
 
 
 def at(curve, x):
@@ -85,6 +115,13 @@ def curve_error(curve, reference):
         off += length * (y - expected) ** 2
         norm += length * expected ** 2
     return math.sqrt(off / norm) if norm > 0 else math.nan
+
+
+def field_error(values, reference):
+    """L2 norm of the difference from the reference, [(area, value)] in the same points, over that of the reference."""
+    if not values or len(values) != len(reference):
+        return math.nan
+    return math.sqrt(sum(a * (v - r)**2 for v, (a, r) in zip(values, reference)) / sum(a * r**2 for a, r in reference))
 
 
 def thinned(curve):
@@ -111,18 +148,34 @@ def read_curves():
     return curves
 
 
+def read_fields():
+    """(scene, quantity): [(area, value)]"""
+    fields = {}
+    for scene, quantity, area, value in read_rows("fields.csv"):
+        fields.setdefault((scene, quantity), []).append((float(area), float(value)))
+    return fields
+
+
 def read_rows(name):
     with open(os.path.join(HERE, name)) as f:
         return [list(row.values()) for row in csv.DictReader(f)]
+
+
+def areas(scene, options=()):
+    """Of the points where the scene's fields are compared."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = subprocess.run([*command_of(scene, ""), "-mesh", os.path.join(folder, "scene.msh"), *options], stdout=subprocess.PIPE,
+                             text=True).stdout
+    return [float(word) for word in re.search(r"^field area (.*)$", out, re.MULTILINE)[1].split()]
 
 
 def write_references(chosen):
     """A fine run of every scene chosen; its own error is the difference to a coarser one. Other scenes keep theirs."""
     names = {scene["name"] for scene in chosen}
     table = [row for row in read_rows("references.csv") if row[0] not in names]
-    curves = [row for row in read_rows("curves.csv") if row[0] not in names]
+    curves, fields = ([row for row in read_rows(name) if row[0] not in names] for name in ("curves.csv", "fields.csv"))
     for scene in chosen:
-        coarse, fine = (run(scene, options) for options in scene["reference"])
+        coarse, fine = (run(scene, options, longest=10 * LONGEST) for options in scene["reference"])
         words = " ".join(scene["reference"][1])
         for quantity, kind in scene["quantities"].items():
             if kind == "0":
@@ -132,13 +185,21 @@ def write_references(chosen):
                 error = curve_error(thinned(coarse["curves"][quantity]), reference)
                 curves += [[scene["name"], quantity, f"{x:.6g}", f"{y:.6g}"] for x, y in reference]
                 table.append([scene["name"], quantity, "1", f"{error:.1e}", words])
-            for name in [] if kind == "curve" else [quantity] if kind == "run" else [f"{quantity}_{k}" for k in kind.split(",")]:
+            if kind == "field":
+                reference = list(zip(areas(scene), fine["fields"][quantity]))
+                fields += [[scene["name"], quantity, f"{a:.5g}", f"{v:.5g}"] for a, v in reference]
+                table.append([scene["name"], quantity, "1", f"{field_error(coarse['fields'][quantity], reference):.1e}", words])
+            if kind in ("curve", "field"):
+                continue
+            for name in [quantity] if kind == "run" else [f"{quantity}_{k}" for k in kind.split(",")]:
                 error = abs(coarse[name] / fine[name] - 1)
                 table.append([scene["name"], name, f"{fine[name]:.8g}", f"{error:.1e}", words])
         for row in table:
             if row[0] == scene["name"]:
                 print(f"  {row[0]}: {row[1]} {row[2]}, differs from the coarser run by {row[3]}")
+    order = [scene["name"] for scene in scenes()]
     for name, head, rows in (("references.csv", ["scene", "quantity", "value", "error", "run"], table),
-                             ("curves.csv", ["scene", "quantity", "x", "value"], curves)):
+                             ("curves.csv", ["scene", "quantity", "x", "value"], curves),
+                             ("fields.csv", ["scene", "quantity", "area", "value"], fields)):
         with open(os.path.join(HERE, name), "w", newline="") as f:
-            csv.writer(f, lineterminator="\n").writerows([head, *rows])
+            csv.writer(f, lineterminator="\n").writerows([head, *sorted(rows, key=lambda row: order.index(row[0]))])
