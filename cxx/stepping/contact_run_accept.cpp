@@ -8,7 +8,7 @@
 namespace burnish {
 namespace {
 
-constexpr double CLOSER = 0.25; // EventTolerance::closer of an event step
+constexpr double CLOSER = 0.25; // EventTolerance::closer of event steps with tied edges
 
 } // namespace
 
@@ -30,7 +30,7 @@ std::vector<ContactEvent<Dim>> ContactRun<Dim>::events(const Eigen::VectorXd& u,
   std::vector<int> supports; // pure rates do not let them go, see support_after_events
   if (m_stepping != Stepping::RATES) {
     tolerances.compliance = m_corrector.compliance();
-    tolerances.closer = CLOSER;
+    if (options.tied) tolerances.closer = CLOSER;
   } else
     supports = sole_supports(model(), m_prescribed, m_accepted.contact);
   auto found = earliest_events(model(), body(), ends(u, R), tolerances, supports);

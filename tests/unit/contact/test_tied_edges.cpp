@@ -158,7 +158,7 @@ TEST(TiedEdges, KeptBetweenEvents) {
   EXPECT_TRUE(s.node(s.MID).tied) << "it slides as its sliding end does";
   EXPECT_FALSE(s.node(s.MID2).tied) << "no end sticks";
   untie();
-  make_slide(s.node(s.MID), -s.node(s.A).slip_direction);
+  make_slide(s.node(s.MID), Vector<2>(-s.node(s.A).slip_direction));
   keep();
   EXPECT_FALSE(s.node(s.MID).tied) << "it slides against its end";
   make_stick(s.node(s.MID));
