@@ -91,7 +91,8 @@ void look_at_friction(const AcceptedStep<Dim>& step, const Balance& now, const C
   finding->text = text.str();
 }
 
-// What the prescribed forces of the tools are missed by.
+// What the prescribed forces of the tools are missed by. At the end of an event step the states are those after its events: a node
+// that touches there adds what a heavier tool's tolerance left of it, so the force is that of the equilibrium.
 template <int Dim>
 void look_at_tools(const AcceptedStep<Dim>& step, const CheckOptions& options, CheckState& state,
                    FindingList& findings) {
@@ -110,7 +111,7 @@ void look_at_tools(const AcceptedStep<Dim>& step, const CheckOptions& options, C
     if (formula)
       keep(unmet, {residual, 0, residual * options.unmet_least, load, step.t});
     else
-      keep(unmet, {std::abs(now.generalized_force[k] - wanted), std::abs(wanted), residual, load, step.t});
+      keep(unmet, {std::abs(step.generalized_force[k] - wanted), std::abs(wanted), residual, load, step.t});
     const double value = share_missed(unmet, options.unmet_least);
     worst = std::max(worst, value);
     const std::string name = step.model.coordinate(k);

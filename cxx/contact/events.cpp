@@ -94,14 +94,16 @@ double touch_fraction(const ContactModel<Dim>& model, const BodyView<Dim>& body,
 }
 
 // Instant at which the slip rate changes sign: rates are means of steps, so they belong to the middles.
+// A node that begins to slide has no rate before: the step has to become shorter.
 // @param m direction of the slip in the tangents at the start of the step
 template <int Dim>
 double stick_fraction(const Surface<Dim>& surface, const ContactNode<Dim>& start, const ContactNode<Dim>& end,
-                      const Param<Dim>& m, double dt, double tolerance) {
+                      const Param<Dim>& m, double dt, const EventTolerance& tolerance) {
   const Param<Dim> slip = -surface.slip(end.place, start.place); // in the tangents at the start
-  if (!TangentialLaw<Dim>::slips_back(slip, m, tolerance)) return NEVER;
+  if (!TangentialLaw<Dim>::slips_back(slip, m, tolerance.slip_of(start.tool))) return NEVER;
   const double before = start.slip_rate, now = TangentialLaw<Dim>::advance(slip, m) / dt;
-  if (before <= 0) return 0;
+  if (before == 0) return tolerance.closer;
+  if (before < 0) return 0;
   return std::clamp(1.5 * before / (before - now) - 0.5, 0., 1.);
 }
 
@@ -139,7 +141,7 @@ ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<D
     // only released: its ends decide over stick and slip
   } else if (n0.state == NodeState::SLIDING) {
     kind = EventKind::SLIP_TO_STICK;
-    if (!law.frictionless()) change = stick_fraction(surface, n0, n1, a.m, step.dt, tolerance.gap);
+    if (!law.frictionless()) change = stick_fraction(surface, n0, n1, a.m, step.dt, tolerance);
   } else if (!support && !law.friction().sticks_always()) {
     change = crossing(reserve(ends.deciding0[i]), reserve(ends.deciding1[i]), tolerance.force_of(n0.tool));
     if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released

@@ -3,6 +3,7 @@
 // and all within its tolerance are taken together (METHOD.md 4.2, ALGORITHMS.md 10).
 #include "contact/body_view.hpp"
 #include "contact/contact_model.hpp"
+#include <algorithm>
 #include <string>
 
 namespace burnish {
@@ -47,10 +48,15 @@ template <int Dim> struct StepEnds {
 
 struct EventTolerance {
   double force = 0;                ///< absolute, of N and of mu N - |T| [force]
-  double gap = 0;                  ///< absolute [length]
+  double gap = 0;                  ///< absolute, of slips at least [length]
   double fraction = 1e-3;          ///< events this close to the earliest one are taken with it
   Eigen::VectorXd tool_force = {}; ///< per tool: the same as force for its nodes; empty: force
+  double compliance =
+      0; ///< largest of a contact node: what the tolerance of forces leaves of slips [length/force]
+  /// Fraction of the step by which a node that begins to slide and slips back is looked at again; 0: it sticks at once
+  double closer = 0;
   double force_of(int tool) const { return tool_force.size() > 0 ? tool_force[tool] : force; }
+  double slip_of(int tool) const { return std::max(gap, compliance * force_of(tool)); }
 };
 
 /// All events of the step that lie within the tolerance of the earliest; empty if the whole step is free of

@@ -34,6 +34,21 @@ template <int Dim> bool may_tie(const ContactModel<Dim>& model, const ContactSta
   return true;
 }
 
+// A tie can begin between events: an end sticks, and with those that slide the mid node slides too, at T = -m g as they do.
+template <int Dim>
+bool begins_smoothly(const ContactModel<Dim>& model, const ContactState<Dim>& state, int middle) {
+  const ContactNode<Dim>& node = state.nodes[middle];
+  bool sticking_end = false;
+  for (const int end : model.edge_ends[middle]) {
+    const ContactNode<Dim>& at_end = state.nodes[end];
+    if (sticks(at_end.state))
+      sticking_end = true;
+    else if (sticks(node.state) || node.slip_direction.dot(at_end.slip_direction) < 0)
+      return false;
+  }
+  return sticking_end;
+}
+
 } // namespace
 
 template <int Dim> void tie_edges(const ContactModel<Dim>& model, ContactState<Dim>& state) {
@@ -45,6 +60,14 @@ template <int Dim> void tie_edges(const ContactModel<Dim>& model, ContactState<D
     const auto& [a, b] = model.edge_ends[i];
     node.tied = sticks(state.nodes[a].state) || sticks(state.nodes[b].state);
     if (!node.tied && was_tied && sticks(node.state)) make_slide(node, state.nodes[a].slip_direction);
+  }
+}
+
+template <int Dim> void keep_ties(const ContactModel<Dim>& model, ContactState<Dim>& state) {
+  for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) {
+    ContactNode<Dim>& node = state.nodes[i];
+    const bool possible = together(model, state, i) && may_tie(model, state, i);
+    node.tied = possible && (node.tied || begins_smoothly(model, state, i));
   }
 }
 
@@ -122,6 +145,7 @@ NodeCones<Dim> cones_of(const ContactModel<Dim>& model, const ContactState<Dim>&
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template void tie_edges<Dim>(const ContactModel<Dim>&, ContactState<Dim>&);                                \
+  template void keep_ties<Dim>(const ContactModel<Dim>&, ContactState<Dim>&);                                \
   template void follow_ends<Dim>(const ContactModel<Dim>&, ContactState<Dim>&);                              \
   template std::vector<DecidingForce<Dim>> deciding_forces<Dim>(                                             \
       const ContactModel<Dim>&, const ContactState<Dim>&, const std::vector<SurfaceForce<Dim>>&);            \

@@ -11,6 +11,10 @@ namespace burnish {
 /// @param state states of a step before its iteration; places stay, see follow_ends
 template <int Dim> void tie_edges(const ContactModel<Dim>& model, ContactState<Dim>& state);
 
+/// The same between events: a tie goes on while the three touch the tool, and one begins where no force jumps, so that nothing
+/// else happens at that instant.
+template <int Dim> void keep_ties(const ContactModel<Dim>& model, ContactState<Dim>& state);
+
 /// Tied mid nodes take state and place from their ends: they stick at their slip_origin if both do, else they slide by half
 /// the sum of their slips. A tie is dropped where the mid node or an end is not in contact any more, or on another tool; the
 /// node goes on alone, as it is.

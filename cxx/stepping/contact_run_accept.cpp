@@ -6,6 +6,11 @@
 #include <algorithm>
 
 namespace burnish {
+namespace {
+
+constexpr double CLOSER = 0.25; // EventTolerance::closer of event steps with tied edges
+
+} // namespace
 
 template <int Dim>
 StepEnds<Dim> ContactRun<Dim>::ends(const Eigen::VectorXd& u, const Eigen::VectorXd& R) const {
@@ -19,11 +24,15 @@ std::vector<ContactEvent<Dim>> ContactRun<Dim>::events(const Eigen::VectorXd& u,
   require(tolerance >= 0, "contact.events", "tolerance", tolerance, ">= 0");
   const auto& options = m_corrector.options();
   const double h = body().spacing, least = std::numeric_limits<double>::min();
-  const EventTolerance tolerances{options.tolerance * std::max(m_corrector.load_scale(), least),
-                                  options.gap_tolerance * h, tolerance,
-                                  m_corrector.tool_tolerance().cwiseMax(least)};
+  EventTolerance tolerances{options.tolerance * std::max(m_corrector.load_scale(), least),
+                            options.gap_tolerance * h, tolerance,
+                            m_corrector.tool_tolerance().cwiseMax(least)};
   std::vector<int> supports; // pure rates do not let them go, see support_after_events
-  if (m_stepping == Stepping::RATES) supports = sole_supports(model(), m_prescribed, m_accepted.contact);
+  if (m_stepping != Stepping::RATES) {
+    tolerances.compliance = m_corrector.compliance();
+    if (options.tied) tolerances.closer = CLOSER;
+  } else
+    supports = sole_supports(model(), m_prescribed, m_accepted.contact);
   auto found = earliest_events(model(), body(), ends(u, R), tolerances, supports);
   found.erase(std::remove_if(found.begin(), found.end(),
                              [&](const auto& event) { return event.fraction > until + tolerance; }),

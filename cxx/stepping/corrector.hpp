@@ -94,6 +94,8 @@ public:
   }
   /// What belongs to a tool is held to this [force], one per tool, no more than the tolerance of all (ALGORITHMS.md 5.1).
   Eigen::VectorXd tool_tolerance() const;
+  /// Largest displacement of a contact node by a unit force on it, of the last factor; 0 without one [length/force].
+  double compliance() const;
   /// Increment of the coordinates by the first iteration of this step; empty before. For the test of jumps.
   const Eigen::VectorXd& first_increment() const { return m_first_dq; }
   /// What a soft hold carries: a load as supports have it [force].

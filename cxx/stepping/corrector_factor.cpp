@@ -87,9 +87,15 @@ template <int Dim> double Corrector<Dim>::elastic_blend() const {
                   entry(m_options.blend_by_failure, m_indefinite));
 }
 
+template <int Dim> double Corrector<Dim>::compliance() const {
+  if (!m_has_factor || !m_tangent->flexibility) return 0;
+  return m_tangent->flexibility->diagonal().maxCoeff();
+}
+
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>&, const Eigen::VectorXd&);      \
   template FactorStatus Corrector<Dim>::factorize_held(const NodeBlockMatrix<Dim>&, const Eigen::VectorXd&); \
+  template double Corrector<Dim>::compliance() const;                                                        \
   template double Corrector<Dim>::elastic_blend() const;
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)

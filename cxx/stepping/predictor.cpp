@@ -153,18 +153,18 @@ void Predictor<Dim>::place_contact_node(const std::vector<Pose<Dim>>& poses, int
 
 // Contact nodes onto their tools at the predicted coordinates: first the corners, which decide over the ties.
 template <int Dim>
-void Predictor<Dim>::place_contact_nodes(bool may_stick, bool tied, ContactState<Dim>& state,
+void Predictor<Dim>::place_contact_nodes(bool carry, bool tied, ContactState<Dim>& state,
                                          Eigen::VectorXd& u) const {
   const auto poses = m_model.poses(state.q);
   const int n = static_cast<int>(state.nodes.size());
   const auto place = [&](bool middles) {
     for (int i = 0; i < n; ++i)
       if (in_contact(state.nodes[i].state) && !state.nodes[i].tied && m_model.is_middle(i) == middles)
-        place_contact_node(poses, i, may_stick, state, u);
+        place_contact_node(poses, i, carry, state, u);
   };
   for (auto& node : state.nodes) node.tied = node.tied && tied;
   place(false);
-  if (tied) tie_edges(m_model, state);
+  if (tied) carry ? tie_edges(m_model, state) : keep_ties(m_model, state);
   place(true);
   follow_ends(m_model, state);
   for (int i = 0; i < n; ++i) {

@@ -47,7 +47,7 @@ private:
   std::vector<ContactNode<Dim>> entry_nodes(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
   void carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions,
                     ContactState<Dim>& state) const;
-  void place_contact_nodes(bool may_stick, bool tied, ContactState<Dim>& state, Eigen::VectorXd& u) const;
+  void place_contact_nodes(bool carry, bool tied, ContactState<Dim>& state, Eigen::VectorXd& u) const;
   void place_contact_node(const std::vector<Pose<Dim>>& poses, int candidate, bool may_stick,
                           ContactState<Dim>& state, const Eigen::VectorXd& u) const;
 

@@ -151,6 +151,21 @@ TEST(RunChecks, PrescribedForceThatIsMissed) {
   }
 }
 
+// At the end of an event step a node has touched whose force was held to another tool's tolerance.
+TEST(RunChecks, PrescribedForceBesideEventsOfTheEnd) {
+  Pressed scene;
+  const auto& state = scene.contact().accepted();
+  PrescribedValues prescribed = state.prescribed;
+  scene.prescribed = &prescribed;
+  prescribed.is_motion[1] = 0;
+  prescribed.value[1] = state.generalized_force[1];
+  Eigen::VectorXd R = state.R;
+  for (std::size_t i = 0; i < state.contact.nodes.size(); ++i)
+    if (in_contact(state.contact.nodes[i].state))
+      R[2 * scene.contact().model().candidates[i] + 1] -= 0.1 * scene.contact().corrector().load_scale();
+  EXPECT_FALSE(find(scene.look(state.u, R), "unmet force"));
+}
+
 TEST(RunChecks, ToolThatPulls) {
   Pressed scene;
   const auto& state = scene.contact().accepted();

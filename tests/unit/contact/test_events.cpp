@@ -142,6 +142,25 @@ TEST(Events, SlipToStickWhereTheSlipTurns) {
   }
 }
 
+// Noise of the equilibrium is no slip; a node that has just begun to slide is looked at again in a shorter step.
+TEST(Events, SlipBackBeyondTheNoiseOfForces) {
+  EventScene scene;
+  scene.add_plate(0, 0.3);
+  scene.touch(3, NodeState::SLIDING, 1);
+  for (Eigen::VectorXd* R : {&scene.R0, &scene.R1}) EventScene::set_force(*R, 3, 1, -0.3);
+  scene.start.nodes[3].slip_rate = 1e-6;
+  scene.tolerance.closer = 0.25;
+  scene.tolerance.compliance = 100; // of the force tolerance 1e-6: slips below 1e-4
+  scene.slip(scene.end.nodes[3], -0.9e-4);
+  EXPECT_TRUE(scene.earliest().empty());
+  scene.slip(scene.end.nodes[3], -0.2e-4);
+  EXPECT_EQ(scene.earliest().size(), 1u);
+  scene.start.nodes[3].slip_rate = 0;
+  scene.single(EventKind::SLIP_TO_STICK, 3, 0.25);
+  scene.start.nodes[3].slip_rate = -1e-7; // turned before, within the noise
+  scene.single(EventKind::SLIP_TO_STICK, 3, 0);
+}
+
 // Slip is a length: on a roller of radius 4 the same turn of s by 0.5e-6 rad is beyond the tolerance 1e-6.
 TEST(Events, SlipIsMeasuredAsALength) {
   EventScene scene;

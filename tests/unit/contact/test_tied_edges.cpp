@@ -149,6 +149,34 @@ TEST(TiedEdges, MadeWhereAnEndSticks) {
   EXPECT_FALSE(s.node(s.MID).tied) << "a law without slip";
 }
 
+// Between events a tie outlives the stick of its ends, and begins only where the forces do not jump.
+TEST(TiedEdges, KeptBetweenEvents) {
+  TiedSample s(0.3);
+  const auto keep = [&] { keep_ties(s.contact.model, s.contact.state); };
+  const auto untie = [&] {
+    for (auto& node : s.contact.state.nodes) node.tied = false;
+  };
+  keep();
+  EXPECT_TRUE(s.node(s.MID).tied && s.node(s.MID2).tied) << "both ends of the second slide";
+  untie();
+  keep();
+  EXPECT_TRUE(s.node(s.MID).tied) << "it slides as its sliding end does";
+  EXPECT_FALSE(s.node(s.MID2).tied) << "no end sticks";
+  untie();
+  make_slide(s.node(s.MID), Vector<2>(-s.node(s.A).slip_direction));
+  keep();
+  EXPECT_FALSE(s.node(s.MID).tied) << "it slides against its end";
+  make_stick(s.node(s.MID));
+  keep();
+  EXPECT_FALSE(s.node(s.MID).tied) << "it sticks, an end slides";
+  make_stick(s.node(s.A));
+  keep();
+  EXPECT_TRUE(s.node(s.MID).tied) << "all three stick";
+  make_free(s.node(s.B));
+  keep();
+  EXPECT_FALSE(s.node(s.MID).tied);
+}
+
 // Half of the slips of both ends, and their states.
 TEST(TiedEdges, MidNodeFollowsItsEnds) {
   TiedSample s(0.3);
