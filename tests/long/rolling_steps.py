@@ -1,12 +1,13 @@
-"""Error of the length of the steps of example 1 at the quarters of the program:  python3 rolling_steps.py REFERENCE RUN...
-Folders of runs with -series 4. Columns: depth, theta, Q_phi, 99th percentile of the plastic strain (by volume, of what is above
-1e-4), its field in L2 (same mesh only); in percent of the reference, a number for every quarter."""
+"""Error of the length of the steps of example 1 at the quarters of the program:  python3 rolling_steps.py FOLDER
+FOLDER has the runs of rolling-steps.sh, NAME, NAME-half, NAME-fine for each mesh.   python3 rolling_steps.py FINE RUN...
+prints the same table of any runs with -series 4. Depth, theta, Q_phi, 99th percentile of the plastic strain (by area, of what
+is above 1e-4), its field in L2 (same mesh only): percent of the fine run, a number for every quarter."""
 import os
 import sys
 
 import numpy as np
 import meshio
-from run import Run
+from run import Checks, Run
 
 QUARTERS = (0.25, 0.5, 0.75, 1.0)
 FLOWED = 1e-4  # [-]
@@ -62,16 +63,29 @@ def table(reference, runs):
     print(f"{'run':16s} steps fact iter  CPU s | {'depth':27s} | {'theta':27s} | {'Q_phi':27s} | {'p99':27s} | L2, all in %")
     for name, fields in runs:
         counts = fields.run.summary
-        c = counts["counts"] if "counts" in counts else counts
-        print(f"{name:16s} {c['steps']:5} {c['factorizations']:4} {c['iterations']:5} {cpu(counts):5.2f} | "
+        c, cpu = counts["counts"], counts["cpu_seconds"]["total"]
+        print(f"{name:16s} {c['steps']:5} {c['factorizations']:4} {c['iterations']:5} {cpu:5.2f} | "
               + " | ".join(cell(row) for row in fields.errors(reference)))
 
 
-def cpu(summary):
-    seconds = summary["cpu_seconds"]
-    return seconds["total"] if isinstance(seconds, dict) else seconds
+def check(folder):
+    checks = Checks()
+    for mesh in ("default", "graded"):
+        fine, half, run = (Fields(os.path.join(folder, mesh + kind)) for kind in ("-fine", "-half", ""))
+        table(fine, [(mesh, run), (mesh + ", half", half)])
+        errors, finer = run.errors(fine), half.errors(fine)
+        order = np.log2(errors[4] / finer[4])
+        print(f"{'':16s} observed order of the field: {cell(order)}")
+        worst = np.abs(errors).max(axis=1)
+        for name, value, allowed in zip(("depth", "theta", "Q_phi", "p99"), worst, (1, 1, 1, 3)):
+            checks.that(f"{mesh}, {name}", value <= allowed, f"largest error at the quarters {value:.2f} %, allowed {allowed} %")
+    default, graded = (Fields(os.path.join(folder, mesh + "-fine")) for mesh in ("default", "graded"))
+    print("meshes, both with fine steps"), table(default, [("graded", graded)])
+    checks.done()
 
 
 if __name__ == "__main__":
+    if len(sys.argv) == 2:
+        check(sys.argv[1])
     base = Fields(sys.argv[1])
     table(base, [(os.path.basename(f.rstrip("/")), Fields(f)) for f in sys.argv[2:]])
