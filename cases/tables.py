@@ -98,10 +98,10 @@ NUMBERS = ["depth µm", "θ deg", "Q_φ N·m/m", "ep"]
 
 def rolling_steps():
     rows, runs = [], []
-    for n in (100, 200, 400, 800):
-        r = rolling("" if n == 200 else f"-steps {n}")
+    for n in (50, 100, 200, 400):
+        r = rolling("" if n == 100 else f"-steps {n} -width {n//5}")
         runs.append(r)
-        rows.append([f"`-steps {n}`" + (" (default)" if n == 200 else ""), r.steps, r.factorizations, *numbers(r), r.cpu])
+        rows.append([f"`-steps {n} -width {n//5}`" + (" (default)" if n == 100 else ""), r.steps, r.factorizations, *numbers(r), r.cpu])
 
     def against(a, b):
         return (f"depth {off(a.depth, b.depth)}, θ {off(a.theta, b.theta)}, Q_φ {off(a.moment, b.moment)}, "

@@ -10,7 +10,7 @@ STORED = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "re
 run = Run(sys.argv[1])
 values = run.values()
 if "--store" in sys.argv:
-    about = "cases/rolling -steps 400 -width 28 at t = 1; depth m, theta rad, Q_phi N m/m, stress Pa, angles degrees"
+    about = "cases/rolling -steps 200 -width 40 at t = 1; depth m, theta rad, Q_phi N m/m, stress Pa, angles degrees"
     with open(STORED, "w") as f:
         json.dump({"about": about, "values": values}, f, indent=1)
         f.write("\n")

@@ -10,16 +10,18 @@ J2End<Dim> updated_point(const J2Parameters& material, const PointScheme& scheme
   J2End<Dim> result{trial.s_old, old.plastic_strain_eq, false};
   Stress<Dim>& s = result.stress;
   double& plastic_strain_eq = result.plastic_strain_eq;
-  const int substeps = substeps_of(scheme);
   if (scheme.update == StressUpdate::FORWARD_EULER) {
     result.plastic =
         forward_euler<Dim>(material, kin, trial.elastic_increment, s, plastic_strain_eq, old.plastic) > 0;
-  } else if (substeps == 0) {
+  } else if (scheme.update == StressUpdate::SINGLE) {
+    s += trial.elastic_increment;
+    result.plastic = radial_return<Dim>(material, s, plastic_strain_eq) > 0;
+  } else if (scheme.substeps == 0) {
     s += trial.elastic_increment;
   } else {
     const StrainPath<Dim> path =
         strain_path<Dim>(material.elastic, kin, trial.elastic_increment, history_of(scheme, old), nullptr);
-    result.plastic = substepped_return<Dim>(material, path, substeps, s, plastic_strain_eq) > 0;
+    result.plastic = substepped_return<Dim>(material, path, scheme.substeps, s, plastic_strain_eq) > 0;
   }
   s.template head<3>().array() += trial.mean;
   return result;
@@ -34,17 +36,21 @@ StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const Poi
   derivative.s.template rightCols<1>() = spin_rate(trial.s_old);
   Stress<Dim> s = trial.s_old;
   double plastic_strain_eq = old.plastic_strain_eq;
-  const int substeps = substeps_of(scheme);
   if (scheme.update == StressUpdate::FORWARD_EULER) {
     derivative.s =
         forward_euler_by_increment<Dim>(material, kin, s, derivative.s, plastic_strain_eq, old.plastic);
-  } else if (substeps == 0) {
+  } else if (scheme.update == StressUpdate::SINGLE) {
+    s += trial.elastic_increment;
+    derivative.s += deviatoric_moduli<Dim>(material.elastic);
+    radial_return<Dim>(material, s, plastic_strain_eq, derivative);
+  } else if (scheme.substeps == 0) {
     derivative.s += deviatoric_moduli<Dim>(material.elastic);
   } else {
     PathDerivative<Dim> path_derivative;
     const StrainPath<Dim> path = strain_path<Dim>(material.elastic, kin, trial.elastic_increment,
                                                   history_of(scheme, old), &path_derivative);
-    substepped_return<Dim>(material, path, path_derivative, substeps, s, plastic_strain_eq, derivative);
+    substepped_return<Dim>(material, path, path_derivative, scheme.substeps, s, plastic_strain_eq,
+                           derivative);
   }
   derivative.s.template topLeftCorner<3, 3>().array() += material.elastic.K;
   return derivative.s;

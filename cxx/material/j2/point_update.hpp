@@ -44,7 +44,7 @@ template <int Dim>
 J2End<Dim> updated_point(const J2Parameters& material, const PointScheme& scheme, const J2Start<Dim>& old,
                          const StepKinematics<Dim>& kin, const ElasticTrial<Dim>& trial);
 
-/// d tau/dy of updated_point, exact: the chain rule of METHOD.md (1.15), (1.17) through all substeps, here directly
+/// d tau/dy of updated_point, exact: the chain rule of METHOD.md (1.15), (1.35) through all substeps, here directly
 /// for the increments y of step_kinematics.hpp instead of MA and MB.
 template <int Dim>
 StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const PointScheme& scheme,

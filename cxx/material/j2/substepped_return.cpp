@@ -9,8 +9,8 @@ double substepped_return(const J2Parameters& material, const StrainPath<Dim>& pa
   const Stress<Dim> part = path.elastic_increment / substeps;
   double increment = 0;
   for (int k = 0; k < substeps; ++k) {
-    s += part + curvature_share(k, substeps) * path.curvature;
-    increment += radial_return<Dim>(material, s, plastic_strain_eq);
+    const Stress<Dim> D = part + curvature_share(k, substeps) * path.curvature;
+    increment += trapezoidal_return<Dim>(material, D, s, plastic_strain_eq).increment;
   }
   return increment;
 }
@@ -24,9 +24,9 @@ double substepped_return(const J2Parameters& material, const StrainPath<Dim>& pa
   double increment = 0;
   for (int k = 0; k < substeps; ++k) {
     const double share = curvature_share(k, substeps);
-    s += part + share * path.curvature;
-    derivative.s += part_by + share * path_derivative.curvature;
-    increment += radial_return<Dim>(material, s, plastic_strain_eq, derivative);
+    const Stress<Dim> D = part + share * path.curvature;
+    const StressByIncrement<Dim> D_by = part_by + share * path_derivative.curvature;
+    increment += trapezoidal_return<Dim>(material, D, D_by, s, plastic_strain_eq, derivative);
   }
   return increment;
 }

@@ -1,12 +1,12 @@
 #pragma once
-// Radial return in equal substeps along a strain path (ALGORITHMS.md 2).
-#include "material/j2/radial_return.hpp"
+// Trapezoidal return in equal substeps along a strain path (ALGORITHMS.md 2).
+#include "material/j2/trapezoidal_return.hpp"
 #include "material/strain_path.hpp"
 
 namespace burnish {
 
-/// Runs the n substeps st = s + elastic_increment/n + share_k curvature, each returned radially; n = 1 is the single
-/// return. (ALGORITHMS.md (2.3) writes the same with w_q = b curvature_share(k, n), w_d = 1/n + w_q.)
+/// Runs the n substeps st = s + elastic_increment/n + share_k curvature, each returned by the trapezoidal rule.
+/// (ALGORITHMS.md (2.3) writes the same with w_q = b curvature_share(k, n), w_d = 1/n + w_q.)
 /// @param s deviator R s_old R' in, deviator at the end of the step out [stress]
 /// @param plastic_strain_eq ep in and out [-]
 /// @return accumulated plastic increment >= 0

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Example 1: error of its steps at every quarter of the program against ten times finer ones on the same mesh: the default
+# mesh, and one graded to the path, which is cheaper. Prints the table.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+out=$SCRATCH
+run() { name=$1; shift; "$BURNISH" cases/rolling/rolling.edp -pictures 0 -series 4 -out "$out/$name" "$@" >"$out/$name.log" || { tail -20 "$out/$name.log"; exit 1; }; }
+graded="-inner 10 -outer 60 -sides 10 -graded 1e-4"
+for mesh in default graded; do
+  options=; [ $mesh = default ] || options=$graded
+  run $mesh-fine $options -steps 800 -width 80
+  run $mesh-half $options -steps 200 -width 40
+  run $mesh $options
+done
+PYTHONPATH="$here/../regression" "$PYTHON" "$here/rolling_steps.py" "$out"
