@@ -2,7 +2,8 @@
 
 calculix.py SCENE [-element P1|P2] [-n N] [-steps N] [-slope S] [-roll R] [-dense N] [-keep FOLDER]
 The scene's script saves the mesh and prints its numbers; -slope: of the penalty, in units of E over the distance of surface nodes;
--roll: of rolling, elements in an increment; -keep: folder for the deck and what CalculiX writes. seconds, megabytes: of the process ccx, reading the deck and writing results too.
+-roll: of rolling, elements in an increment; -keep: folder for the deck and what CalculiX writes. seconds, megabytes: of the process
+ccx, which reads the deck and writes results, too.
 """
 import argparse
 import math
