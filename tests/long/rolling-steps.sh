@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Example 1: error of its steps at every quarter of the program against ten times finer ones on the same mesh: the default
+# Example 1: error of its steps at every quarter of the program against four to five times finer ones on the same mesh: the default
 # mesh, and one graded to the path, which is cheaper. Prints the table.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)

@@ -4,7 +4,7 @@
 namespace burnish {
 namespace {
 
-// (1.34) with a straight line through sigma_y and its slope at ep
+// METHOD.md (1.34) with a straight line through sigma_y and its slope at ep
 double on_tangent(const YieldStress& yield, double q2, double c, double g) {
   const double H = yield.slope, Y = yield.value;
   const double A = H * (H + 2 * g), B = Y * (H + g) + g * c, C = q2 - Y * Y;
