@@ -36,7 +36,8 @@ FactorStatus FactoredTangent<Dim>::factorize(const ContactModel<Dim>& model, con
   for (const int i : window) nodes.push_back(model.candidates[i]);
   solver->analyze(K, body.fixed, nodes);
   added_stiffness.resize(0);
-  return solver->factorize(stiffen ? stiffened(model, body, state, window, K, added_stiffness) : K);
+  if (stiffen) return solver->factorize(stiffened(model, body, state, window, K, added_stiffness));
+  return solver->factorize(K);
 }
 
 template <int Dim> void FactoredTangent<Dim>::condense() {

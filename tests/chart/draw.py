@@ -9,6 +9,7 @@ from report import MEANING, front
 
 COLORS = {"implicit": "#08519c", "event": "#6baed6", "condensed": "#238b45", "penalty 1": "#fdbe85", "penalty 10": "#fd8d3c",
           "penalty 100": "#d94701", "multiplier": "#6a3d9a", "augmented": "#c51b8a", "CalculiX": "#000000", "Ipopt": "#8c6d31"}
+APART = 3.2  # lines of text on the axis of condition numbers
 MARKERS = {"P1": "o", "P2": "s"}
 
 
@@ -26,10 +27,10 @@ def panel(ax, rows, quantity):
     best = front(rows, quantity)
     ax.plot([r["seconds"] for r in best], [100 * r[quantity] for r in best], color="0.8", lw=6, zorder=0)
     for k, r in enumerate(best, 1):
-        ax.annotate(str(k), (r["seconds"], 100 * r[quantity]), fontsize=8, xytext=(-4, -4), textcoords="offset points",
+        ax.annotate(str(k), (r["seconds"], 100 * r[quantity]), fontsize=10, xytext=(-4, -4), textcoords="offset points",
                     ha="right", va="top", weight="bold")
     names = "\n".join(f"{k}  {r['method']}, {r['element']}, {r['n']}{', ' + str(r['dtsteps']) if r['dtsteps'] else ''}" for k, r in enumerate(best, 1))
-    ax.text(1.02, 1, "front: method,\nelement, n" + (", steps" if most else "") + "\n" + names, transform=ax.transAxes, fontsize=7.5, va="top")
+    ax.text(1.02, 1, "front: method,\nelement, n" + (", steps" if most else "") + "\n" + names, transform=ax.transAxes, fontsize=10, va="top")
     ax.set_xscale("log")
     ax.set_yscale("log")
     low, high = min(100 * r[quantity] for r in rows), max(100 * r[quantity] for r in rows)
@@ -39,17 +40,17 @@ def panel(ax, rows, quantity):
         axis.set_major_formatter(FormatStrFormatter("%g"))
         axis.set_minor_formatter(NullFormatter())
     ax.grid(True, which="major", color="0.92", lw=0.6)
-    ax.tick_params(labelsize=8)
-    ax.set_title(MEANING.get(quantity, quantity), fontsize=10)
-    ax.set_ylabel("error [%]")
-    ax.set_xlabel("CPU time [s]")
+    ax.tick_params(labelsize=10)
+    ax.set_title(MEANING.get(quantity, quantity), fontsize=12)
+    ax.set_ylabel("error [%]", fontsize=11)
+    ax.set_xlabel("CPU time [s]", fontsize=11)
 
 
 def chart(rows, quantities, path):
     """One panel for each quantity; a line is a method and element over its meshes, the gray band the Pareto front."""
     columns = 2
     lines = (len(quantities) + 1) // columns
-    fig, axes = plt.subplots(lines, columns, figsize=(12, 4.1 * lines + 0.6), squeeze=False)
+    fig, axes = plt.subplots(lines, columns, figsize=(13, 4.3 * lines + 0.7), squeeze=False)
     for ax, quantity in zip(axes.flat, quantities):
         panel(ax, rows, quantity)
     for ax in list(axes.flat)[len(quantities):]:
@@ -60,14 +61,15 @@ def chart(rows, quantities, path):
     if len({r["dtsteps"] for r in rows}) > 1:
         handles.append(plt.Line2D([], [], color="k", alpha=0.45, label="pale: fewer steps"))
     handles.append(plt.Line2D([], [], color="0.8", lw=6, label="Pareto front, steps of 10 % and more"))
-    fig.legend(handles=handles, loc="lower center", ncol=6, fontsize=8.5, frameon=False)
-    fig.tight_layout(rect=(0, 0.85 / fig.get_figheight(), 1, 1))
-    fig.savefig(path, dpi=110)
+    fig.legend(handles=handles, loc="lower center", ncol=6, fontsize=11, frameon=False)
+    fig.tight_layout(rect=(0, 1 / fig.get_figheight(), 1, 1))
+    fig.savefig(path, dpi=120)
     plt.close(fig)
 
 
 def condition_lines(ax, groups, along, title):
     """Full lines: as handed to the solver; dashed: after scaling."""
+    said = []
     for name, rows in groups.items():
         rows = sorted(rows, key=lambda r: float(r[along]))
         x = [float(r[along]) for r in rows]
@@ -75,15 +77,18 @@ def condition_lines(ax, groups, along, title):
         marker = "s" if "P2" in name else "o"
         ax.plot(x, [r["condition"] for r in rows], "-" + marker, color=color, ms=4, label=name)
         ax.plot(x, [r["condition_scaled"] for r in rows], "--" + marker, color=color, ms=4, mfc="w")
-        last = rows[-1]
-        if last["element"] == "P1":
-            ax.annotate(f"{last['zero_diagonal']} zeros, {last['negative']} negative", (x[-1], last["condition"]), fontsize=7,
-                        xytext=(-4, 5), textcoords="offset points", ha="right")
+        if rows[-1]["element"] == "P1":
+            said.append((rows[-1]["condition"], x[-1], f"{rows[-1]['zero_diagonal']} zeros, {rows[-1]['negative']} negative", color))
+    height = 0
+    for y, right, text, color in sorted(said):  # none on another
+        height = max(1.3 * y, APART * height)
+        ax.annotate(text, (right, height), fontsize=9.5, ha="right", color=color)
     ax.set_xscale("log")
     ax.set_yscale("log")
-    ax.set_title(title, fontsize=10)
+    ax.set_title(title, fontsize=12)
+    ax.tick_params(labelsize=10)
     ax.grid(True, color="0.9", lw=0.6)
-    ax.set_ylabel("condition number [-]")
+    ax.set_ylabel("condition number [-]", fontsize=11)
 
 
 def by(rows, name):
@@ -94,7 +99,7 @@ def by(rows, name):
 
 
 def matrices(rows, path):
-    fig, (left, right) = plt.subplots(1, 2, figsize=(11, 4.6), sharey=True)
+    fig, (left, right) = plt.subplots(1, 2, figsize=(11, 5.2), sharey=True)
     condition_lines(left, by([r for r in rows if r["own"]], lambda r: f"{r['method']}, {r['element']}"), "n",
                     "against the mesh")
     meshes = sorted({r["n"] for r in rows})
@@ -112,10 +117,10 @@ def matrices(rows, path):
             right.axhline(r["condition_scaled"], color=COLORS.get(method, "k"), lw=1, ls="--")
     right.set_xlabel("penalty factor over the stiffness of the surface [-]")
     left.set_ylim(None, 1000 * max(r["condition"] for r in rows))
-    left.legend(fontsize=7.5, frameon=False, loc="upper left", ncol=2)
+    left.legend(fontsize=9.5, frameon=False, loc="upper left", ncol=2)
     handles = [plt.Line2D([], [], color="k", ls="-", label="as handed to the solver"),
                plt.Line2D([], [], color="k", ls="--", label="after scaling")]
-    right.legend(handles=handles, fontsize=7.5, frameon=False, loc="upper left")
+    right.legend(handles=handles, fontsize=9.5, frameon=False, loc="upper left")
     fig.tight_layout()
-    fig.savefig(path, dpi=110)
+    fig.savefig(path, dpi=120)
     plt.close(fig)
