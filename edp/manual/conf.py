@@ -11,7 +11,7 @@ sys.path.insert(0, str(HERE))
 project, author, copyright = "Burnish", "the authors of Burnish", "the authors of Burnish, GPL-3.0-or-later"
 root_doc = "edp/manual/index"
 include_patterns = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "cxx/*.md", "cases/README.md", "cases/*/README.md", "cases/labs/*.md",
-                    "cases/labs/*/*.md", "tests/chart/README.md", "edp/manual/*.md", "edp/manual/*/*.md", "out/reference/*.md"]
+                    "cases/labs/*/*.md", "tests/chart/*.md", "tests/peers/README.md", "edp/manual/*.md", "edp/manual/*/*.md", "out/reference/*.md"]
 exclude_patterns = ["build/**", "**/key.md", "out/docs/**"]
 extensions = ["myst_parser", "mathml"]
 source_suffix = {".md": "markdown"}
