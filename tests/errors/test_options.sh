@@ -33,6 +33,8 @@ rolling 20 'option -element is "P3"|expected P1 or P2' -element P3
 rolling 20 'option -scheme is "magic"|expected implicit, event or article' -scheme magic
 rolling 20 'option -steps is 0|expected 1 to 1e+06' -steps 0
 rolling 20 'option -inner is 1|expected 2 to' -inner 1
+rolling 20 'option -graded is -1|expected 0 to 0.0012' -graded -1
+refuse 20 'pure rates are solved once and need frictiontangent="consistent"' "$BURNISH" cases/rolling/rolling.edp -out "$SCRATCH/late" -inner 3 -outer 16 -sides 3 -pictures 0 -scheme article -frictiontangent lagged
 shear() { refuse 20 "$1" "$BURNISH" cases/shear/shear.edp -out "$SCRATCH/r" "${@:2}"; }
 for option in element scheme tolerance accuracy series forms assembly solver model; do
   shear "option -$option is given, but the script does not use it|occurs nowhere in cases/shear/shear.edp" -$option 1
