@@ -3,6 +3,7 @@
 #   make case-rolling OPTIONS="-element P1 -mu 0.3"         make run OPTIONS=...
 #   make NO_INSTALL=1 run    names missing Debian packages instead of installing them
 #   make PACKAGES=true run   does not look for packages (another system than Debian)
+#   make GROUP=1             compiles every file for itself: slower at first, faster after a change
 # All products go to $(BUILD); two runs of make in one tree wait for each other.
 BUILD    ?= build
 FREEFEM  ?= FreeFem++
@@ -10,6 +11,7 @@ PYTHON   ?= /usr/bin/python3
 PACKAGES ?= .ci/packages
 OPTIMIZE ?= -O2
 TEST_OPTIMIZE ?= -O1
+GROUP    ?= 8
 JOBS     ?= $(shell nproc)
 PREFIX   ?= /usr/local
 OPTIONS  ?=
@@ -32,13 +34,19 @@ OCC_LIBRARIES ?= -lTKSTEP -lTKXSBase -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -
 
 # gcc collects garbage a tenth of its time otherwise
 COLLECT := $(if $(findstring clang,$(shell $(CXX) --version)),,--param ggc-min-heapsize=1000000)
-FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -Wall -Wextra $(COLLECT) -Icxx \
+FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -Wall -Wextra -Wno-subobject-linkage $(COLLECT) -I. -Icxx \
         -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) -isystem $(OCC_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)
 PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
 
 # --- sources and products ----------------------------------------------------------------------------------
 sources   = $(sort $(shell find $(wildcard $(1)) -name '*.cpp' 2>/dev/null </dev/null))
-objects   = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
+# Up to $(GROUP) files of a folder are compiled as one, .ci/group. A group is one word, a|b|c; its object is named after
+# the first and the last, so that no object is taken for another group's.
+groups    = $(shell printf '%s\n' $(1) | awk -v most=$(GROUP) '{ folder = $$0; sub("/[^/]*$$", "", folder); \
+              if (folder != last || ++n > most) { printf " "; n = 1 } else printf "|"; printf "%s", $$0; last = folder }')
+members   = $(subst |, ,$(1))
+object    = $(BUILD)/obj/$(basename $(firstword $(members)))$(if $(word 2,$(members)),..$(basename $(notdir $(lastword $(members))))).o
+objects   = $(if $(strip $(1)),$(foreach g,$(call groups,$(1)),$(call object,$(g))))
 SUITES   := unit plugin verification regression long labs viewers manual
 PROGRAMS := unit verification long benchmark
 CORE     := $(BUILD)/libburnish.a
@@ -285,10 +293,12 @@ $(WRAPPER): FORCE
 
 $(BUILD)/obj/plugins/%: GROUP_FLAGS = $(PLUGIN_FLAGS)
 $(BUILD)/obj/tests/%:   GROUP_FLAGS = -Itests $(TEST_OPTIMIZE)
-$(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
+$(foreach g,$(call groups,$(ALL_SOURCES)),$(eval $(call object,$(g)): $(call members,$(g))))
+$(BUILD)/obj/%.o: $(BUILD)/flags .ci/group
 	@mkdir -p $(@D)
-	@echo "compile $<"
-	@$(CXX) $(FLAGS) $(GROUP_FLAGS) $(READ_BEFORE) -MMD -MP -c $< -o $@
+	@echo "compile $(patsubst $(BUILD)/obj/%.o,%,$@)"
+	@.ci/group $(filter %.cpp,$^) >$(@:.o=.cc)
+	@$(CXX) $(FLAGS) $(GROUP_FLAGS) $(READ_BEFORE) -MMD -MP -c $(@:.o=.cc) -o $@
 
 # Eigen and the standard library are read once for the core, once with FreeFEM's headers for the plugin, and once with GoogleTest
 # for the tests: a third of the time.

@@ -79,7 +79,7 @@ std::vector<long> labels_of(const Named& a, const char* where) {
 
 constexpr double LOOSE = 1e-2; // largest tolerance that nobody has to confirm
 
-struct Construct {
+struct MakeContact {
   static const int n = 15;
   static basicAC_F0::name_and_type names[n];
   static Made<ContactObject> call(const Named& a, pfes* space) {
@@ -126,21 +126,21 @@ struct Construct {
     return made(a.stack(), std::move(object));
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {{"label", &typeid(long)},
-                                                {"labels", &typeid(KN_<long>)},
-                                                {"fixed", &typeid(KN_<double>)},
-                                                {"friction", &typeid(double)},
-                                                {"tolerance", &typeid(double)},
-                                                {"gaptolerance", &typeid(double)},
-                                                {"maxiterations", &typeid(long)},
-                                                {"memory", &typeid(long)},
-                                                {"terms", &typeid(string*)},
-                                                {"frictiontangent", &typeid(string*)},
-                                                {"tied", &typeid(bool)},
-                                                {"axisymmetric", &typeid(bool)},
-                                                {"surfaceplaces", &typeid(KN_<double>)},
-                                                {"straight", &typeid(bool)},
-                                                {"loose", &typeid(bool)}};
+basicAC_F0::name_and_type MakeContact::names[] = {{"label", &typeid(long)},
+                                                  {"labels", &typeid(KN_<long>)},
+                                                  {"fixed", &typeid(KN_<double>)},
+                                                  {"friction", &typeid(double)},
+                                                  {"tolerance", &typeid(double)},
+                                                  {"gaptolerance", &typeid(double)},
+                                                  {"maxiterations", &typeid(long)},
+                                                  {"memory", &typeid(long)},
+                                                  {"terms", &typeid(string*)},
+                                                  {"frictiontangent", &typeid(string*)},
+                                                  {"tied", &typeid(bool)},
+                                                  {"axisymmetric", &typeid(bool)},
+                                                  {"surfaceplaces", &typeid(KN_<double>)},
+                                                  {"straight", &typeid(bool)},
+                                                  {"loose", &typeid(bool)}};
 
 // Edges of the labels that a tool may touch; empty: all.
 std::vector<Facet<2>> reach_of(const Named& a, const ContactObject& contact) {
@@ -268,7 +268,7 @@ void register_contact() {
   zzzfff->Add("contact", atype<H*>());
   Dcl_Type<Made<ContactObject>>();
   TheOperators->Add("<-", new OneOperator2_<H*, H*, Made<ContactObject>>(take_over<ContactObject>));
-  Global.Add("rcContact", "(", new NamedOperator<Construct, Made<ContactObject>, pfes*>);
+  Global.Add("rcContact", "(", new NamedOperator<MakeContact, Made<ContactObject>, pfes*>);
   add_method<H, AddTag>("add",
                         [] { return new NamedOperator<AddTool, bool, Method<H, AddTag>, ToolHandle*>; });
   Add<H*>("warnings", ".", new OneOperator1s_<string*, H*>(warnings));

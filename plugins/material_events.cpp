@@ -27,14 +27,14 @@ namespace burnish {
 namespace {
 
 using M = MaterialHandle;
-struct ParameterTag {};
+struct MaterialParameterTag {};
 struct EventTag {};
 struct PointsTag {};
 struct NumberTag {};
 struct EarliestTag {};
 struct LogTag {};
 
-double parameter(const Method<M, ParameterTag>& m, string* const& name, const double& value) {
+double parameter(const Method<M, MaterialParameterTag>& m, string* const& name, const double& value) {
   return guarded([&] {
     check_formula_names("material.parameter",
                         {PointVariables<2>(m->get().workpiece().law()).names(), {{*name, value}}});
@@ -81,8 +81,8 @@ long log_points(const Method<ContactHandle, LogTag>& c, M* const& material) {
 } // namespace
 
 void register_point_events() {
-  add_method<M, ParameterTag>("parameter", [] {
-    return new OneOperator3_<double, Method<M, ParameterTag>, string*, double>(parameter);
+  add_method<M, MaterialParameterTag>("parameter", [] {
+    return new OneOperator3_<double, Method<M, MaterialParameterTag>, string*, double>(parameter);
   });
   add_method<M, EventTag>(
       "event", [] { return new OneOperator3_<bool, Method<M, EventTag>, string*, string*>(event); });

@@ -76,7 +76,7 @@ StressUpdate update_of(const std::string& name) {
   fail("material", "unknown update \"" + name + "\", expected \"substepped\", \"single\" or \"euler\"");
 }
 
-struct Construct {
+struct MakeMaterial {
   static std::vector<basicAC_F0::name_and_type> all_names() {
     std::vector<basicAC_F0::name_and_type> list;
     for (const LawParameter& parameter : law_parameters()) list.push_back({parameter.name, &typeid(double)});
@@ -133,9 +133,9 @@ struct Construct {
     return made(a.stack(), std::move(object));
   }
 };
-std::vector<basicAC_F0::name_and_type> Construct::list = Construct::all_names();
-basicAC_F0::name_and_type* const Construct::names = Construct::list.data();
-const int Construct::n = static_cast<int>(Construct::list.size());
+std::vector<basicAC_F0::name_and_type> MakeMaterial::list = MakeMaterial::all_names();
+basicAC_F0::name_and_type* const MakeMaterial::names = MakeMaterial::list.data();
+const int MakeMaterial::n = static_cast<int>(MakeMaterial::list.size());
 
 struct UpdateTag {};
 struct ForceTag {};
@@ -266,7 +266,7 @@ void register_material() {
   zzzfff->Add("material", atype<H*>());
   Dcl_Type<Made<MaterialObject>>();
   TheOperators->Add("<-", new OneOperator2_<H*, H*, Made<MaterialObject>>(take_over<MaterialObject>));
-  Global.Add("rcMaterial", "(", new NamedOperator<Construct, Made<MaterialObject>, pfes*>);
+  Global.Add("rcMaterial", "(", new NamedOperator<MakeMaterial, Made<MaterialObject>, pfes*>);
   add_method<H, UpdateTag>("update", [] {
     return new OneOperator4s_<long, Method<H, UpdateTag>, KN_<double>, double, long>(update);
   });

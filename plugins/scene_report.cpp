@@ -16,10 +16,8 @@
 namespace burnish {
 namespace {
 
-using H = StepControlHandle;
-
 // Made when they are read for the first time after a step.
-const std::vector<Statement>& statements_of(H* h) {
+const std::vector<Statement>& statements_of(StepControlHandle* h) {
   ControlObject& object = h->get();
   if (!object.stepper) return object.statements;
   const long steps = object.stepper->counts().steps;
@@ -29,17 +27,17 @@ const std::vector<Statement>& statements_of(H* h) {
   object.statements_at = steps;
   return object.statements;
 }
-const Statement& statement(H* h, long i) {
+const Statement& statement(StepControlHandle* h, long i) {
   const auto& list = statements_of(h);
   require(i >= 0 && i < static_cast<long>(list.size()), "stepcontrol.statement", "index", i,
           "less than statements");
   return list[static_cast<std::size_t>(i)];
 }
 
-long number(H* const& h) {
+long number(StepControlHandle* const& h) {
   return guarded([&] { return static_cast<long>(statements_of(h).size()); });
 }
-string* report(Stack stack, H* const& h) {
+string* report(Stack stack, StepControlHandle* const& h) {
   return guarded([&] {
     std::string text;
     for (const Statement& s : statements_of(h)) text += std::string(name_of(s.kind)) + ": " + s.text + "\n";
@@ -48,11 +46,12 @@ string* report(Stack stack, H* const& h) {
 }
 
 struct ValueTag {};
-double value(const Method<H, ValueTag>& m, const long& i) {
+double value(const Method<StepControlHandle, ValueTag>& m, const long& i) {
   return guarded([&] { return statement(m.object, i).value; });
 }
 // One column of texts; Column: struct with `get`.
-template <class Column> string* text_at(Stack stack, const Method<H, Column>& m, const long& i) {
+template <class Column>
+string* text_at(Stack stack, const Method<StepControlHandle, Column>& m, const long& i) {
   return guarded([&] { return new_string(stack, Column::get(statement(m.object, i))); });
 }
 struct Kind {
@@ -65,20 +64,22 @@ struct Text {
   static std::string get(const Statement& s) { return s.text; }
 };
 template <class Column> void add_text(const char* name) {
-  add_method<H, Column>(name,
-                        [] { return new OneOperator2s_<string*, Method<H, Column>, long>(text_at<Column>); });
+  add_method<StepControlHandle, Column>(name, [] {
+    return new OneOperator2s_<string*, Method<StepControlHandle, Column>, long>(text_at<Column>);
+  });
 }
 
 } // namespace
 
 void register_scene_report() {
-  Add<H*>("statements", ".", new OneOperator1_<long, H*>(number));
-  Add<H*>("report", ".", new OneOperator1s_<string*, H*>(report));
+  Add<StepControlHandle*>("statements", ".", new OneOperator1_<long, StepControlHandle*>(number));
+  Add<StepControlHandle*>("report", ".", new OneOperator1s_<string*, StepControlHandle*>(report));
   add_text<Kind>("statementkind");
   add_text<Name>("statementname");
   add_text<Text>("statementtext");
-  add_method<H, ValueTag>("statementvalue",
-                          [] { return new OneOperator2_<double, Method<H, ValueTag>, long>(value); });
+  add_method<StepControlHandle, ValueTag>("statementvalue", [] {
+    return new OneOperator2_<double, Method<StepControlHandle, ValueTag>, long>(value);
+  });
 }
 
 } // namespace burnish

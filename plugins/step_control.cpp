@@ -67,7 +67,7 @@ ElementEvents elements_of(const std::string& name, Scheme scheme) {
   fail("stepcontrol", "unknown elementevents \"" + name + "\", expected none, log, cut or default");
 }
 
-struct Construct {
+struct MakeStepControl {
   static const int n = 13;
   static basicAC_F0::name_and_type names[n];
   static double positive(const Named& a, const char* name, double otherwise) {
@@ -108,7 +108,7 @@ struct Construct {
     return handle;
   }
 };
-basicAC_F0::name_and_type Construct::names[] = {
+basicAC_F0::name_and_type MakeStepControl::names[] = {
     {"accuracy", &typeid(double)},       {"dtmax", &typeid(double)},          {"dtmin", &typeid(double)},
     {"stepsperwidth", &typeid(double)},  {"output", &typeid(KN_<double>)},    {"scheme", &typeid(string*)},
     {"elementevents", &typeid(string*)}, {"eventtolerance", &typeid(double)}, {"eventnoise", &typeid(double)},
@@ -238,7 +238,7 @@ bool set_checks(const Method<H, ChecksTag>& m, const bool& on) {
 void register_step_control() {
   Dcl_Type<H*>(InitP<H>, Destroy<H>);
   zzzfff->Add("stepcontrol", atype<H*>());
-  TheOperators->Add("<-", new NamedOperator<Construct, H*, H*, double>);
+  TheOperators->Add("<-", new NamedOperator<MakeStepControl, H*, H*, double>);
   add_method<H, StartTag>("start", [] {
     return new OneOperator3_<bool, Method<H, StartTag>, ContactHandle*, MaterialHandle*>(start);
   });

@@ -52,7 +52,7 @@
 namespace burnish {
 namespace {
 
-struct Construct {
+struct MakeTool {
   static std::vector<basicAC_F0::name_and_type> list;
   static const int n;
   static basicAC_F0::name_and_type* const names;
@@ -67,9 +67,9 @@ struct Construct {
     return handle;
   }
 };
-std::vector<basicAC_F0::name_and_type> Construct::list = shape_names({{"name", &typeid(string*)}});
-const int Construct::n = static_cast<int>(list.size());
-basicAC_F0::name_and_type* const Construct::names = list.data();
+std::vector<basicAC_F0::name_and_type> MakeTool::list = shape_names({{"name", &typeid(string*)}});
+const int MakeTool::n = static_cast<int>(list.size());
+basicAC_F0::name_and_type* const MakeTool::names = list.data();
 
 struct CoordinatesTag {};
 using CoordinatesMethod = Method<ToolHandle, CoordinatesTag>;
@@ -136,8 +136,8 @@ basicAC_F0::name_and_type ChooseCoordinates::names[] = {{"pivot", &typeid(E_Arra
                                                         {"y", &typeid(string*)},
                                                         {"angle", &typeid(string*)}};
 
-struct ParameterTag {};
-double parameter(const Method<ToolHandle, ParameterTag>& m, string* const& name, const double& value) {
+struct ToolParameterTag {};
+double parameter(const Method<ToolHandle, ToolParameterTag>& m, string* const& name, const double& value) {
   return guarded([&] {
     m->get().tool->set_parameter(*name, value);
     return value;
@@ -177,8 +177,8 @@ double prescribe_formula(const Method<ToolHandle, ForceTag>& m, string* const& n
   });
 }
 
-struct ValueTag {};
-double value_of(const Method<ToolHandle, ValueTag>& m, string* const& name) {
+struct ToolValueTag {};
+double value_of(const Method<ToolHandle, ToolValueTag>& m, string* const& name) {
   return guarded([&] { return m->get().tool->q()[m->get().tool->index(*name)]; });
 }
 double force_of(const Method<ToolHandle, ForceTag>& m, string* const& name) {
@@ -197,11 +197,11 @@ string* name_of_tool(Stack stack, ToolHandle* const& h) { return new_string(stac
 void register_tool() {
   Dcl_Type<ToolHandle*>(InitP<ToolHandle>, Destroy<ToolHandle>);
   zzzfff->Add("tool", atype<ToolHandle*>());
-  TheOperators->Add("<-", new NamedOperator<Construct, ToolHandle*, ToolHandle*>);
+  TheOperators->Add("<-", new NamedOperator<MakeTool, ToolHandle*, ToolHandle*>);
   add_method<ToolHandle, CoordinatesTag>(
       "coordinates", [] { return new NamedOperator<ChooseCoordinates, bool, CoordinatesMethod, string*>; });
-  add_method<ToolHandle, ParameterTag>("parameter", [] {
-    return new OneOperator3_<double, Method<ToolHandle, ParameterTag>, string*, double>(parameter);
+  add_method<ToolHandle, ToolParameterTag>("parameter", [] {
+    return new OneOperator3_<double, Method<ToolHandle, ToolParameterTag>, string*, double>(parameter);
   });
   add_method<ToolHandle, PlaceTag>("place", [] {
     return new OneOperator3_<double, Method<ToolHandle, PlaceTag>, string*, double>(place);
@@ -220,8 +220,8 @@ void register_tool() {
         return new OneOperator3_<double, Method<ToolHandle, ForceTag>, string*, string*>(prescribe_formula);
       },
       [] { return new OneOperator2_<double, Method<ToolHandle, ForceTag>, string*>(force_of); });
-  add_method<ToolHandle, ValueTag>(
-      "value", [] { return new OneOperator2_<double, Method<ToolHandle, ValueTag>, string*>(value_of); });
+  add_method<ToolHandle, ToolValueTag>(
+      "value", [] { return new OneOperator2_<double, Method<ToolHandle, ToolValueTag>, string*>(value_of); });
   Add<ToolHandle*>("q", ".", new OneOperator1s_<KN_<double>, ToolHandle*>(all_q));
   Add<ToolHandle*>("Q", ".", new OneOperator1s_<KN_<double>, ToolHandle*>(all_force));
   Add<ToolHandle*>("name", ".", new OneOperator1s_<string*, ToolHandle*>(name_of_tool));

@@ -20,7 +20,7 @@ namespace burnish {
 
 namespace {
 
-constexpr const char* WHERE = "run_in_child";
+constexpr const char* RUN_IN_CHILD = "run_in_child";
 constexpr int EXITED = 77; // status of a child in which exit() was called
 constexpr char MARK = '.'; // before a result
 
@@ -82,11 +82,11 @@ void forbid_programs() {
 
 ChildEnd run_in_child(const std::function<std::string()>& function, const std::string& log) {
   const int written = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (written < 0) fail(WHERE, "\"" + log + "\" cannot be written: " + std::strerror(errno));
+  if (written < 0) fail(RUN_IN_CHILD, "\"" + log + "\" cannot be written: " + std::strerror(errno));
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) {
     close(written);
-    fail(WHERE, std::string("no pipe: ") + std::strerror(errno));
+    fail(RUN_IN_CHILD, std::string("no pipe: ") + std::strerror(errno));
   }
   // what waits in buffers would be written twice
   std::cout.flush();
@@ -102,7 +102,7 @@ ChildEnd run_in_child(const std::function<std::string()>& function, const std::s
   close(ends[1]);
   const std::string said = child > 0 ? read_all(ends[0]) : "";
   close(ends[0]);
-  if (child < 0) fail(WHERE, std::string("no process can be made: ") + std::strerror(error));
+  if (child < 0) fail(RUN_IN_CHILD, std::string("no process can be made: ") + std::strerror(error));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

@@ -8,7 +8,7 @@ namespace burnish {
 
 namespace {
 
-constexpr const char* WHERE = "ArcChain";
+constexpr const char* ARC_CHAIN = "ArcChain";
 constexpr double STRAIGHT = 1e-9; // rad: no corner
 constexpr double ROUNDING = 1e-12;
 
@@ -59,16 +59,16 @@ private:
 
 void Builder::check_input() const {
   const std::size_t least = m_closed ? 3 : 2;
-  require(m_n >= least, WHERE, "number of points", m_n, m_closed ? "at least 3 (closed)" : "at least 2");
-  require(m_radii.size() == m_n, WHERE, "number of radii", m_radii.size(),
+  require(m_n >= least, ARC_CHAIN, "number of points", m_n, m_closed ? "at least 3 (closed)" : "at least 2");
+  require(m_radii.size() == m_n, ARC_CHAIN, "number of radii", m_radii.size(),
           ("one per point: " + std::to_string(m_n)).c_str());
   for (std::size_t i = 0; i < m_n; ++i) {
     const std::string point = "point " + std::to_string(i), radius = "radius at " + point;
-    require(m_points[i].allFinite(), WHERE, point.c_str(), text(m_points[i]), "finite components");
-    require(std::isfinite(m_radii[i]) && m_radii[i] >= 0, WHERE, radius.c_str(), m_radii[i],
+    require(m_points[i].allFinite(), ARC_CHAIN, point.c_str(), text(m_points[i]), "finite components");
+    require(std::isfinite(m_radii[i]) && m_radii[i] >= 0, ARC_CHAIN, radius.c_str(), m_radii[i],
             "a finite number >= 0");
     if (!has_corner(i))
-      require(m_radii[i] == 0, WHERE, radius.c_str(), m_radii[i], "0 at the end of an open chain");
+      require(m_radii[i] == 0, ARC_CHAIN, radius.c_str(), m_radii[i], "0 at the end of an open chain");
   }
 }
 
@@ -80,7 +80,7 @@ void Builder::measure() {
     const Vector<2> edge = m_points[next(i)] - m_points[i];
     m_edge[i] = edge.norm();
     if (m_edge[i] <= ROUNDING * m_size)
-      fail(WHERE,
+      fail(ARC_CHAIN,
            "points " + std::to_string(i) + " and " + std::to_string(next(i)) + " are the same, " +
                text(m_points[i]) +
                (m_closed && next(i) == 0 ? ": a closed chain returns to its first point by itself" : ""));
@@ -100,15 +100,15 @@ void Builder::check_corners() const {
   for (std::size_t i = 0; i < m_n; ++i) {
     const double turn = std::abs(m_turn[i]);
     if (turn <= STRAIGHT) continue;
-    if (turn >= M_PI - STRAIGHT) fail(WHERE, "the chain turns back on itself at " + name(i));
+    if (turn >= M_PI - STRAIGHT) fail(ARC_CHAIN, "the chain turns back on itself at " + name(i));
     if (m_radii[i] > 0) continue;
     const std::size_t before = (i + m_n - 1) % m_n;
     const double room = std::min(m_edge[before] - m_cut[before], m_edge[i] - m_cut[next(i)]);
     const std::string advice = room > ROUNDING * m_size
                                    ? ", up to " + at_most(room / std::tan(turn / 2)) + " fits there"
                                    : " and its neighbors smaller ones, which leave no room";
-    fail(WHERE, name(i) + " is a corner of " + text(turn * 180 / M_PI) +
-                    " degrees without fillet; give it a radius > 0" + advice);
+    fail(ARC_CHAIN, name(i) + " is a corner of " + text(turn * 180 / M_PI) +
+                        " degrees without fillet; give it a radius > 0" + advice);
   }
 }
 
@@ -121,9 +121,9 @@ void Builder::check_room() const {
       return "radius " + text(m_radii[k]) + " at point " + std::to_string(k) + " takes " + text(m_cut[k]);
     };
     std::string what = m_cut[j] == 0 ? fillet(i) : m_cut[i] == 0 ? fillet(j) : fillet(i) + ", " + fillet(j);
-    fail(WHERE, "no room for the fillets between " + name(i) + " and " + name(j) + ": their distance is " +
-                    text(m_edge[i]) + ", " + what + "; " + at_most(m_edge[i] / need) +
-                    " times the radii would fit");
+    fail(ARC_CHAIN, "no room for the fillets between " + name(i) + " and " + name(j) +
+                        ": their distance is " + text(m_edge[i]) + ", " + what + "; " +
+                        at_most(m_edge[i] / need) + " times the radii would fit");
   }
 }
 
@@ -136,9 +136,9 @@ void Builder::add(const ArcPiece& piece, const std::string& label) {
 void Builder::check_arc(std::size_t i) const {
   const double turn = std::abs(m_turn[i]), least = ROUNDING * m_size;
   if (m_radii[i] * turn > least) return;
-  fail(WHERE, "radius " + text(m_radii[i]) + " at " + name(i) + " is too small for a corner of " +
-                  text(turn * 180 / M_PI) + " degrees in a chain of size " + text(m_size) +
-                  "; give it more than " + text(least / turn));
+  fail(ARC_CHAIN, "radius " + text(m_radii[i]) + " at " + name(i) + " is too small for a corner of " +
+                      text(turn * 180 / M_PI) + " degrees in a chain of size " + text(m_size) +
+                      "; give it more than " + text(least / turn));
 }
 
 // A chain that turns by less than 180 degrees on the way from one point to the other does not come back: the
@@ -164,9 +164,9 @@ void Builder::check_crossings() const {
         if (on_the_way(i, j, x)) continue;
         const bool ends =
             i == 0 && j == n - 1 && (m_points.front() - m_points.back()).norm() <= STRAIGHT * m_size;
-        fail(WHERE, "the chain crosses or touches itself at " + text(x) + ": " + m_labels[i] + " and " +
-                        m_labels[j] +
-                        (ends ? " (if it is meant to be closed: closed, without the last point)" : ""));
+        fail(ARC_CHAIN, "the chain crosses or touches itself at " + text(x) + ": " + m_labels[i] + " and " +
+                            m_labels[j] +
+                            (ends ? " (if it is meant to be closed: closed, without the last point)" : ""));
       }
     }
 }

@@ -45,7 +45,6 @@ ArcFoot ArcPiece::closest(const Vector<2>& x, double near) const {
 namespace {
 
 Vector<2> center_of(const ArcPiece& arc) { return arc.start + left_of(arc.tangent) / arc.curvature; }
-double cross(const Vector<2>& a, const Vector<2>& b) { return left_of(a).dot(b); }
 
 // Where the endless line or whole circle of one meets that of the other.
 std::vector<Vector<2>> meetings(const ArcPiece& a, const ArcPiece& b) {

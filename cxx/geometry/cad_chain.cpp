@@ -7,7 +7,7 @@ namespace burnish {
 
 namespace {
 
-constexpr const char* WHERE = "CadCurve";
+constexpr const char* CAD_CHAIN = "CadCurve";
 constexpr double JOINED = 1e-6; // of the size
 constexpr double SMOOTH = 1e-3; // rad
 
@@ -47,15 +47,16 @@ public:
 
 private:
   [[noreturn]] static void fail_short(const CadPiece& curve, double size) {
-    fail(WHERE, "curve " + std::to_string(curve.tag()) + " at " + place_text(curve.start().x, size) +
-                    " is too short: " + number(curve.length()) + " long, in a chain of size " + number(size) +
-                    " at least " + number(JOINED * size) + " is needed; take it out of the drawing");
+    fail(CAD_CHAIN, "curve " + std::to_string(curve.tag()) + " at " + place_text(curve.start().x, size) +
+                        " is too short: " + number(curve.length()) + " long, in a chain of size " +
+                        number(size) + " at least " + number(JOINED * size) +
+                        " is needed; take it out of the drawing");
   }
   [[noreturn]] void fail_branch(std::size_t a, const std::vector<std::size_t>& here) const {
     std::string tags = std::to_string(m_curves[a / 2].tag());
     for (const std::size_t b : here) tags += ", " + std::to_string(m_curves[b / 2].tag());
-    fail(WHERE, "the chain branches at " + place_text(m_x[a], m_curves[a / 2].length()) + ": curves " + tags +
-                    " meet there; name the curves of one chain (curves = [...])");
+    fail(CAD_CHAIN, "the chain branches at " + place_text(m_x[a], m_curves[a / 2].length()) + ": curves " +
+                        tags + " meet there; name the curves of one chain (curves = [...])");
   }
   const std::vector<CadPiece>& m_curves;
   std::vector<Vector<2>> m_x;
@@ -74,19 +75,19 @@ private:
       if (a == Joints::NONE || (joints.x(i) - joints.x(j)).norm() < (joints.x(a) - joints.x(b)).norm())
         a = i, b = j;
     }
-  fail(WHERE, "the curves do not join into one chain: " + in + " and apart from them " + out +
-                  "; their nearest ends are those of curve " + std::to_string(curves[a / 2].tag()) + " at " +
-                  place_text(joints.x(a), curves[a / 2].length()) + " and of curve " +
-                  std::to_string(curves[b / 2].tag()) + " at " +
-                  place_text(joints.x(b), curves[b / 2].length()));
+  fail(CAD_CHAIN, "the curves do not join into one chain: " + in + " and apart from them " + out +
+                      "; their nearest ends are those of curve " + std::to_string(curves[a / 2].tag()) +
+                      " at " + place_text(joints.x(a), curves[a / 2].length()) + " and of curve " +
+                      std::to_string(curves[b / 2].tag()) + " at " +
+                      place_text(joints.x(b), curves[b / 2].length()));
 }
 
 void check_joint(const CadPiece& before, const CadPiece& after) {
   const CadValue a = before.end(), b = after.start();
   for (const auto& [value, piece] : {std::make_pair(a, &before), std::make_pair(b, &after)})
     if (value.first.norm() < 1e-6) // 1 on average
-      fail(WHERE, "curve " + std::to_string(piece->tag()) + " has no tangent at its end " +
-                      place_text(value.x, piece->length()));
+      fail(CAD_CHAIN, "curve " + std::to_string(piece->tag()) + " has no tangent at its end " +
+                          place_text(value.x, piece->length()));
   const double angle = std::abs(std::atan2(left_of(a.first).dot(b.first), a.first.dot(b.first)));
   if (angle <= SMOOTH) return;
   const bool alone = before.tag() == after.tag();
@@ -95,11 +96,11 @@ void check_joint(const CadPiece& before, const CadPiece& after) {
                                   : "curves " + std::to_string(before.tag()) + " and " +
                                         std::to_string(after.tag());
   if (angle > M_PI - SMOOTH)
-    fail(WHERE, which +
-                    (alone ? " turns back on itself where it closes, at " : " turn back on each other at ") +
-                    place + ": a cusp, or a curve drawn twice");
-  fail(WHERE, which + (alone ? " closes with" : " make") + " a corner of " + number(angle * 180 / M_PI) +
-                  " degrees at " + place + "; round it with a fillet in the CAD system");
+    fail(CAD_CHAIN,
+         which + (alone ? " turns back on itself where it closes, at " : " turn back on each other at ") +
+             place + ": a cusp, or a curve drawn twice");
+  fail(CAD_CHAIN, which + (alone ? " closes with" : " make") + " a corner of " + number(angle * 180 / M_PI) +
+                      " degrees at " + place + "; round it with a fillet in the CAD system");
 }
 
 } // namespace

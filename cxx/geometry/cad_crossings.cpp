@@ -15,8 +15,6 @@ struct Chord {
   double sag;
 };
 
-double cross(const Vector<2>& a, const Vector<2>& b) { return left_of(a).dot(b); }
-
 bool chords_cross(const Chord& a, const Chord& b) {
   const auto apart = [](const Chord& line, const Chord& other) {
     const Vector<2> along = line.x[1] - line.x[0];

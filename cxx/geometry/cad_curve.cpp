@@ -9,8 +9,6 @@ namespace burnish {
 
 namespace {
 
-double cross(const Vector<2>& a, const Vector<2>& b) { return left_of(a).dot(b); }
-
 double curvature(const CadValue& value) {
   return std::abs(cross(value.first, value.second)) / std::pow(value.first.norm(), 3);
 }
@@ -42,7 +40,7 @@ CadCurve::CadCurve(const CadSelection& selection)
 bool CadCurve::counterclockwise() const {
   double area = 0;
   const Vector<2> origin = m_search.cells()[0].x[0];
-  for (const CadCell& cell : m_search.cells()) area += cross(cell.x[0] - origin, cell.x[1] - origin);
+  for (const CadCell& cell : m_search.cells()) area += cross({cell.x[0] - origin}, {cell.x[1] - origin});
   return area > 0;
 }
 

@@ -9,7 +9,7 @@ namespace burnish {
 
 namespace {
 
-constexpr const char* WHERE = "CadCurve";
+constexpr const char* CAD_READ = "CadCurve";
 constexpr double SMOOTH = 1e-3;  // rad, and part of the speed
 constexpr double LARGEST = 1e50; // of coordinates and derivatives: their squares must not overflow
 
@@ -22,14 +22,14 @@ std::string listed(const std::vector<int>& tags) {
 void check_tags(const CadFile& file, const std::vector<int>& tags) {
   std::set<int> seen;
   for (const int tag : tags) {
-    if (!seen.insert(tag).second) fail(WHERE, "curve " + std::to_string(tag) + " is given twice");
+    if (!seen.insert(tag).second) fail(CAD_READ, "curve " + std::to_string(tag) + " is given twice");
     const auto& all = file.curves();
     if (std::binary_search(all.begin(), all.end(), tag)) continue;
     std::string what = "\"" + file.path() + "\" has no curve " + std::to_string(tag);
     const char* kinds[] = {"point", "curve", "surface", "volume"};
     for (const int dimension : {0, 2, 3})
       if (file.has(dimension, tag)) what += std::string(" (there is a ") + kinds[dimension] + " of that tag)";
-    fail(WHERE, what + ", its curves are " + listed(all));
+    fail(CAD_READ, what + ", its curves are " + listed(all));
   }
 }
 
@@ -53,9 +53,10 @@ void check_points(const ExactCurve& curve, const std::string& name, const std::s
   for (const double u : samples(curve)) {
     const auto at = curve.evaluate(u);
     for (const Vector<3>& value : {at.x, at.first, at.second}) {
-      if (!value.allFinite()) fail(WHERE, shorter + " has points that are not finite");
+      if (!value.allFinite()) fail(CAD_READ, shorter + " has points that are not finite");
       if (value.cwiseAbs().maxCoeff() > LARGEST)
-        fail(WHERE, shorter + " has points or derivatives beyond 1e50 at " + place_text(at.x.head<2>(), 0));
+        fail(CAD_READ,
+             shorter + " has points or derivatives beyond 1e50 at " + place_text(at.x.head<2>(), 0));
     }
     if (!begun) first = at.x;
     begun = true;
@@ -67,10 +68,10 @@ void check_points(const ExactCurve& curve, const std::string& name, const std::s
     std::ostringstream text;
     text << shorter << " is not in the plane z = 0: it passes through (" << aside.x() << ", " << aside.y()
          << ", " << aside.z() << ")" << hint;
-    fail(WHERE, text.str());
+    fail(CAD_READ, text.str());
   }
   if (!(extent > 1e-12 * size))
-    fail(WHERE, name + " has no length: all its points are at " + place_text(first.head<2>(), 0));
+    fail(CAD_READ, name + " has no length: all its points are at " + place_text(first.head<2>(), 0));
 }
 
 void check_knots(const ExactCurve& curve, const std::string& name, double scale) {
@@ -83,10 +84,10 @@ void check_knots(const ExactCurve& curve, const std::string& name, double scale)
     std::ostringstream text;
     text << angle * 180 / M_PI;
     if (angle > SMOOTH)
-      fail(WHERE, name + " has a corner of " + text.str() + " degrees at " + place +
-                      "; round it with a fillet in the CAD system");
+      fail(CAD_READ, name + " has a corner of " + text.str() + " degrees at " + place +
+                         "; round it with a fillet in the CAD system");
     if (std::abs(fast - slow) > SMOOTH * std::max(fast, slow))
-      fail(WHERE, name + " changes its speed suddenly at " + place + "; split it there in the CAD system");
+      fail(CAD_READ, name + " changes its speed suddenly at " + place + "; split it there in the CAD system");
   }
 }
 
@@ -106,9 +107,9 @@ CadPiece read_curve(const CadFile& file, int tag, double scale, bool chosen) {
 } // namespace
 
 std::vector<CadPiece> read_curves(const CadSelection& selection) {
-  require(std::isfinite(selection.scale) && selection.scale > 0, WHERE, "scale", selection.scale,
+  require(std::isfinite(selection.scale) && selection.scale > 0, CAD_READ, "scale", selection.scale,
           "a finite number > 0");
-  const CadFile file(selection.file, parse_numbers(WHERE, selection.numbers), selection.seconds);
+  const CadFile file(selection.file, parse_numbers(CAD_READ, selection.numbers), selection.seconds);
   check_tags(file, selection.curves);
   std::vector<CadPiece> pieces;
   const bool chosen = !selection.curves.empty();

@@ -34,7 +34,7 @@ namespace burnish {
 
 namespace {
 
-constexpr const char* WHERE = "CadFile";
+constexpr const char* CAD_SHAPE = "CadFile";
 constexpr const char* DAMAGED = "the text is damaged or cut short";
 // Memory that reading may take [bytes]; a STEP file of 7 MB takes 36 MB.
 constexpr double MEMORY = 5e8, MEMORY_PER_BYTE = 200;
@@ -135,8 +135,8 @@ void read(const std::string& path, TopoDS_Shape& shape) {
   const Reading reading = file_extension(path) == ".brep" ? read_here(path) : read_apart(path);
   shape = reading.shape;
   if (reading.said.empty()) return;
-  fail(WHERE, "\"" + path + "\": " + reading.said +
-                  (reading.printed.empty() ? "" : "; OpenCASCADE says: " + reading.printed));
+  fail(CAD_SHAPE, "\"" + path + "\": " + reading.said +
+                      (reading.printed.empty() ? "" : "; OpenCASCADE says: " + reading.printed));
 }
 
 // "Geom_BSplineCurve" is a BSpline.

@@ -11,23 +11,23 @@ namespace burnish {
 
 namespace {
 
-constexpr const char* WHERE = "CadFile";
+constexpr const char* CAD_TEXT = "CadFile";
 
 std::string content(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code code;
   const std::string quoted = "\"" + path + "\"", end = file_extension(path);
   if (!fs::exists(path, code))
-    fail(WHERE, quoted + " does not exist, seen from folder " + fs::current_path().string());
-  if (fs::is_directory(path, code)) fail(WHERE, quoted + " is a folder");
-  if (!fs::is_regular_file(path, code)) fail(WHERE, quoted + " is no ordinary file");
+    fail(CAD_TEXT, quoted + " does not exist, seen from folder " + fs::current_path().string());
+  if (fs::is_directory(path, code)) fail(CAD_TEXT, quoted + " is a folder");
+  if (!fs::is_regular_file(path, code)) fail(CAD_TEXT, quoted + " is no ordinary file");
   if (end != ".geo" && end != ".step" && end != ".stp" && end != ".brep")
-    fail(WHERE, quoted + " ends in \"" + end + "\", expected .geo, .step, .stp or .brep");
+    fail(CAD_TEXT, quoted + " ends in \"" + end + "\", expected .geo, .step, .stp or .brep");
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
   if (!stream || trimmed(text.str()).empty())
-    fail(WHERE,
+    fail(CAD_TEXT,
          quoted + (fs::file_size(path, code) > 0 && text.str().empty() ? " cannot be read" : " is empty"));
   return text.str();
 }
@@ -37,11 +37,11 @@ void check_kind(const std::string& quoted, const std::string& end, const std::st
   const auto begins_with = [&](const char* words) {
     return text.substr(0, 1000).find(words) != std::string::npos;
   };
-  if (text.find('\0') != std::string::npos) fail(WHERE, quoted + " is no text: it has bytes of value 0");
+  if (text.find('\0') != std::string::npos) fail(CAD_TEXT, quoted + " is no text: it has bytes of value 0");
   if (end == ".brep" && !begins_with("CASCADE Topology"))
-    fail(WHERE, quoted + " is no BREP file: it does not begin with \"CASCADE Topology\"");
+    fail(CAD_TEXT, quoted + " is no BREP file: it does not begin with \"CASCADE Topology\"");
   if ((end == ".step" || end == ".stp") && !begins_with("ISO-10303-21"))
-    fail(WHERE, quoted + " is no STEP file: it does not begin with \"ISO-10303-21\"");
+    fail(CAD_TEXT, quoted + " is no STEP file: it does not begin with \"ISO-10303-21\"");
 }
 
 // OpenCASCADE takes them, and is busy with them for ever.
@@ -53,7 +53,7 @@ void check_finite(const std::string& quoted, const std::string& text) {
     for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     const std::string letters = word.substr(word[0] == '-' || word[0] == '+' ? 1 : 0, 3);
     if (letters == "nan" || letters == "inf")
-      fail(WHERE,
+      fail(CAD_TEXT,
            quoted + ", line " +
                std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<long>(begin), '\n')) +
                ": " + text.substr(begin, end - begin) + " is no finite number");
@@ -100,7 +100,8 @@ bool redirects(const std::string& line) {
 void check_geo(const std::string& path, const std::string& text) {
   const std::string last = text.substr(text.find_last_of('\n') + 1), quoted = "\"" + path + "\"";
   if (std::count(last.begin(), last.end(), ';') > 1)
-    fail(WHERE, quoted + " does not end with a new line: gmsh would read only one command of its last line");
+    fail(CAD_TEXT,
+         quoted + " does not end with a new line: gmsh would read only one command of its last line");
   std::istringstream lines(text);
   const std::regex runs("(^|[;})/])\\s*((NonBlocking)?SystemCall|System|OnelabRun)\\b(?!\\s*=)");
   const std::regex writes("(^|[;})/])\\s*(Save|Print|CreateDir|CreateFolder)\\b(?!\\s*[=.])");
@@ -110,11 +111,11 @@ void check_geo(const std::string& path, const std::string& text) {
     line = line.substr(0, line.find("//"));
     std::smatch found;
     if (std::regex_search(line, found, runs))
-      fail(WHERE, quoted + ", line " + std::to_string(number) + ": " + found[2].str() +
-                      " would run another program; take it out");
+      fail(CAD_TEXT, quoted + ", line " + std::to_string(number) + ": " + found[2].str() +
+                         " would run another program; take it out");
     if (std::regex_search(line, found, writes) || redirects(line))
-      fail(WHERE, quoted + ", line " + std::to_string(number) + ": " +
-                      (found.empty() ? "Printf" : found[2].str()) + " would write a file; take it out");
+      fail(CAD_TEXT, quoted + ", line " + std::to_string(number) + ": " +
+                         (found.empty() ? "Printf" : found[2].str()) + " would write a file; take it out");
   }
 }
 
@@ -144,7 +145,7 @@ void check_known(const std::string& quoted, const GeoText& all,
     const std::regex name("\\b" + number.first + "\\b");
     const auto holds = [&](const auto& file) { return std::regex_search(code_of(file.second), name); };
     if (std::none_of(all.files.begin(), all.files.end(), holds))
-      fail(WHERE, quoted + " has no number \"" + number.first + "\"");
+      fail(CAD_TEXT, quoted + " has no number \"" + number.first + "\"");
   }
 }
 
@@ -171,7 +172,7 @@ void check_cad_text(const std::string& path, const std::map<std::string, double>
     check_known(quoted, all, numbers);
     return;
   }
-  if (!numbers.empty()) fail(WHERE, quoted + " takes no numbers, only .geo files do");
+  if (!numbers.empty()) fail(CAD_TEXT, quoted + " takes no numbers, only .geo files do");
   if (end == ".brep") check_finite(quoted, text);
 }
 

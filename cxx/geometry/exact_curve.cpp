@@ -13,7 +13,7 @@ namespace burnish {
 
 namespace {
 
-constexpr const char* WHERE = "CadCurve";
+constexpr const char* EXACT_CURVE = "CadCurve";
 constexpr double ENDLESS = 1e50; // the parameter of an endless line is 2e100
 constexpr double CLOSE = 1e-10;  // of the range: a knot there is an end (STEP files have 12 digits or so)
 constexpr double ASIDE = 1e-14;  // of a span
@@ -35,7 +35,7 @@ Handle(Geom_BSplineCurve) spline_below(Handle(Geom_Curve) curve) {
 void check_knots(const Handle(Geom_BSplineCurve) & spline, const std::string& name) {
   for (int i = 1; !spline.IsNull() && i <= spline->NbKnots(); ++i)
     if (!(std::abs(spline->Knot(i)) < ENDLESS && (i == 1 || spline->Knot(i) > spline->Knot(i - 1))))
-      fail(WHERE, name + " has knots that are not finite or do not ascend");
+      fail(EXACT_CURVE, name + " has knots that are not finite or do not ascend");
 }
 
 /// Ends and all knots between them, ascending. (Adaptors know of no knots of splines of degree 5 and more: what
@@ -91,9 +91,9 @@ struct ExactCurve::Kept {
 };
 
 ExactCurve::ExactCurve(const CadEdge& edge, const std::string& name) {
-  if (edge.curve.IsNull()) fail(WHERE, name + " " + edge.missing);
+  if (edge.curve.IsNull()) fail(EXACT_CURVE, name + " " + edge.missing);
   if (!(edge.begin < edge.end && std::abs(edge.begin) < ENDLESS && std::abs(edge.end) < ENDLESS))
-    fail(WHERE, name + " has no range of its parameter: its points are not finite or fall together");
+    fail(EXACT_CURVE, name + " has no range of its parameter: its points are not finite or fall together");
   auto kept = std::make_shared<Kept>();
   try {
     kept->curve = edge.curve;
@@ -109,7 +109,7 @@ ExactCurve::ExactCurve(const CadEdge& edge, const std::string& name) {
       kept->spans = spans_of(*spline, m_knots, period);
     }
   } catch (const Standard_Failure& failure) {
-    fail(WHERE, name + " cannot be evaluated: " + failure.GetMessageString());
+    fail(EXACT_CURVE, name + " cannot be evaluated: " + failure.GetMessageString());
   }
   m_kept = kept;
 }

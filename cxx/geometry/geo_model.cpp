@@ -12,7 +12,7 @@ namespace burnish {
 
 namespace {
 
-constexpr const char* WHERE = "CadFile";
+constexpr const char* GEO_MODEL = "CadFile";
 constexpr double SAME = 1e-6; // of the size of a curve: gmsh has the ends of ellipses to 1e-8 of it
 
 /// What gmsh tells of a curve.
@@ -80,7 +80,7 @@ CadModel read_geo(const std::string& path, const GeoNumbers& numbers, double sec
   std::string said = trimmed(gmsh_curves(path, numbers, folder.path(), seconds));
   if (said == "OpenCASCADE exception")
     said += "; are points of a curve closer than 1e-7, which it takes for one? Draw it larger";
-  if (!said.empty()) fail(WHERE, "\"" + path + "\": " + said);
+  if (!said.empty()) fail(GEO_MODEL, "\"" + path + "\": " + said);
   CadModel model;
   const auto curves = read_entities(folder.path() + "/entities", model);
   take_exact(model, curves, folder.path() + "/opencascade.brep");

@@ -11,6 +11,9 @@ inline Vector<2> plane_direction(double angle) { return {std::cos(angle), std::s
 /// v turned by +90 degrees: e'(angle) = left_of(e(angle)); 2, unit of v.
 inline Vector<2> left_of(const Vector<2>& v) { return {-v.y(), v.x()}; }
 
+/// a_x b_y - a_y b_x: positive where b points to the left of a; product of their units.
+inline double cross(const Vector<2>& a, const Vector<2>& b) { return left_of(a).dot(b); }
+
 /// Rotation by angle [rad], counter-clockwise; 2 by 2, columns e and e'.
 inline Tensor<2> plane_rotation(double angle) {
   const Vector<2> e = plane_direction(angle);

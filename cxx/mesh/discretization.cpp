@@ -6,7 +6,7 @@
 namespace burnish {
 namespace {
 
-constexpr const char* WHERE = "triangles";
+constexpr const char* TRIANGLES = "triangles";
 
 /// Signed area of an element's triangle and the gradients of its barycentric coordinates.
 struct Triangle {
@@ -22,7 +22,7 @@ Triangle triangle(const Discretization<2>& mesh, int e) {
   if (!(t.area > 0)) {
     std::ostringstream what;
     what << "area of element " << e << " = " << t.area << ", expected > 0 (vertices counter-clockwise)";
-    fail(WHERE, what.str());
+    fail(TRIANGLES, what.str());
   }
   for (int v = 0; v < 3; ++v) { // normal of the opposite edge, inwards, over twice the area
     const Vector<2> edge = t.vertex[(v + 2) % 3] - t.vertex[(v + 1) % 3];
@@ -41,7 +41,7 @@ void check_mid_edges(const Discretization<2>& mesh, int e, const Triangle& t) {
     std::ostringstream what;
     what << "node " << node << " of element " << e << " is off the middle of the edge opposite vertex " << v
          << " by " << offset << " of its length, expected the middle (straight sides)";
-    fail(WHERE, what.str());
+    fail(TRIANGLES, what.str());
   }
 }
 
@@ -69,9 +69,9 @@ void add_point(Discretization<2>& mesh, const Triangle& t, const Barycentric<2>&
 } // namespace
 
 Discretization<2> triangles(Mesh<2> input) {
-  require(input.nodes_per_element == 3 || input.nodes_per_element == 6, WHERE, "nodes_per_element",
+  require(input.nodes_per_element == 3 || input.nodes_per_element == 6, TRIANGLES, "nodes_per_element",
           input.nodes_per_element, "3 (P1) or 6 (P2)");
-  require_valid(input, WHERE);
+  require_valid(input, TRIANGLES);
   Discretization<2> mesh;
   static_cast<Mesh<2>&>(mesh) = std::move(input);
   mesh.points_per_element = mesh.nodes_per_element == 3 ? 1 : 3;
@@ -90,9 +90,9 @@ Discretization<2> triangles(Mesh<2> input) {
 
 Discretization<2> triangles(int nodes_per_element, std::vector<double> X, std::vector<int> connectivity,
                             bool axisymmetric) {
-  require(nodes_per_element == 3 || nodes_per_element == 6, WHERE, "nodes_per_element", nodes_per_element,
+  require(nodes_per_element == 3 || nodes_per_element == 6, TRIANGLES, "nodes_per_element", nodes_per_element,
           "3 (P1) or 6 (P2)");
-  require(X.size() % 2 == 0, WHERE, "size of X", X.size(), "an even number, num_nodes x 2");
+  require(X.size() % 2 == 0, TRIANGLES, "size of X", X.size(), "an even number, num_nodes x 2");
   Mesh<2> mesh;
   mesh.num_nodes = static_cast<int>(X.size() / 2);
   mesh.nodes_per_element = nodes_per_element;

@@ -9,18 +9,18 @@ namespace burnish {
 
 namespace {
 
-constexpr const char* WHERE = "mesh_geo";
+constexpr const char* MESH_GEO = "mesh_geo";
 
 void make_folder_of(const std::string& path) {
   const auto folder = std::filesystem::path(path).parent_path();
   std::error_code code;
   if (!folder.empty()) std::filesystem::create_directories(folder, code);
-  if (code) fail(WHERE, "folder \"" + folder.string() + "\" cannot be made: " + code.message());
+  if (code) fail(MESH_GEO, "folder \"" + folder.string() + "\" cannot be made: " + code.message());
 }
 
 void check_text(const std::string& file, const GeoNumbers& numbers) {
   if (std::filesystem::exists(file) && file_extension(file) != ".geo")
-    fail(WHERE, "\"" + file + "\" ends in \"" + file_extension(file) + "\", expected .geo");
+    fail(MESH_GEO, "\"" + file + "\" ends in \"" + file_extension(file) + "\", expected .geo");
   check_cad_text(file, numbers);
 }
 
@@ -37,17 +37,17 @@ void check_elements(const std::string& file, const std::string& mesh) {
     labels = labels || (type == 1 && group > 0);
   }
   if (!triangles)
-    fail(WHERE, "no triangles in the mesh of \"" + file +
-                    "\"; with physical curves the surface needs Physical Surface(1) = {1};");
+    fail(MESH_GEO, "no triangles in the mesh of \"" + file +
+                       "\"; with physical curves the surface needs Physical Surface(1) = {1};");
   if (!labels)
-    fail(WHERE,
+    fail(MESH_GEO,
          "\"" + file + "\" has no physical curves; they become the labels: Physical Curve(3) = {1, 2};");
 }
 
 } // namespace
 
 void mesh_geo(const std::string& file, const std::string& numbers, const std::string& result) {
-  const GeoNumbers parsed = parse_numbers(WHERE, numbers);
+  const GeoNumbers parsed = parse_numbers(MESH_GEO, numbers);
   check_text(file, parsed);
   make_folder_of(result);
   const std::string mesh = result + ".msh";
@@ -56,7 +56,8 @@ void mesh_geo(const std::string& file, const std::string& numbers, const std::st
   try {
     const std::string said = gmsh_mesh(file, parsed, mesh, result + ".log");
     if (!said.empty())
-      fail(WHERE, "gmsh failed on \"" + file + "\"" + (said[0] == '\n' ? ", its last lines:" : ": ") + said);
+      fail(MESH_GEO,
+           "gmsh failed on \"" + file + "\"" + (said[0] == '\n' ? ", its last lines:" : ": ") + said);
     check_elements(file, mesh);
   } catch (...) {
     std::filesystem::remove(mesh, code);

@@ -21,7 +21,7 @@ std::vector<double> in_space(const double* xy, int nodes) {
     for (int i = 0; i < 2; ++i) xyz[3 * a + i] = xy[2 * a + i];
   return xyz;
 }
-std::vector<double> numbers(const Field& field) { return {field.data(), field.data() + field.size()}; }
+std::vector<double> list_of(const Field& field) { return {field.data(), field.data() + field.size()}; }
 
 /// Local nodes of the triangles that an element is cut into. A mid-edge node lies opposite its vertex.
 const std::vector<std::array<int, 3>>& cut(int nodes_per_element) {
@@ -51,7 +51,7 @@ void write_tensor(const char* name, const Names& names, const std::array<Field, 
   for (std::size_t a = 0; a < nodes; ++a)
     for (int i = 0; i < 4; ++i) tensor[6 * a + i] = part[i][static_cast<Eigen::Index>(a)];
   file.array(name, 6, tensor, {"XX", "YY", "ZZ", "XY", "YZ", "XZ"});
-  for (int i = 0; i < 4; ++i) file.array(names[i], 1, numbers(part[i]));
+  for (int i = 0; i < 4; ++i) file.array(names[i], 1, list_of(part[i]));
 }
 
 std::array<Field, 4> stress_at_nodes(const NodalFit<2>& at_nodes, const std::vector<double>& stress) {
@@ -68,15 +68,15 @@ void write_points(const Workpiece<2>& body, VtkFile& file) {
   const std::vector<double> stress = stress_field(body);
   file.array("displacement", 3, in_space(body.state().displacement.data(), mesh.num_nodes));
   write_tensor("stress", STRESS, stress_at_nodes(at_nodes, stress), file);
-  file.array("stress_eq", 1, numbers(at_nodes(stress_eq_field(body))));
-  file.array("plastic_strain_eq", 1, numbers(at_nodes(body.internal("plastic_strain_eq"))));
-  file.array("stress_error", 1, numbers(at_nodes(stress_error(mesh, at_nodes, stress).point)));
+  file.array("stress_eq", 1, list_of(at_nodes(stress_eq_field(body))));
+  file.array("plastic_strain_eq", 1, list_of(at_nodes(body.internal("plastic_strain_eq"))));
+  file.array("stress_error", 1, list_of(at_nodes(stress_error(mesh, at_nodes, stress).point)));
   if (body.law().internal_variables().names().find("backstress") != std::string::npos) {
     std::array<Field, 4> part;
     for (int i = 0; i < 4; ++i) part[i] = at_nodes(body.internal("backstress", i));
     write_tensor("backstress", BACKSTRESS, part, file);
   }
-  if (body.tracks_integrity()) file.array("integrity", 1, numbers(at_nodes(integrity_field(body))));
+  if (body.tracks_integrity()) file.array("integrity", 1, list_of(at_nodes(integrity_field(body))));
 }
 
 } // namespace

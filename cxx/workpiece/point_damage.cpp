@@ -4,23 +4,23 @@
 namespace burnish {
 namespace {
 
-constexpr const char* WHERE = "PointDamage";
+constexpr const char* POINT_DAMAGE = "PointDamage";
 
 } // namespace
 
 template <int Dim>
 void PointDamage<Dim>::add(const PointEvents<Dim>& events, const std::string& event, const Rule& rule) {
   events.counts(event); // throws if there is none
-  require(rule.steps >= 1, WHERE, "steps", rule.steps, ">= 1");
+  require(rule.steps >= 1, POINT_DAMAGE, "steps", rule.steps, ">= 1");
   if (m_rules.count(event) > 0)
-    fail(WHERE, "event \"" + event + "\" damages or heals already, expected one rule an event");
+    fail(POINT_DAMAGE, "event \"" + event + "\" damages or heals already, expected one rule an event");
   m_rules[event] = rule;
 }
 
 template <int Dim>
 void PointDamage<Dim>::damage(Workpiece<Dim>& body, const PointEvents<Dim>& events, const std::string& event,
                               double integrity, int steps) {
-  require(integrity > 0 && integrity < 1, WHERE, "integrity", integrity,
+  require(integrity > 0 && integrity < 1, POINT_DAMAGE, "integrity", integrity,
           "0 < integrity < 1; at 0 nodes would have no stiffness, and the tangent would be singular");
   if (body.user_defined()) body.track_integrity(); // says why not
   add(events, event, {integrity, steps});
@@ -30,7 +30,7 @@ void PointDamage<Dim>::damage(Workpiece<Dim>& body, const PointEvents<Dim>& even
 template <int Dim>
 void PointDamage<Dim>::heal(const PointEvents<Dim>& events, const std::string& event, int steps) {
   if (empty())
-    fail(WHERE, "event \"" + event + "\" has nothing to heal, expected damage to be defined before");
+    fail(POINT_DAMAGE, "event \"" + event + "\" has nothing to heal, expected damage to be defined before");
   add(events, event, {1, steps});
 }
 

@@ -6,7 +6,7 @@
 namespace burnish {
 namespace {
 
-constexpr const char* WHERE = "PointEvents";
+constexpr const char* POINT_EVENTS = "PointEvents";
 /// A formula is evaluated at this many equal parts of a step.
 constexpr int PARTS = 8;
 /// Of a root: passes, its error as a fraction of the step, and the least share of the bracket that a pass takes off.
@@ -75,7 +75,7 @@ void for_each_path(const Workpiece<Dim>& body, const std::vector<Formula>& formu
 
 void check_name(const std::string& name) {
   if (name.empty() || name.find_first_of(",\"\n\r") != std::string::npos)
-    fail(WHERE, "name \"" + name + "\", expected a text without comma, quote and line break");
+    fail(POINT_EVENTS, "name \"" + name + "\", expected a text without comma, quote and line break");
 }
 
 const PointEventState& event_named(const PointEventsState& state, const std::string& name) {
@@ -84,7 +84,7 @@ const PointEventState& event_named(const PointEventsState& state, const std::str
     if (event.name == name) return event;
     known += (known.empty() ? "" : ", ") + event.name;
   }
-  fail(WHERE, "no event \"" + name + "\", expected one of " + (known.empty() ? "none" : known));
+  fail(POINT_EVENTS, "no event \"" + name + "\", expected one of " + (known.empty() ? "none" : known));
 }
 
 } // namespace
@@ -94,7 +94,7 @@ void PointEvents<Dim>::add(const Workpiece<Dim>& body, const std::string& name, 
                            const std::map<std::string, double>& parameters) {
   check_name(name);
   for (const PointEventState& known : m_state)
-    if (known.name == name) fail(WHERE, "name \"" + name + "\" is taken");
+    if (known.name == name) fail(POINT_EVENTS, "name \"" + name + "\" is taken");
   const PointVariables<Dim> variables(body.law());
   const Formula parsed("event \"" + name + "\"", formula, {variables.names(), parameters});
   const int points = body.discretization().num_points();
@@ -130,7 +130,7 @@ template <int Dim> double PointEvents<Dim>::earliest(const Workpiece<Dim>& body,
 }
 
 template <int Dim> void PointEvents<Dim>::set_overshoot(double overshoot) {
-  require(overshoot >= 0, WHERE, "overshoot", overshoot, ">= 0");
+  require(overshoot >= 0, POINT_EVENTS, "overshoot", overshoot, ">= 0");
   m_overshoot = overshoot;
 }
 

@@ -75,8 +75,8 @@ def command_of(scene, program):
 def run(scene, options, program="", longest=LONGEST):
     """Results of one run by name, its curves and fields, outcome and peak memory [MB]; longest: seconds before it is stopped."""
     command = ["timeout", str(longest), *command_of(scene, program), *options]
-    with tempfile.TemporaryFile("w+", errors="replace") as out:
-        process = subprocess.Popen(command, cwd=HERE, stdout=out, stderr=subprocess.STDOUT)
+    with tempfile.TemporaryFile("w+", errors="replace") as out, tempfile.TemporaryDirectory() as folder:
+        process = subprocess.Popen(command, cwd=folder, stdout=out, stderr=subprocess.STDOUT)  # Ipopt leaves a file there
         _, status, usage = os.wait4(process.pid, 0)
         code = process.returncode = os.waitstatus_to_exitcode(status)
         out.seek(0)
