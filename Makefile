@@ -34,7 +34,7 @@ OCC_LIBRARIES ?= -lTKSTEP -lTKXSBase -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -
 
 # gcc collects garbage a tenth of its time otherwise
 COLLECT := $(if $(findstring clang,$(shell $(CXX) --version)),,--param ggc-min-heapsize=1000000)
-FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -Wall -Wextra -Wno-subobject-linkage $(COLLECT) -I. -Icxx \
+FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -ffp-contract=off -Wall -Wextra -Wno-subobject-linkage $(COLLECT) -I. -Icxx \
         -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) -isystem $(OCC_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)
 PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
 

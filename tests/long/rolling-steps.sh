@@ -5,7 +5,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 out=$SCRATCH
 run() { name=$1; shift; "$BURNISH" cases/rolling/rolling.edp -pictures 0 -series 4 -out "$out/$name" "$@" >"$out/$name.log" || { tail -20 "$out/$name.log"; exit 1; }; }
-graded="-inner 10 -outer 60 -sides 10 -graded 1e-4"
+graded="-inner 10 -outer 60 -sides 10 -graded 1.2e-4"
 for mesh in default graded; do
   options=; [ $mesh = default ] || options=$graded
   run $mesh-fine $options -steps 800 -width 80
