@@ -2,6 +2,29 @@
 
 namespace burnish {
 
+template <int Dim>
+PointResult MaterialLaw<Dim>::update_one(const RangeStep<Dim>& step, int k,
+                                         const RangeUpdate<Dim>& now) const {
+  const std::size_t p = k;
+  PointUpdate<Dim> found;
+  found.internal = now.internal + p * step.num_internal;
+  const PointResult result = update(step.point(k), now.trial[p], found);
+  if (result.status != UpdateStatus::OK) return result;
+  Eigen::Map<Stress<Dim>>(now.stress + p * num_stress<Dim>) = found.stress;
+  Eigen::Map<Stress<Dim>>(now.strain_increment + p * num_stress<Dim>) = found.strain_increment;
+  now.plastic[p] = found.plastic;
+  return result;
+}
+
+template <int Dim>
+RangeResult MaterialLaw<Dim>::update_range(const RangeStep<Dim>& step, const RangeUpdate<Dim>& now) const {
+  for (int k = 0; k < step.size; ++k) {
+    const PointResult result = update_one(step, k, now);
+    if (result.status != UpdateStatus::OK) return {result, k};
+  }
+  return {};
+}
+
 template <int Dim> StepIncrements<Dim> MaterialLaw<Dim>::increments(const PointStep<Dim>&) const {
   StepIncrements<Dim> none;
   none.y.setZero();

@@ -4,9 +4,8 @@
 #include "material/hardening.hpp"
 #include "material/internal_variables.hpp"
 #include "material/piola.hpp"
+#include "material/point_range.hpp"
 #include "material/step_kinematics.hpp"
-#include "material/update_options.hpp"
-#include <cmath>
 #include <limits>
 #include <map>
 
@@ -14,55 +13,6 @@ namespace burnish {
 
 /// Fraction of what does not happen in a step.
 inline constexpr double NEVER = std::numeric_limits<double>::infinity();
-
-/// A point at the start or at the end of a step: a view of arrays that somebody else owns.
-template <int Dim> struct PointState {
-  Eigen::Map<const Gradient<Dim>> F;              ///< deformation gradient [-]
-  Eigen::Map<const Stress<Dim>> stress;           ///< Kirchhoff stress tau [stress]
-  const double* internal = nullptr;               ///< internal variables, InternalVariables::size() numbers
-  Eigen::Map<const Stress<Dim>> strain_increment; ///< dd of the step that ended here, in its frame [-]
-  bool plastic = false; ///< inelastic flow happened in that step, or an event put the point on the surface
-};
-
-/// A step of a point: from `old` to the deformation gradient F.
-template <int Dim> struct PointStep {
-  PointState<Dim> old;          ///< at the start
-  Gradient<Dim> F;              ///< at the end, determinant(F) > 0 [-]
-  double ratio = 0;             ///< ra = dt/dt_old; 0: no last step
-  int iteration = 0;            ///< 0, 1, 2.. within the step
-  const UpdateOptions& options; ///< valid
-};
-
-/// What the law finds for the end of the step.
-template <int Dim> struct PointUpdate {
-  Stress<Dim> stress;           ///< Kirchhoff stress [stress]
-  double* internal = nullptr;   ///< in: where to write the internal variables, all of them
-  Stress<Dim> strain_increment; ///< dd [-]
-  bool plastic = false;         ///< inelastic flow happened in the step
-};
-
-/// What a point hands from one iteration of a step to the next; zero at iteration 0. No part of the state.
-struct PointTrial {
-  int substeps = 0; ///< the largest number so far, 0: elastic so far
-  int used = 0;     ///< by the last update, 0: elastic
-};
-
-enum class UpdateStatus {
-  OK,
-  INVERTED_ELEMENT,
-  NOT_FINITE,
-  NO_RETURN, ///< the yield stress has no value > 0 there, or falls faster than the elastic stress, METHOD.md 1.7
-};
-struct PointResult {
-  UpdateStatus status = UpdateStatus::OK;
-  double value =
-      0; ///< the determinant that is not > 0, or not finite; NO_RETURN: ep at the start of the step
-};
-/// OK if det is finite and > 0.
-inline PointResult determinant_result(double det) {
-  if (det > 0 && std::isfinite(det)) return {};
-  return {std::isfinite(det) ? UpdateStatus::INVERTED_ELEMENT : UpdateStatus::NOT_FINITE, det};
-}
 
 enum class TangentKind {
   CONSISTENT, ///< linearization of the chosen finite-step update
@@ -100,6 +50,9 @@ public:
   /// Stress and internal variables at the end of a step. Never throws: what cannot be computed is a status,
   /// and `now` is then of no use. @param trial of the same step's last iteration in, of this one out
   virtual PointResult update(const PointStep<Dim>& step, PointTrial& trial, PointUpdate<Dim>& now) const = 0;
+  /// The same for points one after another, to the same bits: the first that fails ends it, `now` of it and of those
+  /// behind it is of no use then. One by one, unless a law knows better.
+  virtual RangeResult update_range(const RangeStep<Dim>& step, const RangeUpdate<Dim>& now) const;
   /// A_iJkL = dP_iJ/dF_kL at the end of a step, not symmetrized [stress].
   /// @param trial as update left it; @param now end of the step as update found it, F included
   virtual PiolaTangent<Dim> tangent(TangentKind kind, const PointStep<Dim>& step, const PointTrial& trial,
@@ -131,6 +84,8 @@ public:
   virtual PointLoading loading(const PointStep<Dim>& step) const;
 
 protected:
+  /// update() of point k of a range, what it finds written to `now`.
+  PointResult update_one(const RangeStep<Dim>& step, int k, const RangeUpdate<Dim>& now) const;
   MaterialLaw(std::string name, std::vector<InternalVariable> internal)
       : m_name(std::move(name)), m_internal(std::move(internal)) {}
 

@@ -37,6 +37,9 @@ std::shared_ptr<const MaterialLaw<Dim>> valid(std::shared_ptr<const MaterialLaw<
   return law;
 }
 
+/// What stays in the nearest cache between deformation gradients and law.
+constexpr int ELEMENTS_AT_A_TIME = 64;
+
 void require_blend(const char* where, double blend) {
   require(blend >= 0 && blend <= 1, where, "elastic_blend", blend, "0 <= elastic_blend <= 1");
 }
@@ -99,20 +102,43 @@ template <int Dim> PointStep<Dim> Workpiece<Dim>::point_step(int point) const {
   return {point_state(start(), m_num_internal, point), point_now(point).F, step_ratio(), 0, m_options};
 }
 
-template <int Dim> PointResult Workpiece<Dim>::update_point(int point, const PointStep<Dim>& step) {
-  PointResult result = determinant_result(determinant(step.F));
-  if (result.status != UpdateStatus::OK) return result;
-  if (m_user) return move_point(point, step);
-  const std::size_t p = point;
-  PointUpdate<Dim> now;
-  now.internal = m_state.internal.data() + p * m_num_internal;
-  result = m_law->update(step, m_trial[p], now);
-  if (result.status != UpdateStatus::OK) return result;
-  Eigen::Map<Gradient<Dim>>(m_state.F.data() + p * num_gradient<Dim>) = step.F;
-  Eigen::Map<Stress<Dim>>(m_state.stress.data() + p * num_stress<Dim>) = now.stress;
-  Eigen::Map<Stress<Dim>>(m_state.strain_increment.data() + p * num_stress<Dim>) = now.strain_increment;
-  m_state.plastic[p] = now.plastic;
-  return result;
+/// Deformation gradients at the points of some elements, into m_state. @return the first point that has none
+template <int Dim> UpdateResult Workpiece<Dim>::deform(int first_element, int end_element) {
+  const int per_element = m_discretization.points_per_element;
+  for (int e = first_element; e < end_element; ++e)
+    for (int p = e * per_element; p < (e + 1) * per_element; ++p) {
+      const Gradient<Dim> F = deformation_gradient(m_discretization, e, p, m_state.displacement);
+      const PointResult result = determinant_result(determinant(F));
+      if (result.status != UpdateStatus::OK) return {result.status, p, result.value};
+      Eigen::Map<Gradient<Dim>>(m_state.F.data() + static_cast<std::size_t>(p) * num_gradient<Dim>) = F;
+    }
+  return {};
+}
+
+/// Law of the points first..end-1, whose deformation gradients are there.
+template <int Dim> UpdateResult Workpiece<Dim>::update_points(int first, int end, int iteration) {
+  const std::size_t p = first, gradient = p * num_gradient<Dim>, tensor = p * num_stress<Dim>;
+  const WorkpieceState<Dim>& old = start();
+  const RangeStep<Dim> step{end - first,
+                            old.F.data() + gradient,
+                            old.stress.data() + tensor,
+                            old.internal.data() + p * m_num_internal,
+                            old.strain_increment.data() + tensor,
+                            old.plastic.data() + p,
+                            m_num_internal,
+                            m_state.F.data() + gradient,
+                            step_ratio(),
+                            iteration,
+                            m_options};
+  RangeResult found;
+  if (m_user)
+    found = move_points(first, step);
+  else
+    found = m_law->update_range(
+        step, {m_state.stress.data() + tensor, m_state.internal.data() + p * m_num_internal,
+               m_state.strain_increment.data() + tensor, m_state.plastic.data() + p, m_trial.data() + p});
+  if (found.point < 0) return {};
+  return {found.result.status, first + found.point, found.result.value};
 }
 
 template <int Dim>
@@ -130,15 +156,16 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
   m_updated = true;
   if (m_user) m_user->expire();
   if (tracks_integrity()) move_integrity(dt);
-  const double ratio = step_ratio();
-  const int per_element = m_discretization.points_per_element;
-  for (int e = 0; e < m_discretization.num_elements; ++e)
-    for (int p = e * per_element; p < (e + 1) * per_element; ++p) {
-      const PointResult result = update_point(p, {point_state(start(), m_num_internal, p),
-                                                  deformation_gradient(m_discretization, e, p, displacement),
-                                                  ratio, iteration, m_options});
-      if (result.status != UpdateStatus::OK) return {result.status, p, result.value};
-    }
+  const int per_element = m_discretization.points_per_element, elements = m_discretization.num_elements;
+  for (int first = 0; first < elements; first += ELEMENTS_AT_A_TIME) {
+    const int end = std::min(first + ELEMENTS_AT_A_TIME, elements);
+    const UpdateResult deformed = deform(first, end);
+    const bool sound = deformed.status == UpdateStatus::OK;
+    const UpdateResult updated =
+        update_points(first * per_element, sound ? end * per_element : deformed.point, iteration);
+    if (updated.status != UpdateStatus::OK) return updated;
+    if (!sound) return deformed;
+  }
   // a node of no element
   if (!displacement.allFinite())
     return {UpdateStatus::NOT_FINITE, -1, std::numeric_limits<double>::quiet_NaN()};

@@ -123,9 +123,10 @@ private:
   void move_integrity(double dt);
   void heal_start();
   const WorkpieceState<Dim>& start() const { return m_healing && m_updated ? m_start : m_state_old; }
-  PointResult update_point(int point, const PointStep<Dim>& step);
+  UpdateResult deform(int first_element, int end_element);
+  UpdateResult update_points(int first, int end, int iteration);
   PiolaTangent<Dim> moduli(int point, TangentKind kind, double elastic_blend) const;
-  PointResult move_point(int point, const PointStep<Dim>& step);
+  RangeResult move_points(int first, const RangeStep<Dim>& step);
   PiolaTangent<Dim> user_moduli(int point) const;
   UserPoints<Dim>& given(const char* where);
   int offset_of(const std::string& name, int component, const char* where) const;

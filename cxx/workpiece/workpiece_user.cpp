@@ -51,16 +51,18 @@ void Workpiece<Dim>::give_internal(const std::string& name, int component, const
   }
 }
 
-template <int Dim> PointResult Workpiece<Dim>::move_point(int point, const PointStep<Dim>& step) {
-  const Gradient<Dim> F_mid = 0.5 * (step.old.F + step.F);
-  const PointResult result = determinant_result(determinant(F_mid));
-  if (result.status != UpdateStatus::OK) return result;
-  const std::size_t p = point;
-  Eigen::Map<Gradient<Dim>>(m_state.F.data() + p * num_gradient<Dim>) = step.F;
-  Eigen::Map<Stress<Dim>>(m_state.strain_increment.data() + p * num_stress<Dim>) =
-      m_law->increments(step).y.template head<num_stress<Dim>>();
-  m_state.plastic[p] = 0;
-  return result;
+template <int Dim> RangeResult Workpiece<Dim>::move_points(int first, const RangeStep<Dim>& step) {
+  for (int k = 0; k < step.size; ++k) {
+    const PointStep<Dim> one = step.point(k);
+    const Gradient<Dim> F_mid = 0.5 * (one.old.F + one.F);
+    const PointResult result = determinant_result(determinant(F_mid));
+    if (result.status != UpdateStatus::OK) return {result, k};
+    const std::size_t p = first + k;
+    Eigen::Map<Stress<Dim>>(m_state.strain_increment.data() + p * num_stress<Dim>) =
+        m_law->increments(one).y.template head<num_stress<Dim>>();
+    m_state.plastic[p] = 0;
+  }
+  return {};
 }
 
 // A = dP/dF as given, or from d tau/dy by the kinematics of the step.
@@ -80,7 +82,7 @@ template <int Dim> PiolaTangent<Dim> Workpiece<Dim>::user_moduli(int point) cons
   template void Workpiece<Dim>::give_moduli(int, int, const PointValues&, const char*);                                \
   template void Workpiece<Dim>::give_jacobian(int, int, const PointValues&, const char*);                              \
   template void Workpiece<Dim>::give_internal(const std::string&, int, const PointValues&, const char*);               \
-  template PointResult Workpiece<Dim>::move_point(int, const PointStep<Dim>&);                                         \
+  template RangeResult Workpiece<Dim>::move_points(int, const RangeStep<Dim>&);                                        \
   template PiolaTangent<Dim> Workpiece<Dim>::user_moduli(int) const;
 // clang-format on
 BURNISH_USER_DEFINED(2)

@@ -1,5 +1,6 @@
 #include "material/j2/law.hpp"
 #include "material/j2/backstress_update.hpp"
+#include "material/j2/batch/kernel.hpp"
 #include "material/j2/elastic_path.hpp"
 #include "material/j2/internal.hpp"
 #include "material/j2/rate_law.hpp"
@@ -75,6 +76,21 @@ PointResult J2Law<Dim>::update(const PointStep<Dim>& step, PointTrial& trial, Po
   now.plastic = end.plastic;
   if (!std::isfinite(end.plastic_strain_eq)) return {UpdateStatus::NO_RETURN, step.old.internal[EP]};
   return result;
+}
+
+template <int Dim>
+RangeResult J2Law<Dim>::update_range(const RangeStep<Dim>& step, const RangeUpdate<Dim>& now) const {
+  const J2Kernel kernel = j2_kernel();
+  if (!kernel.update || !covered(m_material, step.options)) return MaterialLaw<Dim>::update_range(step, now);
+  for (int k = 0; k < step.size;) {
+    k = kernel.update(m_material, step, k, now);
+    // what is left, and points among which one fails
+    for (const int end = std::min(k + kernel.width, step.size); k < end; ++k) {
+      const PointResult result = this->update_one(step, k, now);
+      if (result.status != UpdateStatus::OK) return {result, k};
+    }
+  }
+  return {};
 }
 
 template <int Dim>

@@ -160,6 +160,32 @@ TEST(Workpiece, ReportsInvertedElements) {
   }
 }
 
+// Whatever fails, at the end of the step or in the law: the first point in order, in any place of what is updated together.
+TEST(Workpiece, ReportsTheFirstPointThatFails) {
+  constexpr int COUNT = 70;
+  std::vector<double> X;
+  std::vector<int> connectivity;
+  for (int e = 0; e < COUNT; ++e) // triangles that share no node
+    for (const double x : {2. * e, 0., 2. * e + 1, 0., 2. * e, 1.}) X.push_back(x);
+  for (int k = 0; k < 3 * COUNT; ++k) connectivity.push_back(k);
+  Workpiece<2> body(triangles(3, X, connectivity), j2_law<2>(example_material()));
+  const auto deform = [&](Eigen::VectorXd& u, int e, const Tensor<2>& F) {
+    const Tensor<2> H = F - Tensor<2>::Identity();
+    u.segment<6>(6 * e) << 0, 0, H.col(0), H.col(1);
+  };
+  for (const int in_law : {0, 2, 3, 5, 63, 64, 68, 69})
+    for (const int at_end : {0, 1, 3, 6, 62, 63, 65, 69}) {
+      if (in_law == at_end) continue;
+      Eigen::VectorXd u = Eigen::VectorXd::Zero(6 * COUNT);
+      deform(u, in_law, tensor(-0.5, 0, 0, -3)); // det F = 1.5, det F_mid = -0.25
+      deform(u, at_end, tensor(-0.5, 0, 0, 2));  // det F = -1
+      const UpdateResult result = body.update(u, 1, 0);
+      EXPECT_EQ(result.status, UpdateStatus::INVERTED_ELEMENT);
+      EXPECT_EQ(result.point, std::min(in_law, at_end));
+      EXPECT_NEAR(result.value, in_law < at_end ? -0.25 : -1, 1e-12);
+    }
+}
+
 TEST(Workpiece, ReportsNotFiniteDisplacements) {
   Workpiece<2> body = workpiece();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(18);
