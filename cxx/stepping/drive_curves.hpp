@@ -1,6 +1,6 @@
 #pragma once
 // Force over way of every coordinate in the accepted steps: whether a force has come to its largest value, and whether a
-// falling force is followed down a branch that no dead load holds (ALGORITHMS.md 5.11).
+// falling force is followed down a branch that no dead load holds (ALGORITHMS.md 5.10).
 #include "stepping/contact_setup.hpp"
 
 namespace burnish {
