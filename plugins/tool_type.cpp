@@ -7,7 +7,7 @@
 //     ! give exactly one profile
 //     ! , expected a text without comma, quote and line break
 //   t.coordinates(kind)   the coordinates that place the tool's frame, once, before C.add
-//     kind      "cartesian": x, y, angle; "polar": r, phi, angle; or names of one's own, separated by commas | length, rad
+//     kind      "cartesian": x, y, angle; "polar": r, phi, theta (its turn); or names of one's own, separated by commas | length, rad
 //     pivot=    polar: pole [x0, y0] | length | [0, 0]
 //     x=        names of one's own: formula of the frame's x in coordinates and parameters | length | required
 //     y=        the same of its y | length | required

@@ -17,9 +17,16 @@ template <int Dim> void CornerShares<Dim>::find_middles(const std::vector<std::v
     }
 }
 
-template <int Dim>
-void CornerShares<Dim>::choose_corners(const ContactState<Dim>& state, const Eigen::VectorXd& area) {
-  const double least = area.size() ? NO_AREA * area.maxCoeff() : 0;
+template <int Dim> void CornerShares<Dim>::find_small(const Eigen::VectorXd& area) {
+  for (const Middle& middle : m_middles)
+    for (const int end : middle.end)
+      if (end >= 0 && area[end] < OWN_AREA * area[middle.node]) m_small[end] = 1;
+  for (const Middle& middle : m_middles) // judged by the smallest of its mid nodes
+    for (const int end : middle.end)
+      if (end >= 0 && !(area[end] < OWN_AREA * area[middle.node])) m_small[end] = 0;
+}
+
+template <int Dim> void CornerShares<Dim>::choose_corners(const ContactState<Dim>& state) {
   const auto touches = [&](int i) { return i >= 0 && in_contact(state.nodes[i].state); };
   const auto add = [&](int i) {
     if (i < 0 || m_number[i] >= 0) return;
@@ -29,7 +36,7 @@ void CornerShares<Dim>::choose_corners(const ContactState<Dim>& state, const Eig
   for (const Middle& middle : m_middles) {
     const auto [a, b] = middle.end;
     for (const int end : {a, b})
-      if (touches(end) || (end >= 0 && area[end] <= least && touches(middle.node))) add(end);
+      if (touches(end) || (end >= 0 && m_small[end] && touches(middle.node))) add(end);
     if (touches(middle.node) && !touches(a) && !touches(b)) {
       add(a);
       add(b);
@@ -48,6 +55,7 @@ CornerShares<Dim>::CornerShares(const ContactModel<Dim>& model, const BodyView<D
                                 const Eigen::VectorXd& u, const Eigen::VectorXd& area) {
   const std::vector<int> candidate = model.candidate_of_node(static_cast<int>(body.X.size()) / Dim);
   m_number.assign(state.nodes.size(), -1);
+  m_small.assign(state.nodes.size(), 0);
   m_reported.assign(state.nodes.size(), 0);
   std::vector<std::vector<int>> quadratic;
   std::vector<Eigen::MatrixXd> masses;
@@ -58,7 +66,8 @@ CornerShares<Dim>::CornerShares(const ContactModel<Dim>& model, const BodyView<D
     masses.push_back(body.measure->masses(places_of(body, facet, u)));
   }
   find_middles(quadratic);
-  choose_corners(state, area);
+  find_small(area);
+  choose_corners(state);
   if (empty()) return;
   m_areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(m_corners.size()));
   for (std::size_t f = 0; f < quadratic.size(); ++f) {

@@ -4,8 +4,12 @@
 
 namespace burnish {
 
-/// Corners are the vertices in contact, those without a tributary area, which have no force of their own to be in contact
-/// by, and the ends of a mid node that touches alone. A mid node gives half of its force to both ends of its edge, all of it
+/// Share of the tributary area of a mid node beside it from which a vertex of quadratic facets has one of its own. In the plane
+/// it is 1/4 or more; on the axis 0, and nearer to the axis than a third of its edge small: its force there is the difference
+/// of two effects, the pressure and its slope.
+inline constexpr double OWN_AREA = 0.1;
+
+/// Corners are the vertices in contact, those without an area of their own, which have no force to be in contact by, and the ends of a mid node that touches alone. A mid node gives half of its force to both ends of its edge, all of it
 /// to the one that is a corner. Where both ends are corners the shares are the integrals of the traction with the linear
 /// functions of the vertices, whatever the traction, in the plane and over rings.
 template <int Dim> class CornerShares {
@@ -16,6 +20,8 @@ public:
   bool empty() const { return m_corners.empty(); }
   /// Candidates that are corners.
   const std::vector<int>& corners() const { return m_corners; }
+  /// Whether the candidate has an area of its own, by OWN_AREA. Pressure and traction of others are those by shares.
+  bool has_area(Eigen::Index candidate) const { return !m_small[static_cast<std::size_t>(candidate)]; }
   /// Integral of the linear function of each corner over its facets [length or area]. Beside a vertex that is no candidate
   /// it is 1 on the whole edge.
   const Eigen::VectorXd& areas() const { return m_areas; }
@@ -32,12 +38,14 @@ private:
     std::array<int, 2> end;       // candidates, -1: none
     std::array<double, 2> weight; // of its force
   };
-  void choose_corners(const ContactState<Dim>& state, const Eigen::VectorXd& area);
+  void find_small(const Eigen::VectorXd& area);
+  void choose_corners(const ContactState<Dim>& state);
   void find_middles(const std::vector<std::vector<int>>& facets);
 
   std::vector<int> m_corners, m_number; // candidates; per candidate its place among them, -1: none
   Eigen::VectorXd m_areas;
   std::vector<Middle> m_middles; // of quadratic facets
+  std::vector<char> m_small;     // per candidate: a vertex without an area of its own
   std::vector<char> m_reported;  // per candidate: a node of a facet with a corner
 };
 

@@ -77,7 +77,7 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
     report.traction_fit.row(a) =
         shares.traction(report.tangential_force.row(a), report.traction_tangential.row(a)).transpose();
   for (Eigen::Index i = 0; i < area.size(); ++i) {
-    if (report.area[i] > least) continue;
+    if (shares.has_area(i)) continue;
     report.pressure[i] = report.pressure_fit[i];
     report.traction_tangential.col(i) = report.traction_fit.col(i);
   }

@@ -8,8 +8,8 @@ namespace burnish {
 inline constexpr double NEAR_LIMIT = 0.97;
 
 /// State of the candidates, one entry each. Pressure and traction are nodal forces over the node's tributary area in the
-/// present configuration. A node without such an area (a vertex on the axis of quadratic elements) takes the values
-/// by shares.
+/// present configuration. A vertex of quadratic elements without an area of its own (OWN_AREA: on the axis, or next
+/// to it) takes the values by shares.
 template <int Dim> struct SurfaceReport {
   Eigen::VectorXd gap;          ///< positive = open, zero in contact [length]
   Eigen::VectorXd normal_force; ///< N >= 0 [force]

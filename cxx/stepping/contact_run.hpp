@@ -5,6 +5,7 @@
 #include "stepping/contact_setup.hpp"
 #include "stepping/contact_warnings.hpp"
 #include "stepping/corrector.hpp"
+#include "stepping/drive_curves.hpp"
 #include "stepping/event_log.hpp"
 #include "stepping/hold.hpp"
 #include "stepping/predictor.hpp"
@@ -26,6 +27,7 @@ template <int Dim> struct ContactRunState {
   double largest_dt = 0; ///< that was ever tried [time]
   EventLog<Dim> log;
   ContactWarnings<Dim> warnings;
+  DriveCurves<Dim> drives;
   std::vector<std::string> left_out; ///< coordinates that nothing resists
   CorrectorCounts counts;
 };
@@ -118,6 +120,7 @@ public:
   double contact_speed() const;
 
 private:
+  void follow_drives(const PrescribedValues& old, const Eigen::VectorXd& R);
   void take_areas(ContactState<Dim>& state, const Eigen::VectorXd& u) const;
   PrescribedValues start_values() const;
   void take_places();

@@ -1,5 +1,6 @@
 // The end of a step of a run: events within it, what is accepted, and the way back.
 #include "base/error.hpp"
+#include "contact/resultant.hpp"
 #include "contact/slip_motion.hpp"
 #include "contact/tool_support.hpp"
 #include "stepping/contact_run.hpp"
@@ -47,6 +48,22 @@ void ContactRun<Dim>::take_events(const std::vector<ContactEvent<Dim>>& events, 
   support_after_events(model(), m_prescribed, events, m_stepping != Stepping::RATES, state);
 }
 
+// Force over way of the coordinates in the accepted step, and what is to be said of it.
+template <int Dim>
+void ContactRun<Dim>::follow_drives(const PrescribedValues& old, const Eigen::VectorXd& R) {
+  Eigen::VectorXd contact(static_cast<Eigen::Index>(m_setup->tools().size()));
+  for (Eigen::Index tool = 0; tool < contact.size(); ++tool) {
+    const Eigen::VectorXd f = contact_forces(model(), m_accepted.contact, R, static_cast<int>(tool));
+    contact[tool] = f.reshaped(Dim, f.size() / Dim).rowwise().sum().norm();
+  }
+  m_accepted.drives.add(*m_setup, m_accepted.history.q_old, m_accepted.contact.q, old, m_prescribed,
+                        m_accepted.generalized_force, contact, t_end());
+  if (m_hold.acts(t_end())) return;
+  const std::string branch = m_accepted.drives.unstable(*m_setup, m_corrector.options());
+  if (!branch.empty())
+    m_accepted.warnings.add("falling force", branch, t_end(), {}, m_accepted.drives.branch_way());
+}
+
 template <int Dim>
 void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
                              const std::vector<ContactEvent<Dim>>& events) {
@@ -75,6 +92,7 @@ void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
   m_accepted.corrector = m_corrector.memory();
   m_accepted.corrector.tangent =
       nullptr; // state() shares it; kept here, the next factor could not take its place
+  follow_drives(m_accepted.prescribed, R);
   m_accepted.prescribed = m_prescribed;
   m_accepted.left_out = left_out();
   m_accepted.support_displacement = m_supports.displacement();
@@ -108,6 +126,7 @@ template <int Dim> void ContactRun<Dim>::revert() {
   template StepEnds<Dim> ContactRun<Dim>::ends(const Eigen::VectorXd&, const Eigen::VectorXd&) const;        \
   template std::vector<ContactEvent<Dim>> ContactRun<Dim>::events(                                           \
       const Eigen::VectorXd&, const Eigen::VectorXd&, double, double) const;                                 \
+  template void ContactRun<Dim>::follow_drives(const PrescribedValues&, const Eigen::VectorXd&);             \
   template void ContactRun<Dim>::accept(const Eigen::VectorXd&, const Eigen::VectorXd&,                      \
                                         const std::vector<ContactEvent<Dim>>&);                              \
   template void ContactRun<Dim>::accept_events(const std::vector<ContactEvent<Dim>>&);                       \

@@ -30,6 +30,8 @@ template <int Dim> std::string ContactRun<Dim>::reason(const std::string& of_bod
   if (cause.empty() && !m_hold.acts(t_end())) cause = unheld_workpiece(*m_setup, state, m_accepted.u);
   if (cause.empty()) cause = of_body;
   const std::string& found = m_corrector.reason();
+  if (cause.empty() && found.find("limit load") == std::string::npos)
+    cause = m_accepted.drives.exhausted(*m_setup, m_accepted.prescribed, m_prescribed);
   if (found.empty()) return cause; // the material could not follow
   if (!cause.empty())
     return found.find(cause.substr(0, cause.find(':'))) == 0 ? cause : cause + " (" + found + ")";

@@ -7,8 +7,8 @@ namespace burnish {
 
 template <int Dim>
 void ContactWarnings<Dim>::add(const std::string& subject, const std::string& text, double t,
-                               const std::vector<double>& place) {
-  Finding* finding = m_findings.report("contact", subject, Severity::WARNING, 0, t);
+                               const std::vector<double>& place, double excess) {
+  Finding* finding = m_findings.report("contact", subject, Severity::WARNING, excess, t);
   if (!finding) return;
   finding->text = text;
   finding->place = place;

@@ -20,9 +20,9 @@ public:
   /// Contact at an end of an open tool, beyond which the surface of the body goes on: a sharp edge.
   void check_ends(const ContactSetup<Dim>& setup, const ContactState<Dim>& state, const Eigen::VectorXd& u,
                   double t);
-  /// @param subject of which one warning is enough
+  /// @param subject of which one warning is enough: the first, or that of the largest excess
   void add(const std::string& subject, const std::string& text, double t = Finding::NONE,
-           const std::vector<double>& place = {});
+           const std::vector<double>& place = {}, double excess = 0);
 
 private:
   void check_elements(const ContactSetup<Dim>& setup, const std::vector<int>& tool_of_node,

@@ -30,14 +30,6 @@ template <int Dim> double thickness(const Surface<Dim>& surface) {
   return 4 * std::abs(area) / length;
 }
 
-// How fast the points of the tool of coordinate k move with it.
-template <int Dim> double lever(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses, int k) {
-  const int tool = model.tool_of(k);
-  const auto own = static_cast<std::size_t>(k - model.first[tool]);
-  return poses[tool].origin_q[own].norm() +
-         poses[tool].R_q[own].norm() * model.tools[tool]->surface().length_scale();
-}
-
 // Places of the contact surface at both ends: its nodes, and places between those that lie farther apart than `apart`.
 template <int Dim> struct SurfacePoints {
   std::vector<Vector<Dim>> start, end;
@@ -126,6 +118,13 @@ template <int Dim> bool touches(const ContactModel<Dim>& model, const ContactSta
 
 } // namespace
 
+template <int Dim> double lever(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses, int k) {
+  const int tool = model.tool_of(k);
+  const auto own = static_cast<std::size_t>(k - model.first[tool]);
+  return poses[tool].origin_q[own].norm() +
+         poses[tool].R_q[own].norm() * model.tools[tool]->surface().length_scale();
+}
+
 template <int Dim> std::string tool_passage(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path) {
   for (int t = 0; t < static_cast<int>(setup.tools().size()); ++t) {
     const double way = travel(setup, path, t), length = setup.model().tools[t]->surface().length_scale();
@@ -202,6 +201,7 @@ std::string body_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& pa
 }
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template double lever<Dim>(const ContactModel<Dim>&, const std::vector<Pose<Dim>>&, int);                  \
   template std::string tool_passage<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&);                 \
   template std::string sudden_jump<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&,                   \
                                         const PrescribedValues&, const StepRates&, const StepOptions&);      \

@@ -18,6 +18,9 @@ struct StepRates {
   const Eigen::VectorXd& first_dq; ///< by the first iteration of this step; empty: unknown
 };
 
+/// How far the points of the tool of coordinate k move with it, at most [length over the unit of the coordinate].
+template <int Dim> double lever(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses, int k);
+
 /// A node or a place between two of them that is outside of a tool at both ends of the step and inside on the way. Only
 /// where tool and body move against one another by more than the tool's size. @returns what to say of it, or ""
 template <int Dim> std::string tool_passage(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path);
