@@ -94,6 +94,8 @@ void build_lower_triangle(const NodeBlockMatrix<Dim>& pattern, PermutedTriangle&
       for (int other_comp = 0; other_comp < Dim; ++other_comp) {
         const int other = Dim * pattern.col[k] + other_comp;
         if (position[other] < static_cast<int>(p)) continue;
+        if (other == dof && static_cast<int>(p) >= triangle.num_interior)
+          triangle.diagonal.push_back(static_cast<int>(triangle.row.size()));
         triangle.row.push_back(position[other]);
         const bool mirrored = other >= dof;
         const std::size_t block = mirrored ? transposed[k] : k;

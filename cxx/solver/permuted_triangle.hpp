@@ -15,6 +15,7 @@ struct PermutedTriangle {
   std::vector<int> col_start{0};   ///< order.size() + 1
   std::vector<int> row;            ///< per entry, >= its column
   std::vector<std::uint32_t> slot; ///< per entry, its place in NodeBlockMatrix::value (lower triangle of A)
+  std::vector<int> diagonal;       ///< entry on the diagonal of every column of a candidate
 };
 
 /// What permute_candidates_last refuses, without doing it.

@@ -123,13 +123,20 @@ void SchurFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::v
   *m_impl = std::move(fresh);
 }
 
-template <int Dim> FactorStatus SchurFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix) {
+template <int Dim>
+FactorStatus SchurFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added) {
   const char* where = "SchurFactor::factorize";
   if (!m_impl->is_analyzed(matrix))
     fail(where, "the matrix has not the pattern analyzed, call analyze first");
   require(matrix.value.size() == matrix.col.size() * Dim * Dim, where, "value.size()", matrix.value.size(),
           "Dim*Dim per block");
+  require(added.size() == 0 || static_cast<std::size_t>(added.size()) == Dim * m_impl->candidates.size(),
+          where, "added.size()", added.size(), "Dim*candidates or 0");
   std::vector<double> values = m_impl->values_of(matrix);
+  if (added.size() > 0) {
+    const std::vector<int> free = m_impl->free_candidate_dofs();
+    for (std::size_t i = 0; i < free.size(); ++i) values[m_impl->triangle.diagonal[i]] += added[free[i]];
+  }
   ++m_impl->factorizations;
   const FactorStatus status = m_impl->factor.factorize(std::move(values));
   if (status == FactorStatus::OK)
