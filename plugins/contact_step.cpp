@@ -104,8 +104,7 @@ bool factorize_material(const Method<ContactHandle, FactorizeTag>& m, MaterialHa
   return guarded([&] {
     MaterialObject& object = material->get();
     m->get().require_same_mesh(object, "contact.factorize");
-    return factorize_tangent(m->get().run(), object.workpiece(), object.tangent,
-                             dofs(m->get(), u, "contact.factorize", "u"));
+    return factorize_tangent(m->get().run(), object.workpiece(), dofs(m->get(), u, "contact.factorize", "u"));
   });
 }
 bool factorize_matrix(const Method<ContactHandle, FactorizeTag>& m, Matrice_Creuse<double>* const& K,

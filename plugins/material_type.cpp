@@ -128,7 +128,6 @@ struct MakeMaterial {
     object->fingerprint = mesh_fingerprint<2>(workpiece->discretization());
     if (!user) object->warnings = unit_warnings(input.numbers, "rcMaterial");
     if (!object->warnings.empty()) cout << "burnish: warning: " << object->warnings << std::flush;
-    object->tangent = workpiece->pattern();
     object->body = std::make_unique<WorkpieceBody<2>>(std::move(workpiece));
     return made(a.stack(), std::move(object));
   }
@@ -227,12 +226,12 @@ struct Tangent {
   static basicAC_F0::name_and_type names[n];
   static newpMatrice_Creuse<double> call(const Named& a, Method<MaterialHandle, TangentTag> m) {
     MaterialObject& object = m->get();
+    NodeBlockMatrix<2> K = object.workpiece().pattern();
     called("material.tangent", [&] {
-      object.workpiece().tangent(object.tangent, tangent_kind(a.text("kind", "consistent")),
-                                 a.real("blend", 0));
+      object.workpiece().tangent(K, tangent_kind(a.text("kind", "consistent")), a.real("blend", 0));
     });
-    note_tangent(object.tangent, object.fingerprint, object.workpiece().discretization().axisymmetric);
-    return to_freefem(a.stack(), object.tangent);
+    note_tangent(K, object.fingerprint, object.workpiece().discretization().axisymmetric);
+    return to_freefem(a.stack(), K);
   }
 };
 basicAC_F0::name_and_type Tangent::names[] = {{"kind", &typeid(string*)}, {"blend", &typeid(double)}};

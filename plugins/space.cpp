@@ -58,6 +58,7 @@ burnish::Mesh<2> mesh_of(pfes* const& space, const char* where, bool axisymmetri
   for (int k = 0; k < Th.nt; ++k) {
     const std::vector<int> nodes = element_nodes(V, k, where);
     mesh.nodes_per_element = static_cast<int>(nodes.size());
+    mesh.connectivity.reserve(static_cast<std::size_t>(Th.nt) * nodes.size());
     mesh.connectivity.insert(mesh.connectivity.end(), nodes.begin(), nodes.end());
     for (int a = 0; a < mesh.nodes_per_element; ++a) {
       const R2 P = a < 3 ? R2(Th[k][a]) : 0.5 * (R2(Th[k][(a - 2) % 3]) + R2(Th[k][(a - 1) % 3]));

@@ -19,7 +19,6 @@ struct ToolObject {
 struct MaterialObject {
   static constexpr const char* TYPE = "material";
   std::unique_ptr<WorkpieceBody<2>> body;
-  NodeBlockMatrix<2> tangent;
   std::map<std::string, double> parameters;        // numbers by name for formulas of user-defined events
   double update_seconds = 0, assembly_seconds = 0; // CPU
   std::vector<double> moduli;                      // the last that were read, while nothing has changed

@@ -30,6 +30,11 @@ void report(const AcceptedStep<2>& step, const std::string& check, int tool, Sev
 template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<2>& step) {
   constexpr int samples = 64;
   m_edges = boundary_edges(step.mesh);
+  m_place.assign(static_cast<std::size_t>(step.mesh.num_nodes), -1);
+  int places = 0;
+  for (const BoundaryEdge& edge : m_edges)
+    for (const int node : {edge.a, edge.b})
+      if (m_place[node] < 0) m_place[node] = places++;
   m_candidate = step.model.candidate_of_node(step.mesh.num_nodes);
   for (std::size_t tool = 0; tool < step.model.tools.size(); ++tool) {
     Watched watched;
@@ -37,7 +42,7 @@ template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<2>& step) {
     watched.R = step.poses[tool].R;
     for (const SurfacePlace<2>& place : step.model.tools[tool]->surface().samples(samples))
       watched.reach = std::max(watched.reach, place.y.norm());
-    watched.distance.resize(static_cast<std::size_t>(step.mesh.num_nodes));
+    watched.distance.resize(static_cast<std::size_t>(places));
     m_tools.push_back(std::move(watched));
   }
 }
@@ -53,7 +58,7 @@ template <int Dim> void OverlapCheck<Dim>::move(const AcceptedStep<2>& step, int
 // Of a node from a tool's surface, or less.
 template <int Dim> double OverlapCheck<Dim>::distance(const AcceptedStep<2>& step, int tool, int node) {
   Watched& watched = m_tools[tool];
-  Distance& last = watched.distance[node];
+  Distance& last = watched.distance[m_place[node]];
   const Vector<2> x = step.body.position(step.u, node);
   if (last.known >= 0) {
     const double left = last.known - (x - last.x).norm() - (watched.moved - last.moved);
@@ -72,8 +77,8 @@ void OverlapCheck<Dim>::look_at_tool(const AcceptedStep<2>& step, const CheckOpt
     const Vector<2> a = step.body.position(step.u, edge.a), b = step.body.position(step.u, edge.b);
     const double length = (b - a).norm();
     if (std::min(distance(step, tool, edge.a), distance(step, tool, edge.b)) > length) continue;
-    const ToolDepth depth =
-        tool_depth(*step.model.tools[tool], step.poses[tool], a, b, m_tools[tool].distance[edge.a].hint);
+    const ToolDepth depth = tool_depth(*step.model.tools[tool], step.poses[tool], a, b,
+                                       m_tools[tool].distance[m_place[edge.a]].hint);
     const Vector<2> outward(b[1] - a[1], a[0] - b[0]);
     // a face of the body behind an open tool, or beyond its end, is no overlap
     if (!(depth.depth > 0) || depth.on_end || depth.n.dot(outward) >= 0) continue;

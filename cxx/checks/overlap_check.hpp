@@ -25,7 +25,7 @@ private:
     Tensor<2> R;
     double reach = 0;               ///< largest distance of its points from its origin [length]
     double moved = 0;               ///< way that no point of it has exceeded so far [length]
-    std::vector<Distance> distance; ///< per node
+    std::vector<Distance> distance; ///< per node of the boundary
   };
   void start(const AcceptedStep<2>& step);
   void move(const AcceptedStep<2>& step, int tool);
@@ -34,6 +34,7 @@ private:
                     FindingList& findings, int tool);
 
   std::vector<BoundaryEdge> m_edges;
+  std::vector<int> m_place;     // of a node among those of the boundary
   std::vector<int> m_candidate; // of a node, -1: none
   std::vector<Watched> m_tools;
 };

@@ -45,7 +45,7 @@ void check_mid_edges(const Discretization<2>& mesh, int e, const Triangle& t) {
   }
 }
 
-/// Barycentric coordinates of point q of an element.
+/// Barycentric coordinates of point q of any element.
 Barycentric<2> point_of(const Discretization<2>& mesh, int q) {
   if (mesh.points_per_element == 1) return Barycentric<2>::Constant(1. / 3);
   Barycentric<2> l = Barycentric<2>::Constant(mesh.axisymmetric ? 1. / 6 : 0.5);
@@ -57,10 +57,7 @@ void add_point(Discretization<2>& mesh, const Triangle& t, const Barycentric<2>&
   const Vector<2> at = l[0] * t.vertex[0] + l[1] * t.vertex[1] + l[2] * t.vertex[2];
   mesh.point.insert(mesh.point.end(), at.begin(), at.end());
   mesh.weight.push_back(t.area / mesh.points_per_element * (mesh.axisymmetric ? 2 * M_PI * at[0] : 1));
-  double shape[6];
-  shape_functions<2>(mesh.nodes_per_element, l, shape);
   for (int a = 0; a < mesh.nodes_per_element; ++a) {
-    mesh.shape.push_back(shape[a]);
     const Vector<2> gradient = shape_gradient<2, 2>(mesh.nodes_per_element, l, t.gradient, a);
     mesh.shape_grad.insert(mesh.shape_grad.end(), gradient.begin(), gradient.end());
   }
@@ -78,8 +75,12 @@ Discretization<2> triangles(Mesh<2> input) {
   const std::size_t points = mesh.num_points(), shapes = points * mesh.nodes_per_element;
   mesh.weight.reserve(points);
   mesh.point.reserve(2 * points);
-  mesh.shape.reserve(shapes);
   mesh.shape_grad.reserve(2 * shapes);
+  for (int q = 0; q < mesh.points_per_element; ++q) {
+    double shape[6];
+    shape_functions<2>(mesh.nodes_per_element, point_of(mesh, q), shape);
+    mesh.shape.insert(mesh.shape.end(), shape, shape + mesh.nodes_per_element);
+  }
   for (int e = 0; e < mesh.num_elements; ++e) {
     const Triangle t = triangle(mesh, e);
     if (mesh.nodes_per_element == 6) check_mid_edges(mesh, e, t);

@@ -9,16 +9,16 @@ namespace burnish {
 /// forces are those of the whole ring [force], not per unit of thickness or angle.
 template <int Dim> struct Discretization : Mesh<Dim> {
   int points_per_element = 0;
-  std::vector<double> weight;     ///< num_points: quadrature weight times element volume [length^Dim],
-                                  ///< axisymmetric: times 2 pi R [length^3]
-  std::vector<double> shape;      ///< num_points x nodes_per_element: N_a [-]
+  std::vector<double> weight; ///< num_points: quadrature weight times element volume [length^Dim],
+                              ///< axisymmetric: times 2 pi R [length^3]
+  std::vector<double> shape;  ///< points_per_element x nodes_per_element: N_a, the same in all elements [-]
   std::vector<double> shape_grad; ///< num_points x nodes_per_element x Dim: dN_a/dX_j [1/length]
   std::vector<double> point;      ///< num_points x Dim: reference position of the quadrature points [length]
 
   int num_points() const { return this->num_elements * points_per_element; }
   /// N_a at point p (global point number), nodes_per_element.
   const double* shapes(int p) const {
-    return shape.data() + static_cast<std::size_t>(p) * this->nodes_per_element;
+    return shape.data() + static_cast<std::size_t>(p % points_per_element) * this->nodes_per_element;
   }
   /// 1/R at point p where axisymmetric: N_a/R is the hoop gradient of node a, on its radial dof [1/length].
   double inverse_radius(int p) const { return 1 / point[static_cast<std::size_t>(Dim) * p]; }

@@ -206,9 +206,9 @@ FactorStatus BorderedSolver::factorize(const SparseView& matrix) {
   FactorStatus status = impl.choose_border(matrix);
   if (status != FactorStatus::OK) return status;
   impl.value.assign(matrix.value, matrix.value + impl.pattern.col.size());
-  for (std::size_t k = 0; k < impl.rest_slot.size(); ++k)
-    impl.factor.values()[k] = impl.value[impl.rest_slot[k]];
-  status = impl.factor.factorize();
+  std::vector<double> rest(impl.rest_slot.size());
+  for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = impl.value[impl.rest_slot[k]];
+  status = impl.factor.factorize(std::move(rest));
   if (status == FactorStatus::OK && !impl.border.empty()) status = impl.factorize_schur();
   impl.has_factor = status == FactorStatus::OK;
   return status;

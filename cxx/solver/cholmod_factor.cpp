@@ -24,7 +24,6 @@ void check_lower_triangle(const std::vector<int>& col_start, const std::vector<i
 struct CholmodFactor::Impl {
   CholmodCommon common;
   std::vector<int> col_start{0}, row;
-  std::vector<double> value;
   cholmod_factor* factor = nullptr;
   cholmod_dense* solution = nullptr;
   cholmod_dense* work_y = nullptr;
@@ -58,16 +57,15 @@ struct CholmodFactor::Impl {
     factorized = false;
   }
   /// The lower triangle as CHOLMOD sees it, a view of the vectors.
-  cholmod_sparse matrix() {
+  cholmod_sparse pattern() {
     cholmod_sparse view{};
     view.nrow = view.ncol = size();
     view.nzmax = row.size();
     view.p = col_start.data();
     view.i = row.data();
-    view.x = value.data();
     view.stype = -1;
     view.itype = CHOLMOD_INT;
-    view.xtype = CHOLMOD_REAL;
+    view.xtype = CHOLMOD_PATTERN;
     view.dtype = CHOLMOD_DOUBLE;
     view.sorted = 0;
     view.packed = 1;
@@ -92,23 +90,25 @@ void CholmodFactor::analyze(std::vector<int> col_start, std::vector<int> row) {
   impl.analyzed = false;
   impl.col_start = std::move(col_start);
   impl.row = std::move(row);
-  impl.value.assign(impl.row.size(), 0.);
   if (impl.size() > 0) {
-    cholmod_sparse matrix = impl.matrix();
+    cholmod_sparse matrix = impl.pattern();
     impl.factor = cholmod_analyze(&matrix, impl.common.get());
     if (!impl.factor) impl.common.check("CholmodFactor::analyze");
+    cholmod_free_work(impl.common.get()); // more than the numerical factor needs
   }
   impl.analyzed = true;
 }
 
-std::vector<double>& CholmodFactor::values() { return m_impl->value; }
-
-FactorStatus CholmodFactor::factorize() {
+FactorStatus CholmodFactor::factorize(std::vector<double> values) {
   Impl& impl = *m_impl;
   if (!impl.analyzed) throw std::logic_error("CholmodFactor::factorize: call analyze first");
+  if (values.size() != impl.row.size())
+    throw std::logic_error("CholmodFactor::factorize: not as many values as rows of analyze");
   impl.factorized = false;
   if (impl.size() > 0) {
-    cholmod_sparse matrix = impl.matrix();
+    cholmod_sparse matrix = impl.pattern();
+    matrix.xtype = CHOLMOD_REAL;
+    matrix.x = values.data();
     const OpenmpGuard guard;
     cholmod_factorize(&matrix, impl.factor, impl.common.get());
     impl.common.check("CholmodFactor::factorize");

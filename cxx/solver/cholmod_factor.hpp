@@ -17,15 +17,13 @@ public:
   CholmodFactor& operator=(CholmodFactor&&) noexcept;
 
   /// Symbolic analysis of the pattern of the lower triangle by columns: rows row[col_start[j] ..
-  /// col_start[j+1]), each >= j, in any order; the last entry of col_start is the number of entries. Values
-  /// become zero.
+  /// col_start[j+1]), each >= j, in any order; the last entry of col_start is the number of entries.
   /// @throws std::bad_alloc, std::runtime_error on a CHOLMOD error
   void analyze(std::vector<int> col_start, std::vector<int> row);
-  /// Values in the order of `row` of analyze(), to be written before factorize().
-  std::vector<double>& values();
-  /// Numerical factor. After NOT_POSITIVE_DEFINITE there is no factor to use.
-  /// @throws std::logic_error before analyze(); std::bad_alloc, std::runtime_error on a CHOLMOD error
-  FactorStatus factorize();
+  /// Numerical factor of the matrix with these values, in the order of `row` of analyze(); they are not kept. After
+  /// NOT_POSITIVE_DEFINITE there is no factor to use.
+  /// @throws std::logic_error before analyze() or for another number of values; std::bad_alloc, std::runtime_error on a CHOLMOD error
+  FactorStatus factorize(std::vector<double> values);
   bool is_factorized() const;
   /// Replaces every column of b (n x any number) by A^-1 b.
   /// @throws std::logic_error if there is no factor or b has not n rows

@@ -1,6 +1,7 @@
 #include "solver/permuted_triangle.hpp"
 #include "base/error.hpp"
 #include "solver/fill_ordering.hpp"
+#include <limits>
 #include <utility>
 
 namespace burnish {
@@ -41,6 +42,12 @@ template <int Dim> void check_pattern(const NodeBlockMatrix<Dim>& pattern) {
     require(node >= 0 && node < pattern.num_nodes, where, "col", node, "0 <= col < num_nodes");
 }
 
+template <int Dim> void check_size(const NodeBlockMatrix<Dim>& pattern) {
+  const std::size_t values = pattern.col.size() * Dim * Dim;
+  require(values <= std::numeric_limits<std::uint32_t>::max(), "SchurFactor::analyze", "number of values",
+          values, "less than 2^32");
+}
+
 /// Nodes with a free dof that are not candidates are ordered as a graph of nodes: their dofs share a pattern.
 template <int Dim>
 void order_dofs(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
@@ -77,17 +84,23 @@ void build_lower_triangle(const NodeBlockMatrix<Dim>& pattern, PermutedTriangle&
   const std::vector<int>& order = triangle.order;
   std::vector<int> position(pattern.size(), -1);
   for (std::size_t p = 0; p < order.size(); ++p) position[order[p]] = static_cast<int>(p);
+  const std::size_t most = (pattern.col.size() * Dim * Dim + pattern.size()) / 2; // without fixed dofs
+  triangle.col_start.reserve(order.size() + 1);
+  triangle.row.reserve(most);
+  triangle.slot.reserve(most);
   for (std::size_t p = 0; p < order.size(); ++p) {
     const int dof = order[p], node = dof / Dim, comp = dof % Dim;
     for (int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k) {
       for (int other_comp = 0; other_comp < Dim; ++other_comp) {
         const int other = Dim * pattern.col[k] + other_comp;
         if (position[other] < static_cast<int>(p)) continue;
+        if (other == dof && static_cast<int>(p) >= triangle.num_interior)
+          triangle.diagonal.push_back(static_cast<int>(triangle.row.size()));
         triangle.row.push_back(position[other]);
         const bool mirrored = other >= dof;
         const std::size_t block = mirrored ? transposed[k] : k;
         const int row_comp = mirrored ? other_comp : comp, col_comp = mirrored ? comp : other_comp;
-        triangle.slot.push_back((block * Dim + row_comp) * Dim + col_comp);
+        triangle.slot.push_back(static_cast<std::uint32_t>((block * Dim + row_comp) * Dim + col_comp));
       }
     }
     triangle.col_start.push_back(static_cast<int>(triangle.row.size()));
@@ -103,21 +116,39 @@ void check_candidates(int num_nodes, const std::vector<int>& candidates) {
   }
 }
 
+template <int Dim>
+void check_arguments(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
+                     const std::vector<int>& candidates) {
+  check_pattern(pattern);
+  check_size(pattern);
+  require(fixed.size() == static_cast<std::size_t>(pattern.size()), "SchurFactor::analyze", "fixed.size()",
+          fixed.size(), "Dim*num_nodes");
+  check_candidates(pattern.num_nodes, candidates);
+}
+
 } // namespace
+
+template <int Dim>
+void require_permutable(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
+                        const std::vector<int>& candidates) {
+  check_arguments(pattern, fixed, candidates);
+  transposed_blocks(pattern);
+}
 
 template <int Dim>
 PermutedTriangle permute_candidates_last(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
                                          const std::vector<int>& candidates) {
-  check_pattern(pattern);
-  require(fixed.size() == static_cast<std::size_t>(pattern.size()), "SchurFactor::analyze", "fixed.size()",
-          fixed.size(), "Dim*num_nodes");
-  check_candidates(pattern.num_nodes, candidates);
+  check_arguments(pattern, fixed, candidates);
   PermutedTriangle triangle;
   order_dofs(pattern, fixed, candidates, triangle);
   build_lower_triangle(pattern, triangle);
   return triangle;
 }
 
+template void require_permutable<2>(const NodeBlockMatrix<2>&, const std::vector<char>&,
+                                    const std::vector<int>&);
+template void require_permutable<3>(const NodeBlockMatrix<3>&, const std::vector<char>&,
+                                    const std::vector<int>&);
 template PermutedTriangle permute_candidates_last<2>(const NodeBlockMatrix<2>&, const std::vector<char>&,
                                                      const std::vector<int>&);
 template PermutedTriangle permute_candidates_last<3>(const NodeBlockMatrix<3>&, const std::vector<char>&,

@@ -26,7 +26,7 @@ template <int Dim> struct SchurFactor<Dim>::Impl {
   void require_factor(const char* where) const {
     if (!factor.is_factorized()) fail(where, "there is no factor, call factorize first");
   }
-  void load(const NodeBlockMatrix<Dim>& matrix);
+  std::vector<double> values_of(const NodeBlockMatrix<Dim>& matrix) const; // in the order of the triangle
   [[noreturn]] void report_not_finite(const NodeBlockMatrix<Dim>& matrix) const;
   void require_swept(const SweptLoad& load, const char* where) const {
     require_factor(where);
@@ -40,15 +40,17 @@ template <int Dim> struct SchurFactor<Dim>::Impl {
   Eigen::MatrixXd with_fixed_dofs(const Eigen::MatrixXd& free, double diagonal) const;
 };
 
-template <int Dim> void SchurFactor<Dim>::Impl::load(const NodeBlockMatrix<Dim>& matrix) {
-  std::vector<double>& value = factor.values();
-  const std::vector<std::size_t>& slot = triangle.slot;
+template <int Dim>
+std::vector<double> SchurFactor<Dim>::Impl::values_of(const NodeBlockMatrix<Dim>& matrix) const {
+  const std::vector<std::uint32_t>& slot = triangle.slot;
+  std::vector<double> value(slot.size());
   double check = 0; // stays zero unless a value is not finite
   for (std::size_t k = 0; k < slot.size(); ++k) {
     value[k] = matrix.value[slot[k]];
     check += 0. * value[k];
   }
   if (check != 0.) report_not_finite(matrix);
+  return value;
 }
 
 template <int Dim> void SchurFactor<Dim>::Impl::report_not_finite(const NodeBlockMatrix<Dim>& matrix) const {
@@ -93,32 +95,50 @@ template <int Dim> SchurFactor<Dim>::~SchurFactor() = default;
 template <int Dim> SchurFactor<Dim>::SchurFactor(SchurFactor&&) noexcept = default;
 template <int Dim> SchurFactor<Dim>& SchurFactor<Dim>::operator=(SchurFactor&&) noexcept = default;
 
+// Only the counts stay.
+template <int Dim> void SchurFactor<Dim>::release() {
+  Impl empty;
+  empty.analyses = m_impl->analyses;
+  empty.factorizations = m_impl->factorizations;
+  empty.solves = m_impl->solves;
+  *m_impl = std::move(empty);
+}
+
 template <int Dim>
 void SchurFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
                                const std::vector<int>& candidates) {
   if (m_impl->is_analyzed(pattern) && fixed == m_impl->fixed && candidates == m_impl->candidates) return;
-  Impl fresh; // an exception leaves the analysis as it was
+  require_permutable(pattern, fixed, candidates); // a refusal leaves the analysis as it was
+  Impl fresh;
+  fresh.analyses = m_impl->analyses + 1;
+  fresh.factorizations = m_impl->factorizations;
+  fresh.solves = m_impl->solves;
+  release(); // two factors at a time are never held
   fresh.triangle = permute_candidates_last(pattern, fixed, candidates);
   fresh.factor.analyze(std::move(fresh.triangle.col_start), std::move(fresh.triangle.row));
   fresh.row_start = pattern.row_start;
   fresh.col = pattern.col;
   fresh.fixed = fixed;
   fresh.candidates = candidates;
-  fresh.analyses = m_impl->analyses + 1;
-  fresh.factorizations = m_impl->factorizations;
-  fresh.solves = m_impl->solves;
   *m_impl = std::move(fresh);
 }
 
-template <int Dim> FactorStatus SchurFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix) {
+template <int Dim>
+FactorStatus SchurFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added) {
   const char* where = "SchurFactor::factorize";
   if (!m_impl->is_analyzed(matrix))
     fail(where, "the matrix has not the pattern analyzed, call analyze first");
   require(matrix.value.size() == matrix.col.size() * Dim * Dim, where, "value.size()", matrix.value.size(),
           "Dim*Dim per block");
-  m_impl->load(matrix);
+  require(added.size() == 0 || static_cast<std::size_t>(added.size()) == Dim * m_impl->candidates.size(),
+          where, "added.size()", added.size(), "Dim*candidates or 0");
+  std::vector<double> values = m_impl->values_of(matrix);
+  if (added.size() > 0) {
+    const std::vector<int> free = m_impl->free_candidate_dofs();
+    for (std::size_t i = 0; i < free.size(); ++i) values[m_impl->triangle.diagonal[i]] += added[free[i]];
+  }
   ++m_impl->factorizations;
-  const FactorStatus status = m_impl->factor.factorize();
+  const FactorStatus status = m_impl->factor.factorize(std::move(values));
   if (status == FactorStatus::OK)
     m_impl->trailing = m_impl->factor.trailing_factor(m_impl->triangle.num_interior);
   return status;

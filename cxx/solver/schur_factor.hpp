@@ -22,14 +22,14 @@ public:
   /// @param candidates  nodes whose Dim dofs each are eliminated last, in this order; may be empty
   /// Fixed dofs of a candidate node stay among the candidates (unit diagonal).
   /// @throws std::invalid_argument if the pattern is not sorted, structurally symmetric and with all diagonal
-  /// blocks, fixed is not of size Dim*num_nodes, a candidate is out of range or named twice; the analysis
-  /// stays as it was
+  /// blocks, fixed is not of size Dim*num_nodes, a candidate is out of range or named twice; analysis and
+  /// factor stay as they were. Beyond that the old ones are gone before the new analysis begins, so that no two are held.
   void analyze(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
                const std::vector<int>& candidates) override;
   /// Numerical LL' of the lower triangle. NOT_POSITIVE_DEFINITE is a result, not an exception.
-  /// @throws std::invalid_argument if the pattern is not the one analyzed or a value used is not finite
+  /// @throws std::invalid_argument if the pattern is not the one analyzed, added has another size, or a value used is not finite
   /// (named by row, column and value)
-  FactorStatus factorize(const NodeBlockMatrix<Dim>& matrix) override;
+  FactorStatus factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added = {}) override;
   /// x = K^-1 b; entries of b at fixed dofs are taken as zero, x is zero there.
   /// @param b  Dim*num_nodes
   /// @throws std::invalid_argument if b has another size or is not finite at a free dof
@@ -54,6 +54,7 @@ public:
 
 private:
   struct Impl;
+  void release();
   std::unique_ptr<Impl> m_impl;
 };
 

@@ -1,22 +1,27 @@
 #include "stepping/anderson.hpp"
+#include <utility>
 
 namespace burnish {
 
 void AndersonMixer::clear() {
   m_has_last = false;
+  m_last = Entry();
   m_differences.clear();
   m_products.resize(0, 0);
 }
 
-// The oldest one is dropped beyond the memory.
-void AndersonMixer::add_difference(const Entry& before, const Entry& now) {
+// The oldest one is dropped beyond the memory. In the place of `before`: no further vectors.
+void AndersonMixer::add_difference(Entry before, const Entry& now) {
   const Eigen::Index n = now.b.size();
   if (static_cast<int>(m_differences.size()) == m_memory) {
     m_differences.pop_front();
     m_products = m_products.bottomRightCorner(m_memory - 1, m_memory - 1).eval();
   }
-  m_differences.push_back(
-      {(now.z - before.z) + (now.g - before.g), (now.g - before.g).head(n), now.b - before.b});
+  before.g = now.g - before.g;
+  before.z = (now.z - before.z) + before.g;
+  before.b = now.b - before.b;
+  before.g.conservativeResize(n);
+  m_differences.push_back({std::move(before.z), std::move(before.g), std::move(before.b)});
   const Eigen::Index m = static_cast<Eigen::Index>(m_differences.size());
   m_products.conservativeResize(m, m);
   for (Eigen::Index i = 0; i < m; ++i) {
@@ -30,7 +35,7 @@ Eigen::VectorXd AndersonMixer::mix(const Eigen::VectorXd& z, const Eigen::Vector
   m_mixed = false;
   if (m_memory == 0) return g;
   Entry now{z, g, b};
-  if (m_has_last) add_difference(m_last, now);
+  if (m_has_last) add_difference(std::move(m_last), now);
   m_last = std::move(now);
   m_has_last = true;
   const Eigen::Index m = static_cast<Eigen::Index>(m_differences.size()), n = b.size();

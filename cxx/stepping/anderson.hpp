@@ -10,7 +10,7 @@ namespace burnish {
 class AndersonMixer {
 public:
   explicit AndersonMixer(int memory) : m_memory(memory) {}
-  void clear();
+  void clear(); ///< gives the memory back, too
   /// Coefficients and mixed update: returns the increment to add to z instead of g.
   /// @param z iterate, n; @param g correction, n; @param b right-hand side with K g = b, n (its first entries
   /// may be
@@ -26,7 +26,7 @@ private:
   struct Difference { // of two iterations that follow each other
     Eigen::VectorXd z_and_g, g, b;
   };
-  void add_difference(const Entry& before, const Entry& now);
+  void add_difference(Entry before, const Entry& now);
   int m_memory;
   bool m_mixed = false;
   bool m_has_last = false;

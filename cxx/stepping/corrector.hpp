@@ -59,6 +59,8 @@ public:
   /// The tangent stays indefinite: a limit load.
   bool blend_exhausted() const { return m_indefinite > m_options.max_indefinite; }
   void drop_factor() { m_has_factor = false; }
+  /// Before a tangent is assembled: its factor ends the mixing, whose vectors need not lie beside it.
+  void forget_mixing() { m_mixer.clear(); }
   /// The step is accepted: the factor is a step older.
   void accepted() { ++m_factor_age; }
   int factor_age() const { return m_factor_age; }

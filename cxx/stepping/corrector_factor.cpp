@@ -33,6 +33,7 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
         near_contact(m_model, m_body, m_state, u, m_options.window_width, m_options.window_nodes, m_options);
   m_rounding = rounding_of_forces(K, m_body.X);
   m_factor_age = 0;
+  forget_mixing();
   if (!m_tangent || m_tangent.use_count() > 1) { // a saved state keeps its factor
     m_tangent = std::make_shared<FactoredTangent<Dim>>();
     m_tangent->solver = std::make_unique<SchurFactor<Dim>>();
@@ -48,7 +49,6 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
   }
   ++m_counts.factorizations;
   m_counts.factor_entries = static_cast<long>(m_tangent->solver->factor_entries());
-  m_mixer.clear();
   m_rate.clear();
   if (!m_has_factor) {
     ++m_indefinite;

@@ -4,8 +4,7 @@
 namespace burnish {
 
 template <int Dim>
-bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece, NodeBlockMatrix<Dim>& K,
-                       const Eigen::VectorXd& u) {
+bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece, const Eigen::VectorXd& u) {
   const Mesh<Dim>& mesh = contact.setup().mesh();
   const int size = workpiece.discretization().num_dofs();
   require(size == mesh.num_dofs(), "contact.factorize", "degrees of freedom of the material", size,
@@ -13,6 +12,8 @@ bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece
   if (workpiece.discretization().axisymmetric != mesh.axisymmetric)
     fail("contact.factorize",
          "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
+  contact.corrector().forget_mixing();
+  NodeBlockMatrix<Dim> K = workpiece.pattern();
   do {
     workpiece.tangent(K, TangentKind::CONSISTENT, contact.corrector().elastic_blend());
     if (contact.factorize(K, u) == FactorStatus::OK) return true;
@@ -20,9 +21,7 @@ bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece
   return false;
 }
 
-template bool factorize_tangent<2>(ContactRun<2>&, const Workpiece<2>&, NodeBlockMatrix<2>&,
-                                   const Eigen::VectorXd&);
-template bool factorize_tangent<3>(ContactRun<3>&, const Workpiece<3>&, NodeBlockMatrix<3>&,
-                                   const Eigen::VectorXd&);
+template bool factorize_tangent<2>(ContactRun<2>&, const Workpiece<2>&, const Eigen::VectorXd&);
+template bool factorize_tangent<3>(ContactRun<3>&, const Workpiece<3>&, const Eigen::VectorXd&);
 
 } // namespace burnish

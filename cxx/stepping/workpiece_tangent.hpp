@@ -6,11 +6,10 @@
 namespace burnish {
 
 /// Assembles the consistent tangent and factorizes it; where it is not positive definite, elastic moduli are mixed in
-/// (Corrector::elastic_blend) and it is tried again. @param K has the workpiece's pattern; its values are replaced
+/// (Corrector::elastic_blend) and it is tried again. The tangent itself is not kept.
 /// @returns false if it stays indefinite: the step fails
 /// @throws std::invalid_argument if workpiece and contact have different spaces, or disagree on axisymmetry
 template <int Dim>
-bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece, NodeBlockMatrix<Dim>& K,
-                       const Eigen::VectorXd& u);
+bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece, const Eigen::VectorXd& u);
 
 } // namespace burnish

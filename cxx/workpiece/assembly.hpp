@@ -16,11 +16,12 @@ template <int Dim> class TangentAssembly {
 public:
   TangentAssembly() = default;
   explicit TangentAssembly(const Discretization<Dim>& mesh);
-  /// Values zero.
+  /// Without values.
   const NodeBlockMatrix<Dim>& pattern() const { return m_pattern; }
+  /// Whether the matrix has this pattern, with or without values.
   bool fits(const NodeBlockMatrix<Dim>& matrix) const;
   /// matrix += the contribution of a point with the moduli A = dP/dF, of which the blocks on and above the diagonal of the
-  /// element count; the others are their transposes. @param mesh that of the constructor; @param matrix fits
+  /// element count; the others are their transposes. @param mesh that of the constructor; @param matrix fits, with values
   void add(const Discretization<Dim>& mesh, int point, const PiolaTangent<Dim>& A,
            NodeBlockMatrix<Dim>& matrix) const;
 

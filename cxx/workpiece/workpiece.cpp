@@ -20,8 +20,8 @@ template <int Dim> void require_valid(const Discretization<Dim>& mesh) {
   require(mesh.weight.size() == points, where, "size of weight", mesh.weight.size(), "num_points");
   require(mesh.shape_grad.size() == points * per_point, where, "size of shape_grad", mesh.shape_grad.size(),
           "num_points x nodes_per_element x Dim");
-  require(mesh.shape.size() * Dim == mesh.shape_grad.size(), where, "size of shape", mesh.shape.size(),
-          "num_points x nodes_per_element");
+  require(mesh.shape.size() * Dim == per_point * mesh.points_per_element, where, "size of shape",
+          mesh.shape.size(), "points_per_element x nodes_per_element");
   require(mesh.point.size() == points * Dim, where, "size of point", mesh.point.size(), "num_points x Dim");
   if (mesh.axisymmetric && !PointTraits<Dim>::has_hoop) fail(where, "axisymmetric meshes are plane ones");
 }
@@ -201,7 +201,7 @@ void Workpiece<Dim>::tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, dou
   if (!m_assembly.fits(matrix))
     fail(where, "the matrix has another pattern than this discretization, expected one from pattern()");
   if (m_user) m_user->require_moduli(where);
-  std::fill(matrix.value.begin(), matrix.value.end(), 0.);
+  matrix.value.assign(matrix.col.size() * Dim * Dim, 0.);
   for (int p = 0; p < m_discretization.num_points(); ++p)
     m_assembly.add(m_discretization, p, moduli(p, kind, elastic_blend), matrix);
 }

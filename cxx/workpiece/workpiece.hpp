@@ -47,12 +47,13 @@ public:
   /// Internal force of state(): sum over points V0 P grad_X N, P = tau F^-T, and where axisymmetric V0 P_zz
   /// N/R on the radial dof, the force of the whole ring; num_dofs [force].
   Eigen::VectorXd internal_force() const;
-  /// Its tangent (symmetric part), into a matrix with this discretization's pattern: replaces the values.
+  /// Its tangent (symmetric part), into a matrix with this discretization's pattern: replaces the values, or makes them.
   /// Right after accept, revert or set_state the increment is zero and CONSISTENT means RATE, its limit for a
   /// step that goes on like the last one. RATE: a point loads if it flowed in the last update.
   /// @param elastic_blend 0..1: part of elastic moduli in plastic points (ALGORITHMS.md 5.2)
   /// @throws std::invalid_argument if the pattern is another one or elastic_blend is out of range
   void tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, double elastic_blend = 0) const;
+  /// Matrix without values, for tangent() to fill.
   NodeBlockMatrix<Dim> pattern() const { return m_assembly.pattern(); }
   /// Moduli A = dP/dF at a point, symmetrized, rows and columns in the order of Gradient, and first Piola stress P in
   /// the same order: what forms written in a script need [stress].

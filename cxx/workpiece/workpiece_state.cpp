@@ -22,6 +22,8 @@ WorkpieceState<Dim> initial_state(const Discretization<Dim>& mesh, const Interna
   state.displacement = Eigen::VectorXd::Zero(mesh.num_dofs());
   const Gradient<Dim> F = undeformed<Dim>();
   const std::vector<double> start = internal.initial();
+  state.F.reserve(points * num_gradient<Dim>);
+  state.internal.reserve(points * start.size());
   for (std::size_t p = 0; p < points; ++p) {
     state.F.insert(state.F.end(), F.begin(), F.end());
     state.internal.insert(state.internal.end(), start.begin(), start.end());

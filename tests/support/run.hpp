@@ -20,7 +20,7 @@ inline void answer(Task task, Scene& scene, Stepper<2>& stepper, const ProgramAt
       stepper.refuse("the material could not follow");
     scene.R = scene.workpiece().internal_force();
   }
-  if (task == Task::TANGENT && !factorize_tangent(scene.contact(), scene.workpiece(), scene.tangent, scene.u))
+  if (task == Task::TANGENT && !factorize_tangent(scene.contact(), scene.workpiece(), scene.u))
     stepper.refuse("");
   if (task != Task::SOLVE) return;
   scene.workpiece().tangent(scene.tangent, TangentKind::RATE);
@@ -56,8 +56,7 @@ inline StepStatus converge(Scene& scene, double t, double dt, Stepping stepping)
     if (scene.workpiece().update(scene.u, dt, it).status != UpdateStatus::OK) return StepStatus::FAILED;
     scene.R = scene.workpiece().internal_force();
     status = contact.check(scene.u, scene.R);
-    if (status == StepStatus::REFACTORIZE &&
-        !factorize_tangent(contact, scene.workpiece(), scene.tangent, scene.u))
+    if (status == StepStatus::REFACTORIZE && !factorize_tangent(contact, scene.workpiece(), scene.u))
       return StepStatus::FAILED;
     if (status == StepStatus::ITERATE || status == StepStatus::REFACTORIZE)
       if (contact.correct(scene.u, scene.R) == StepStatus::FAILED) status = StepStatus::FAILED;

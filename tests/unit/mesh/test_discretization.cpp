@@ -57,7 +57,7 @@ TEST(Triangles, Sizes) {
     EXPECT_EQ(mesh.num_nodes, nodes == 3 ? 9 : 25);
     EXPECT_EQ(mesh.weight.size(), std::size_t(mesh.num_points()));
     EXPECT_EQ(mesh.point.size(), std::size_t(2 * mesh.num_points()));
-    EXPECT_EQ(mesh.shape.size(), std::size_t(nodes * mesh.num_points()));
+    EXPECT_EQ(mesh.shape.size(), std::size_t(nodes * mesh.points_per_element));
     EXPECT_EQ(mesh.shape_grad.size(), std::size_t(2 * nodes * mesh.num_points()));
   }
 }

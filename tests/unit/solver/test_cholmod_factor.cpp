@@ -9,11 +9,11 @@ using namespace burnish;
 
 namespace {
 
-/// Lower triangle by columns (the rows of the upper one) of a symmetric matrix.
-void load(CholmodFactor& factor, const Eigen::MatrixXd& full) {
+/// Lower triangle by columns (the rows of the upper one) of a symmetric matrix. @returns its values
+std::vector<double> load(CholmodFactor& factor, const Eigen::MatrixXd& full) {
   const sample::Sparse upper = sample::sparse(full, [](int i, int j) { return i <= j; });
   factor.analyze(upper.row_start, upper.col);
-  factor.values() = upper.value;
+  return upper.value;
 }
 
 Graph graph_of(const Eigen::MatrixXd& full) {
@@ -34,8 +34,7 @@ TEST(CholmodFactor, FactorAndSolutionsEqualDense) {
   const Eigen::MatrixXd full = sample::symmetric_matrix();
   const int n = static_cast<int>(full.rows());
   CholmodFactor factor;
-  load(factor, full);
-  ASSERT_EQ(factor.factorize(), FactorStatus::OK);
+  ASSERT_EQ(factor.factorize(load(factor, full)), FactorStatus::OK);
   const Eigen::MatrixXd L = full.llt().matrixL();
   for (int first : {0, n / 2, n - 1, n}) {
     const Eigen::MatrixXd block = factor.trailing_factor(first);
@@ -54,7 +53,7 @@ TEST(CholmodFactor, FactorAndSolutionsEqualDense) {
 TEST(CholmodFactor, EmptyMatrix) {
   CholmodFactor factor;
   factor.analyze({0}, {});
-  EXPECT_EQ(factor.factorize(), FactorStatus::OK);
+  EXPECT_EQ(factor.factorize({}), FactorStatus::OK);
   Eigen::MatrixXd b(0, 1);
   EXPECT_NO_THROW(factor.solve(b));
   EXPECT_EQ(factor.trailing_factor(0).size(), 0);
@@ -63,19 +62,19 @@ TEST(CholmodFactor, EmptyMatrix) {
 TEST(CholmodFactor, MissingDiagonalIsNotPositiveDefinite) {
   CholmodFactor factor;
   factor.analyze({0, 2, 2}, {0, 1});
-  factor.values() = {2., 1.};
-  EXPECT_EQ(factor.factorize(), FactorStatus::NOT_POSITIVE_DEFINITE);
+  EXPECT_EQ(factor.factorize({2., 1.}), FactorStatus::NOT_POSITIVE_DEFINITE);
   EXPECT_FALSE(factor.is_factorized());
 }
 
 TEST(CholmodFactor, RefusesCallsOutOfOrder) {
   CholmodFactor factor;
   Eigen::MatrixXd b = Eigen::MatrixXd::Zero(3, 1);
-  EXPECT_THROW(factor.factorize(), std::logic_error);
-  load(factor, Eigen::MatrixXd::Identity(4, 4));
+  EXPECT_THROW(factor.factorize({}), std::logic_error);
+  const std::vector<double> values = load(factor, Eigen::MatrixXd::Identity(4, 4));
+  EXPECT_THROW(factor.factorize({1., 1., 1.}), std::logic_error); // 3 values of 4
   EXPECT_THROW(factor.solve(b), std::logic_error);
   EXPECT_THROW(factor.trailing_factor(0), std::logic_error);
-  ASSERT_EQ(factor.factorize(), FactorStatus::OK);
+  ASSERT_EQ(factor.factorize(values), FactorStatus::OK);
   EXPECT_THROW(factor.solve(b), std::logic_error); // 3 rows of 4
   EXPECT_THROW(factor.trailing_factor(5), std::logic_error);
   EXPECT_THROW(factor.trailing_factor(-1), std::logic_error);

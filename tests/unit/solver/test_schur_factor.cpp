@@ -213,6 +213,37 @@ TEST(SchurFactor, IndefiniteMatrixIsAStatusAndDoesNotStick) {
   EXPECT_EQ(factor.analyses(), 1);
 }
 
+TEST(SchurFactor, AddedOnTheDiagonalOfCandidates) {
+  Plane plane;
+  const std::vector<int>& nodes = plane.mesh.outer;
+  plane.fixed[2 * nodes[1] + 1] = 1;
+  SchurFactor<2> factor, other;
+  factor.analyze(plane.K, plane.fixed, nodes);
+  other.analyze(plane.K, plane.fixed, nodes);
+  Eigen::VectorXd added = Eigen::VectorXd::Zero(2 * static_cast<int>(nodes.size()));
+  NodeBlockMatrix<2> sum = plane.K;
+  for (const int i : {0, 2, 3, 5}) { // 3 is fixed: nothing is added there
+    added[i] = 0.5 + i;
+    sum.block(sum.find(nodes[i / 2], nodes[i / 2]))[3 * (i % 2)] += added[i];
+  }
+  ASSERT_EQ(factor.factorize(plane.K, added), FactorStatus::OK);
+  ASSERT_EQ(other.factorize(sum), FactorStatus::OK);
+  const Eigen::VectorXd b = sample::random_vector(plane.K.size()), x = factor.solve(b);
+  EXPECT_EQ(x, other.solve(b));
+  ASSERT_EQ(factor.factorize(plane.K), FactorStatus::OK);
+  EXPECT_GT((factor.solve(b) - x).norm(), 1e-3 * x.norm()) << "nothing was added";
+  EXPECT_THROW(factor.factorize(plane.K, added.head(2)), std::invalid_argument);
+}
+
+TEST(SchurFactor, NoTwoFactorsAreHeld) {
+  const Plane plane;
+  SchurFactor<2> factor;
+  expect_equals_dense(factor, plane.K, plane.fixed, plane.mesh.outer);
+  factor.analyze(plane.K, plane.fixed, {plane.mesh.outer[0]});
+  EXPECT_THROW(factor.solve(sample::random_vector(plane.K.size())), std::invalid_argument);
+  expect_equals_dense(factor, plane.K, plane.fixed, {plane.mesh.outer[0]});
+}
+
 TEST(SchurFactor, MovedObjectKeepsItsFactor) {
   const Plane plane;
   SchurFactor<2> first;

@@ -29,8 +29,7 @@ Task run(PressedPrism& scene, const Program& program, Scheme scheme = Scheme::IM
         stepper.refuse("the material could not follow");
       scene.R = workpiece.internal_force();
     }
-    if (task == Task::TANGENT && !factorize_tangent(*scene.contact, workpiece, scene.K, scene.u))
-      stepper.refuse("");
+    if (task == Task::TANGENT && !factorize_tangent(*scene.contact, workpiece, scene.u)) stepper.refuse("");
     if (task == Task::STOPPED) ADD_FAILURE() << stepper.reason();
     if (task == Task::FINISHED || task == Task::STOPPED) return task;
   }

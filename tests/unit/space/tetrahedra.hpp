@@ -36,7 +36,8 @@ inline void add_point(Discretization<3>& mesh, const Tetrahedron& t, const Baryc
   double shape[10];
   shape_functions<3>(mesh.nodes_per_element, l, shape);
   for (int a = 0; a < mesh.nodes_per_element; ++a) {
-    mesh.shape.push_back(shape[a]);
+    if (mesh.shape.size() < static_cast<std::size_t>(mesh.points_per_element) * mesh.nodes_per_element)
+      mesh.shape.push_back(shape[a]); // the same in all elements
     const Vector<3> gradient = shape_gradient<3, 3>(mesh.nodes_per_element, l, t.gradient, a);
     mesh.shape_grad.insert(mesh.shape_grad.end(), gradient.begin(), gradient.end());
   }
