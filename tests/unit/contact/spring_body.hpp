@@ -2,7 +2,7 @@
 // An artificial body with an exactly known symmetric tangent, touched by tools: what the condensation sees.
 #include "contact/condensation.hpp"
 #include "geometry/arc_chain.hpp"
-#include "geometry/cad_curve.hpp"
+#include "occ/cad_curve.hpp"
 #include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"

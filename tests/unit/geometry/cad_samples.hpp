@@ -2,8 +2,8 @@
 // CAD files for the tests: the ones of tests/support/cad and others written on the spot.
 #include "base/temporary.hpp"
 #include "geometry/arc_chain.hpp"
-#include "geometry/cad_curve.hpp"
 #include "geometry/plane.hpp"
+#include "occ/cad_curve.hpp"
 #include <iomanip>
 
 namespace burnish::test {

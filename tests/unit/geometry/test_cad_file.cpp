@@ -1,5 +1,5 @@
 // Files: numbers of .geo files, units, what the libraries leave behind, and everything that is refused.
-#include "geometry/cad_file.hpp"
+#include "occ/cad_file.hpp"
 #include "unit/finite_difference.hpp"
 #include "unit/geometry/cad_samples.hpp"
 #include "unit/geometry/profile_checks.hpp"

@@ -1,6 +1,6 @@
 // Curves of OpenCASCADE against their definitions in extended precision.
-#include "geometry/cad_edge.hpp"
-#include "geometry/exact_curve.hpp"
+#include "occ/cad_edge.hpp"
+#include "occ/exact_curve.hpp"
 #include "unit/finite_difference.hpp"
 #include "unit/geometry/spline_reference.hpp"
 #include <Geom_BSplineCurve.hxx>

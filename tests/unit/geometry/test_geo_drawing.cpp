@@ -1,6 +1,6 @@
 // Curves of gmsh's built-in kernel against their formulas in extended precision, from the points alone.
-#include "geometry/geo_drawing.hpp"
-#include "geometry/geo_statement.hpp"
+#include "occ/geo_drawing.hpp"
+#include "occ/geo_statement.hpp"
 #include "unit/finite_difference.hpp"
 #include "unit/geometry/cad_samples.hpp"
 #include "unit/geometry/spline_reference.hpp"

@@ -1,7 +1,7 @@
 // The table of shapes: every kind can be made by name, and says what it takes.
-#include "geometry/cad_curve.hpp"
 #include "geometry/circle.hpp"
 #include "geometry/shapes.hpp"
+#include "occ/cad_curve.hpp"
 #include "unit/finite_difference.hpp"
 #include <set>
 

@@ -1,8 +1,8 @@
-#include "geometry/cad_curve.hpp"
+#include "occ/cad_curve.hpp"
 #include "base/error.hpp"
 #include "geometry/arc_piece.hpp"
-#include "geometry/cad_crossings.hpp"
 #include "geometry/plane.hpp"
+#include "occ/cad_crossings.hpp"
 #include <algorithm>
 
 namespace burnish {

@@ -1,10 +1,10 @@
-#include "geometry/cad_shape.hpp"
+#include "occ/cad_shape.hpp"
 #include "base/child_process.hpp"
 #include "base/error.hpp"
 #include "base/memory_limit.hpp"
 #include "base/temporary.hpp"
 #include "geometry/cad_text.hpp"
-#include "geometry/occ_guard.hpp"
+#include "occ/occ_guard.hpp"
 #include <BRepLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>

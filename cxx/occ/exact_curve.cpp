@@ -1,6 +1,6 @@
-#include "geometry/exact_curve.hpp"
+#include "occ/exact_curve.hpp"
 #include "base/error.hpp"
-#include "geometry/cad_edge.hpp"
+#include "occ/cad_edge.hpp"
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>

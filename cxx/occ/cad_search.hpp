@@ -1,8 +1,8 @@
 #pragma once
 // Global search for the closest point of a chain of CAD curves: a table of short chords with bounds, then
 // Newton's method on the exact curve in the few cells that can hold it.
-#include "geometry/cad_chain.hpp"
 #include "geometry/foot_choice.hpp"
+#include "occ/cad_chain.hpp"
 
 namespace burnish {
 

@@ -1,6 +1,6 @@
 #pragma once
 // CAD curves in the order in which they join.
-#include "geometry/cad_piece.hpp"
+#include "occ/cad_piece.hpp"
 
 namespace burnish {
 

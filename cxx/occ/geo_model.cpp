@@ -1,10 +1,10 @@
-#include "geometry/geo_model.hpp"
+#include "occ/geo_model.hpp"
 #include "base/error.hpp"
 #include "base/temporary.hpp"
-#include "geometry/cad_shape.hpp"
 #include "geometry/cad_text.hpp"
-#include "geometry/geo_drawing.hpp"
 #include "gmsh/burnish_gmsh.h"
+#include "occ/cad_shape.hpp"
+#include "occ/geo_drawing.hpp"
 #include <filesystem>
 #include <fstream>
 

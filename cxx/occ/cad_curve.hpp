@@ -1,8 +1,8 @@
 #pragma once
 // Profiles drawn in a CAD system: .geo, .step, .stp or .brep files.
-#include "geometry/cad_search.hpp"
 #include "geometry/cad_selection.hpp"
 #include "geometry/profile.hpp"
+#include "occ/cad_search.hpp"
 
 namespace burnish {
 

@@ -1,4 +1,4 @@
-#include "geometry/cad_search.hpp"
+#include "occ/cad_search.hpp"
 #include "base/error.hpp"
 #include "geometry/plane.hpp"
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 constexpr double TURN = 0.1; // rad in a cell
 constexpr int PARTS = 8;     // samples of a cell
 constexpr int SCANNED = 16;  // parts of a cell that may hold several foot points
-constexpr int MOST_HALVINGS = 16;
+constexpr int MOST_CELL_HALVINGS = 16;
 constexpr std::size_t GROUP = 16;
 
 double distance_to_chord(const CadCell& cell, const Vector<2>& x) {
@@ -123,7 +123,7 @@ void CadSearch::add(const CadPiece& piece, std::size_t index, double begin, doub
     const Vector<2>& before = value[k - 1].first;
     turn += std::abs(std::atan2(left_of(before).dot(t), before.dot(t)));
   }
-  if (turn > TURN && depth < MOST_HALVINGS) {
+  if (turn > TURN && depth < MOST_CELL_HALVINGS) {
     add(piece, index, begin, (begin + end) / 2, depth + 1);
     return add(piece, index, (begin + end) / 2, end, depth + 1);
   }

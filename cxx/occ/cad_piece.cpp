@@ -1,4 +1,4 @@
-#include "geometry/cad_piece.hpp"
+#include "occ/cad_piece.hpp"
 #include <algorithm>
 #include <sstream>
 #include <utility>

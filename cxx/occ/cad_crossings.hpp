@@ -1,6 +1,6 @@
 #pragma once
 // Does a chain of CAD curves cross itself?
-#include "geometry/cad_search.hpp"
+#include "occ/cad_search.hpp"
 
 namespace burnish {
 

@@ -1,5 +1,5 @@
-#include "geometry/geo_drawing.hpp"
-#include "geometry/geo_statement.hpp"
+#include "occ/geo_drawing.hpp"
+#include "occ/geo_statement.hpp"
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_Circle.hxx>

@@ -1,6 +1,6 @@
 #pragma once
 // One CAD curve as a piece of a profile: its direction of travel and a parameter that takes its arc length.
-#include "geometry/exact_curve.hpp"
+#include "occ/exact_curve.hpp"
 
 namespace burnish {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Curves of gmsh's own ("built-in") geometry kernel as curves of OpenCASCADE.
-#include "geometry/cad_edge.hpp"
+#include "occ/cad_edge.hpp"
 #include <gp_Pnt.hxx>
 
 namespace burnish {

@@ -1,7 +1,7 @@
 #pragma once
 // Curves of a .geo file: gmsh runs its commands, OpenCASCADE evaluates what they draw.
-#include "geometry/cad_edge.hpp"
 #include "geometry/gmsh_library.hpp"
+#include "occ/cad_edge.hpp"
 
 namespace burnish {
 

@@ -1,5 +1,5 @@
 #define OCC_CONVERT_SIGNALS // for OCC_CATCH_SIGNALS
-#include "geometry/occ_guard.hpp"
+#include "occ/occ_guard.hpp"
 #include "geometry/cad_text.hpp"
 #include <Message.hxx>
 #include <Message_Messenger.hxx>

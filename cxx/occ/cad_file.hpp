@@ -1,7 +1,7 @@
 #pragma once
 // Curves of a CAD file, whatever its format.
-#include "geometry/cad_edge.hpp"
 #include "geometry/gmsh_library.hpp"
+#include "occ/cad_edge.hpp"
 #include <vector>
 
 namespace burnish {

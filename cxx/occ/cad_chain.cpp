@@ -1,4 +1,4 @@
-#include "geometry/cad_chain.hpp"
+#include "occ/cad_chain.hpp"
 #include "base/error.hpp"
 #include "geometry/plane.hpp"
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 // Curves of .step and .brep files, read by OpenCASCADE itself.
-#include "geometry/cad_edge.hpp"
+#include "occ/cad_edge.hpp"
 #include <vector>
 
 namespace burnish {

@@ -1,4 +1,4 @@
-#include "geometry/geo_statement.hpp"
+#include "occ/geo_statement.hpp"
 #include <algorithm>
 #include <cctype>
 #include <cmath>

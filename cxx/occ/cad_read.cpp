@@ -1,7 +1,7 @@
 // From a CAD file to the curves that a profile may consist of.
 #include "base/error.hpp"
-#include "geometry/cad_curve.hpp"
-#include "geometry/cad_file.hpp"
+#include "occ/cad_curve.hpp"
+#include "occ/cad_file.hpp"
 #include <algorithm>
 #include <set>
 
@@ -10,8 +10,8 @@ namespace burnish {
 namespace {
 
 constexpr const char* CAD_READ = "CadCurve";
-constexpr double SMOOTH = 1e-3;  // rad, and part of the speed
-constexpr double LARGEST = 1e50; // of coordinates and derivatives: their squares must not overflow
+constexpr double SMOOTH_JOINT = 1e-3; // rad, and part of the speed
+constexpr double LARGEST = 1e50;      // of coordinates and derivatives: their squares must not overflow
 
 std::string listed(const std::vector<int>& tags) {
   std::string list;
@@ -83,10 +83,10 @@ void check_knots(const ExactCurve& curve, const std::string& name, double scale)
     const std::string place = place_text(scale * after.x.head<2>(), scale * after.x.norm());
     std::ostringstream text;
     text << angle * 180 / M_PI;
-    if (angle > SMOOTH)
+    if (angle > SMOOTH_JOINT)
       fail(CAD_READ, name + " has a corner of " + text.str() + " degrees at " + place +
                          "; round it with a fillet in the CAD system");
-    if (std::abs(fast - slow) > SMOOTH * std::max(fast, slow))
+    if (std::abs(fast - slow) > SMOOTH_JOINT * std::max(fast, slow))
       fail(CAD_READ, name + " changes its speed suddenly at " + place + "; split it there in the CAD system");
   }
 }

@@ -1,8 +1,8 @@
-#include "geometry/cad_file.hpp"
+#include "occ/cad_file.hpp"
 #include "base/error.hpp"
-#include "geometry/cad_shape.hpp"
 #include "geometry/cad_text.hpp"
-#include "geometry/geo_model.hpp"
+#include "occ/cad_shape.hpp"
+#include "occ/geo_model.hpp"
 
 namespace burnish {
 

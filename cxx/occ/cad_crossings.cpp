@@ -1,4 +1,4 @@
-#include "geometry/cad_crossings.hpp"
+#include "occ/cad_crossings.hpp"
 #include "base/error.hpp"
 #include "geometry/plane.hpp"
 #include <algorithm>
