@@ -1,5 +1,5 @@
 """Error of the length of the steps of example 1 at the quarters of the program:  python3 rolling_steps.py FOLDER
-FOLDER has the runs of rolling-steps.sh, NAME, NAME-half, NAME-fine for each mesh.   python3 rolling_steps.py FINE RUN...
+FOLDER has the runs of rolling-steps.sh, NAME, NAME-half, NAME-fine for each mesh, reference.   python3 rolling_steps.py FINE RUN...
 prints the same table of any runs with -series 4. Depth, theta, Q_phi, 99th percentile of the plastic strain (by area, of what
 is above 1e-4), its field in L2 (same mesh only): percent of the fine run, a number for every quarter."""
 import os
@@ -79,8 +79,11 @@ def check(folder):
         worst = np.abs(errors).max(axis=1)
         for name, value, allowed in zip(("depth", "theta", "Q_phi", "p99"), worst, (1, 1, 1, 3)):
             checks.that(f"{mesh}, {name}", value <= allowed, f"largest error at the quarters {value:.2f} %, allowed {allowed} %")
-    default, graded = (Fields(os.path.join(folder, mesh + "-fine")) for mesh in ("default", "graded"))
-    print("meshes, both with fine steps"), table(default, [("graded", graded)])
+    reference, default, graded = (Fields(os.path.join(folder, name)) for name in ("reference", "default", "graded"))
+    print("steps and mesh"), table(reference, [("default", default), ("graded", graded)])
+    worst = np.abs(graded.errors(reference)).max(axis=1)
+    for name, value, allowed in zip(("depth", "theta", "Q_phi", "p99"), worst, (1, 1, 1, 4)):
+        checks.that(f"graded, {name}", value <= allowed, f"steps and mesh: {value:.2f} % at the quarters, allowed {allowed} %")
     checks.done()
 
 
