@@ -12,5 +12,6 @@ for mesh in default graded; do
   run $mesh-half $options -steps 200 -width 40
   run $mesh $options
 done
+run graded-lean $graded -steps 60 -width 15
 run reference ${graded/1.2e-4/3e-5} -steps 400 -width 60
 PYTHONPATH="$here/../regression" "$PYTHON" "$here/rolling_steps.py" "$out"
