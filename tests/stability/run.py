@@ -27,7 +27,7 @@ METHODS = [("implicit", "P2"), ("implicit", "P1"), ("event", "P2"), ("event", "P
 RIVALS = [("penalty10", "P2"), ("penalty1000", "P2"), ("multiplier", "P2"), ("augmented", "P2")]
 RANK = {"right": 0, "detected": 1, "slow": 2, "silent": 3, "failed": 4}
 REFUSED = {3, 4, 20}
-LIMIT = 100  # seconds of one run
+LIMIT = 200  # seconds of one run
 SLOW = 15    # of the article's scheme
 ANY = "does not come back to equilibrium|coarser than the stress gradient"  # causes of every danger
 
