@@ -2,12 +2,12 @@
 // An artificial body with an exactly known symmetric tangent, touched by tools: what the condensation sees.
 #include "contact/condensation.hpp"
 #include "geometry/arc_chain.hpp"
-#include "occ/cad_curve.hpp"
 #include "geometry/circle.hpp"
 #include "geometry/segment.hpp"
 #include "kinematics/cartesian.hpp"
 #include "kinematics/formula_coordinates.hpp"
 #include "kinematics/polar.hpp"
+#include "occ/cad_curve.hpp"
 #include "solver/sparse_view.hpp"
 #include "support/profile_tool.hpp"
 #include <random>
