@@ -120,7 +120,12 @@ std::vector<J2Parameters> covered_materials() {
 // All options of the kernel, over the iterations of a step in which numbers of substeps are frozen.
 TEST(J2Batch, KernelFindsTheBitsOfTheLaw) {
   const J2Kernel kernel = j2_kernel();
-  if (!kernel.update) GTEST_SKIP() << "no kernel for this machine";
+#if defined(__x86_64__)
+  EXPECT_EQ(kernel.update != nullptr, __builtin_cpu_supports("avx2") != 0);
+#else
+  EXPECT_EQ(kernel.update, nullptr);
+#endif
+  if (!kernel.update) return; // ranges are updated one by one, which the tests below compare
   Counts counts;
   unsigned seed = 1;
   for (const J2Parameters& material : covered_materials())
