@@ -138,7 +138,7 @@ case-%: build ## run cases/NAME/NAME.edp, options in OPTIONS="..."
 	@$(WRAPPER) cases/$*/$*.edp $(OPTIONS)
 
 figures: packages ## draw the pictures of out/CASE again, CASE=rolling unless given; CASE=all: runs of cases/figures.csv, pictures in the tree
-	$(if $(filter all,$(CASE)),@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) cases/figures.py $(OPTIONS),\
+	$(if $(filter all,$(CASE)),@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) cases/figures.py '$(OPTIONS)',\
 	  $(PYTHON) cases/$(CASE)/plot.py out/$(CASE))
 
 tables: build ## measure the tables in the READMEs of cases/rolling and cases/planetary again, OPTIONS="--keep rolling"
