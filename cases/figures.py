@@ -51,7 +51,7 @@ def sweep(words):
     """sweep CASE=hertz "VARY=..." ...: as make sweep, one variant after the other."""
     given = dict(word.split("=", 1) for word in words[1:])
     shutil.rmtree(folder(words), ignore_errors=True)
-    return called(["cases/sweep/sweep.sh"], words, OUT / f"sweep-{given['CASE']}", {**given, "JOBS": "1"})
+    return called(["cases/sweep/sweep.sh"], words, OUT / f"sweep-{given['CASE']}", {"OPTIONS": "", **given, "JOBS": "1"})
 
 
 def lab(words):
