@@ -1,5 +1,5 @@
 // Random arc chains: refused with a clear error, or a smooth chain whose closest points are right.
-#include "fuzz.hpp"
+#include "long/fuzz.hpp"
 #include "geometry/arc_chain.hpp"
 #include <map>
 

@@ -1,5 +1,5 @@
 // Damaged CAD files, at random: each is read, or refused with std::invalid_argument; none ends the process or hangs.
-#include "fuzz.hpp"
+#include "long/fuzz.hpp"
 #include "unit/geometry/cad_samples.hpp"
 #include <array>
 #include <cctype>
