@@ -7,13 +7,17 @@ WAYS = [(0, -1), (1, 0), (-1, 0), (0, 1), (-0.8, -0.8), (0.8, 0.8), (0.8, -0.8),
 STEPS = (1.0, 1.9, 3.0)   # how far, in the nearest distance
 LETTER, GAP = 0.62, 1.5   # width over font size; between mark and label [points]
 DARKER = 0.8              # than the curve, light letters are hard to read
-ON_LABEL, ON_POINT, ON_CURVE, OUTSIDE, PER_STEP = 12.0, 6.0, 0.5, 50.0, 1.0
+ON_LABEL, ON_POINT, ON_CURVE, OUTSIDE, PER_STEP = 12.0, 6.0, 0.5, 500.0, 1.0
+ROOM = 0.32               # of a number on an axis [inches]
 
 
 def log_ticks(axis):
     """1, 2 and 5 of each decade where there is room, more within less than one; plain numbers. After the limits are set."""
     decades = np.ptp(np.log10(axis.get_view_interval()))
-    axis.set_major_locator(LogLocator(subs=(1, 1.5, 2, 3, 5, 7) if decades < 0.9 else (1, 2, 5) if decades < 2.8 else (1,)))
+    window = axis.axes.get_window_extent()
+    inches = (window.width if axis.axis_name == "x" else window.height) / axis.axes.figure.dpi
+    some = (1, 2, 5) if inches > 3 * decades * ROOM else (1,)
+    axis.set_major_locator(LogLocator(subs=(1, 1.5, 2, 3, 5, 7) if decades < 0.9 else some))
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axis.set_minor_formatter(NullFormatter())
 
@@ -36,10 +40,9 @@ def inside(points, box, margin=0.0):
     return ((points > box[0] - margin) & (points < box[1] + margin)).all(axis=1)
 
 
-def badness(box, others, points, places, frame, mark):
-    """Of a label in the box, lower left and upper right corner."""
-    bad = OUTSIDE * ((box[0] < frame[0]).any() + (box[1] > frame[1]).any())
-    bad += ON_LABEL * sum(bool(((box[0] < o[1] + 1) & (o[0] < box[1] + 1)).all()) for o in others)
+def badness(box, points, places, frame, mark):
+    """Of a label in the box, lower left and upper right corner, the other labels aside."""
+    bad = OUTSIDE * ((box[0] < frame[0]).any() or (box[1] > frame[1]).any())
     return bad + ON_POINT * inside(points, box, mark).sum() + ON_CURVE * inside(places, box).sum()
 
 
@@ -54,12 +57,12 @@ def place_labels(axes, labels, fontsize=9, mark=5, **style):
     offsets = [[(half + pixel * (0.5 * mark + GAP)) * step * np.array(way) for step in STEPS for way in WAYS] for half in halves]
     costs = [[PER_STEP * step + 0.02 * k for step in STEPS for k in range(len(WAYS))] for _ in labels]
     boxes = [[np.array([p + d - half, p + d + half]) for d in mine] for p, half, mine in zip(at, halves, offsets)]
-    costs = [[cost + badness(box, (), points, places, frame, 0.4 * pixel * mark) for cost, box in zip(c, b)]
+    costs = [[cost + badness(box, points, places, frame, 0.4 * pixel * mark) for cost, box in zip(c, b)]
              for c, b in zip(costs, boxes)]
     chosen = settled(boxes, costs)
     for label, p, mine, k in zip(labels, at, offsets, chosen):
-        axes.text(*axes.transData.inverted().transform(p + mine[k]), label[2], color=[DARKER * c for c in to_rgb(label[3])], fontsize=fontsize, ha="center",
-                  va="center", **style)
+        axes.text(*axes.transData.inverted().transform(p + mine[k]), label[2], fontsize=fontsize, ha="center", va="center",
+                  color=[DARKER * c for c in to_rgb(label[3])], **style)
 
 
 def settled(boxes, costs, rounds=6):
