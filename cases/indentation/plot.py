@@ -34,7 +34,7 @@ def load_depth(run):
     for name in ("depth under load", "depth unloaded", "crater"):
         axes.axvline(run.result(name), color=GRAY, linewidth=0.8, linestyle="--")
     axes.annotate("unloading", (np.interp(0.5 * force.max(), steep[::-1], depth[h["t"] > 1][::-1]), 0.5 * force.max()),
-                  xytext=(8, 0), textcoords="offset points", color=BLUE)
+                  xytext=(8, 0), textcoords="offset points", va="top", color=BLUE)
     axes.set_xlabel(r"depth of the cylinder [$\mu$m]")
     axes.set_ylabel("force [kN/m]")
     axes.set_title(rf"Force against depth; dashed: {run.result('depth under load'):.2f} $\mu$m under load, "
