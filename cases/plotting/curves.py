@@ -51,7 +51,8 @@ def label_panel(axes, run, columns, title, change, exponent):
     beside = 1.2 * letters(title) + len(labels) * (6 + longest) < 68 and len(labels) < 3
     across = len(labels) if beside else int(np.clip(68 // (6 + longest), 1, min(3, len(labels))))
     lines = 0 if beside or len(labels) == 1 else -(-len(labels) // across)  # of the key, under the title
-    axes.set_title(title, loc="left", fontsize=10, pad=6 + 10.5 * lines)
+    rise = 12 if any("$" in label for label in labels) else 10  # of a line, formulas are higher [points]
+    axes.set_title(title, loc="left", fontsize=10, pad=6 + rise * lines)
     if len(columns) > 1:
         where = {"loc": "lower right", "bbox_to_anchor": (1.01, 0.97)}
         if not beside:
