@@ -233,9 +233,9 @@ def expected_figure(run):
     heads = ("", "computed", "expected", "unit", "error", "allowed", "source")
     texts = [list(map(u.plain, row)) for row, _ in rows]
     wide = [max(len(row[k]) for row in (heads, *texts)) + 2 for k in range(len(heads))]
-    figure, axes = new_figure(max(6.0, 0.095 * sum(wide)), 1.3 + 0.34 * (len(rows) + 1))
+    figure, axes = new_figure(max(6.0, 0.095 * sum(wide)), 0.75 + 0.32 * (len(rows) + 1))
     axes.axis("off")
-    table = axes.table(texts, colLabels=heads, colWidths=[w / sum(wide) for w in wide], loc="center", cellLoc="right")
+    table = axes.table(texts, colLabels=heads, colWidths=[w / sum(wide) for w in wide], loc="upper center", cellLoc="right")
     table.auto_set_font_size(False)
     table.set_fontsize(11)
     table.scale(1, 1.7)

@@ -97,6 +97,7 @@ def draw_tools(axes, outlines, mesh, names=True, mirrors=()):
         drawn += axes.plot(*outline.points.T, color=GRAY, linewidth=1.2, zorder=3.5)
         for artist in drawn if part else ():
             artist.set_clip_path(part, axes.transData)
+            artist.set_in_layout(False)  # matplotlib 3.6 fails where the view and this part share nothing of it
     if not outlines or not names:
         return []
     label = outlines[0].name if len(outlines) == 1 else "tools"
