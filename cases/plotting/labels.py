@@ -4,10 +4,10 @@ from matplotlib.colors import to_rgb
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 WAYS = [(0, -1), (1, 0), (-1, 0), (0, 1), (-0.8, -0.8), (0.8, 0.8), (0.8, -0.8), (-0.8, 0.8)]  # from the point, y upward
-STEPS = (1.0, 1.9, 3.0)   # how far, in the nearest distance
+STEPS = (1.0, 1.9, 3.0, 4.2)   # how far, in the nearest distance
 LETTER, GAP = 0.62, 1.5   # width over font size; between mark and label [points]
 DARKER = 0.8              # than the curve, light letters are hard to read
-ON_LABEL, ON_POINT, ON_CURVE, OUTSIDE, PER_STEP = 12.0, 6.0, 0.5, 500.0, 1.0
+ON_LABEL, ON_POINT, ON_CURVE, OUTSIDE, PER_STEP = 60.0, 6.0, 0.5, 500.0, 1.0
 ROOM = 0.32               # of a number on an axis [inches]
 
 
