@@ -1,9 +1,10 @@
-"""Numbers of logarithmic axes, and words beside points that lie on no other word, point or curve where there is room."""
+"""Numbers of logarithmic axes; words beside points that lie on no other word, point or curve where there is room."""
 import numpy as np
 from matplotlib.colors import to_rgb
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-WAYS = [(0, -1), (1, 0), (-1, 0), (0, 1), (-0.8, -0.8), (0.8, 0.8), (0.8, -0.8), (-0.8, 0.8)]  # from the point, y upward
+# from the point, y upward
+WAYS = [(0, -1), (1, 0), (-1, 0), (0, 1), (-0.8, -0.8), (0.8, 0.8), (0.8, -0.8), (-0.8, 0.8)]
 STEPS = (1.0, 1.9, 3.0, 4.2)   # how far, in the nearest distance
 LETTER, GAP = 0.62, 1.5   # width over font size; between mark and label [points]
 DARKER = 0.8              # than the curve, light letters are hard to read
@@ -12,7 +13,7 @@ ROOM = 0.32               # of a number on an axis [inches]
 
 
 def log_ticks(axis):
-    """1, 2 and 5 of each decade where there is room, more within less than one; plain numbers. After the limits are set."""
+    """1, 2 and 5 of each decade where there is room, more within less than one; plain numbers. Set the limits before."""
     decades = np.ptp(np.log10(axis.get_view_interval()))
     window = axis.axes.get_window_extent()
     inches = (window.width if axis.axis_name == "x" else window.height) / axis.axes.figure.dpi
@@ -47,21 +48,23 @@ def badness(box, points, places, frame, mark):
 
 
 def place_labels(axes, labels, fontsize=9, mark=5, **style):
-    """labels: (x, y, text, color); mark: size of the marks in points. The axes must have their final place and limits: call
-    figure.draw_without_rendering() before."""
+    """labels: (x, y, text, color); mark: size of the marks in points. The axes must have their final place and limits:
+    call figure.draw_without_rendering() before."""
     pixel = axes.figure.dpi / 72
     points, places = obstacles(axes)
     frame = axes.get_window_extent().get_points()
     at = axes.transData.transform([label[:2] for label in labels]) if labels else []
     halves = [0.5 * pixel * fontsize * np.array([LETTER * len(label[2]), 0.95]) for label in labels]
-    offsets = [[(half + pixel * (0.5 * mark + GAP)) * step * np.array(way) for step in STEPS for way in WAYS] for half in halves]
+    ways = [step * np.array(way) for step in STEPS for way in WAYS]
+    offsets = [[(half + pixel * (0.5 * mark + GAP)) * way for way in ways] for half in halves]
     costs = [[PER_STEP * step + 0.02 * k for step in STEPS for k in range(len(WAYS))] for _ in labels]
     boxes = [[np.array([p + d - half, p + d + half]) for d in mine] for p, half, mine in zip(at, halves, offsets)]
     costs = [[cost + badness(box, points, places, frame, 0.4 * pixel * mark) for cost, box in zip(c, b)]
              for c, b in zip(costs, boxes)]
     chosen = settled(boxes, costs)
     for label, p, mine, k in zip(labels, at, offsets, chosen):
-        axes.text(*axes.transData.inverted().transform(p + mine[k]), label[2], fontsize=fontsize, ha="center", va="center",
+        place = axes.transData.inverted().transform(p + mine[k])
+        axes.text(*place, label[2], fontsize=fontsize, ha="center", va="center",
                   color=[DARKER * c for c in to_rgb(label[3])], **style)
 
 

@@ -87,7 +87,8 @@ def own_part(axes, mesh, mirrors):
 
 def draw_tools(axes, outlines, mesh, names=True, mirrors=()):
     """Outlines, filled where they are closed and do not enclose the workpiece, otherwise with a band on the tool's
-    side; set the view before. A tool ends where its mirror image (mirrors: Run.mirrors) begins. Returns handles for the key."""
+    side; set the view before. A tool ends where its mirror image (mirrors: Run.mirrors) begins. Returns handles for the
+    key."""
     width = 0.03 * max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
     part = own_part(axes, mesh, mirrors)
     for outline in outlines:

@@ -118,7 +118,7 @@ def matrices(rows, path):
     handles = left.get_legend_handles_labels()[0]
     handles += [plt.Line2D([], [], color="k", ls="-", label="as handed to the solver"),
                 plt.Line2D([], [], color="k", ls="--", label="after scaling")]
-    fig.legend(handles=handles, title="zeros on the diagonal and negative eigenvalues of the finest mesh", fontsize=11, title_fontsize=11,
-               frameon=False, loc="upper center", bbox_to_anchor=(0.5, 0), ncol=2)
+    fig.legend(handles=handles, title="zeros on the diagonal and negative eigenvalues of the finest mesh", fontsize=11,
+               title_fontsize=11, frameon=False, loc="upper center", bbox_to_anchor=(0.5, 0), ncol=2)
     fig.tight_layout()
     save(fig, *placed(path))

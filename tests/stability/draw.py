@@ -29,7 +29,8 @@ def say_below(fig, rows, ours, rivals):
     others = [r["outcome"] for r in rows if (r["scheme"], r["element"]) in rivals]
     height = fig.get_figheight()
     patches = [Patch(color=COLORS[n], label=f"{n}: ours {mine.count(n)}, rivals {others.count(n)}") for n in COLORS]
-    fig.legend(handles=patches, loc="upper center", ncol=3, frameon=False, fontsize=10, bbox_to_anchor=(0.5, 1.15 / height))
+    fig.legend(handles=patches, loc="upper center", ncol=3, frameon=False, fontsize=10,
+               bbox_to_anchor=(0.5, 1.15 / height))
     for k, text in enumerate(("right: within its tolerance.  detected: refused, stopped, or the cause reported.",
                               "silent: wrong without a word.  slow: more than 15 s by the article's literal scheme or a rival.",
                               "white: rivals are not asked.  In a cell from left to right: the values behind the line.")):
@@ -84,10 +85,10 @@ def draw_danger(danger, methods, rows, path):
         for x, y, r in zip(xs, ys, mine):
             ax.plot(x, y, MARKERS[r["outcome"]], color=COLORS[r["outcome"]], mec=line.get_color(), ms=7)
     ax.axhline(1, color="0.5", lw=0.8, ls="--")
-    ax.axhspan(1.5 * top, 6 * top, color="0.93")
-    ax.text(-0.45, 3 * top, "no number", va="center", fontsize=9, color="0.4")
+    ax.axhspan(1.5 * top, 30 * top, color="0.93")
+    ax.text(-0.45, 13 * top, "no number", va="center", fontsize=9, color="0.4")
     ax.set_yscale("log")
-    ax.set_ylim(bottom / 2, 6 * top)
+    ax.set_ylim(bottom / 2, 30 * top)
     ax.set_xlim(-0.5, len(values) - 0.5)
     ax.set_xticks(range(len(values)), values)
     ax.set_xlabel(danger["meaning"])
