@@ -80,13 +80,19 @@ def main():
     chosen = list(rows(sys.argv[1] if len(sys.argv) > 1 else ""))
     if not chosen:
         return "figures.py: no picture of figures.csv fits"
-    runs = list(dict.fromkeys(words for _, words, _ in chosen))
+    runs, bad = list(dict.fromkeys(words for _, words, _ in chosen)), {}
     with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("JOBS", 2))) as pool:
-        wrong = [text for text in pool.map(made, [words for words in runs if words[0] != "sweep"]) if text]
-    wrong += [text for text in map(made, [words for words in runs if words[0] == "sweep"]) if text]
+        some = [words for words in runs if words[0] != "sweep"]
+        bad.update(zip(some, pool.map(made, some)))
+    for words in runs:
+        if words[0] == "sweep":
+            bad[words] = made(words)
+    wrong = [text for text in bad.values() if text]
     for picture, words, name in chosen:
         source = folder(words) / name
-        if source.is_file():
+        if bad[words]:
+            wrong.append(f"{picture}: left as it is, its run failed")
+        elif source.is_file():
             shutil.copyfile(source, TOP / "cases" / picture)
         else:
             wrong.append(f"{picture}: {source} was not drawn")

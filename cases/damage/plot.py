@@ -25,8 +25,8 @@ def force(run):
     left.legend(loc="upper left")
     left.set_title("Force on the punch")
     right.plot(h["t"], h["damaged"], color=BLUE)
-    right.set_xlabel("t")
-    right.set_ylabel("points with integrity below 1")
+    right.set_xlabel("load parameter t [-]")
+    right.set_ylabel("points with integrity below 1 [-]")
     right.set_title("Crumbles until 1, heals from 2 on, crumbles again")
     return figure
 
@@ -44,7 +44,7 @@ def integrity(run):
         maps.draw_outline(part, maps.deformed(field, 1.0))
         tools.draw_tools(part, tools.at_time(run.tools, t), maps.deformed(field, 1.0), names=False)
         part.set_title(f"t = {t:.3g}: least integrity {values.min():.2f}")
-    figure.colorbar(bands, ax=axes, label="integrity", shrink=0.8)
+    figure.colorbar(bands, ax=axes, label="integrity [-]", shrink=0.8)
     return figure
 
 

@@ -5,10 +5,12 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 import numpy as np
+from matplotlib.ticker import NullFormatter
 from hertz.halfplane import circle, contact_nodes, curves_figure, number, stress_near
 from plotting.case import main
 from plotting.figure import BLUE, ORANGE, RED, key_under_labels, new_figure
 from plotting.inputs import read_whole_table
+from plotting.labels import log_ticks
 
 
 def near_contact(run):
@@ -47,8 +49,8 @@ def convergence(run):
     axes.set_ylabel("error against Hertz [%]")
     axes.set_title("Hertz: errors against the mesh size")
     axes.set_xticks(h, [f"{x:.3g}" for x in h])
-    axes.minorticks_off()
-    axes.yaxis.set_major_formatter("{x:g}")
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    log_ticks(axes.yaxis)
     key_under_labels(axes, axes.get_legend_handles_labels()[0], 4)
     return figure
 

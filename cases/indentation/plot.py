@@ -34,7 +34,7 @@ def load_depth(run):
     for name in ("depth under load", "depth unloaded", "crater"):
         axes.axvline(run.result(name), color=GRAY, linewidth=0.8, linestyle="--")
     axes.annotate("unloading", (np.interp(0.5 * force.max(), steep[::-1], depth[h["t"] > 1][::-1]), 0.5 * force.max()),
-                  xytext=(8, 0), textcoords="offset points", color=BLUE)
+                  xytext=(8, 0), textcoords="offset points", va="top", color=BLUE)
     axes.set_xlabel(r"depth of the cylinder [$\mu$m]")
     axes.set_ylabel("force [kN/m]")
     axes.set_title(rf"Force against depth; dashed: {run.result('depth under load'):.2f} $\mu$m under load, "
@@ -82,14 +82,16 @@ def residual_stress(run):
     """Stress along the surface after unloading: map, and its course below the middle of the crater."""
     values = run.units.stress * run.field.data[ALONG]
     most = 50 * np.ceil(np.abs(values).max() / 50)
-    figure, (axes, line) = new_figure(10.5, 4.9, ncols=2, width_ratios=(2, 1))
-    maps.set_view(axes, near_crater(run))
+    box = near_crater(run)
+    shape = (box[1] - box[0]) / (box[3] - box[2])
+    figure, (axes, line) = new_figure(3.7 + 3.5 * shape, 4.9, ncols=2, width_ratios=(shape, 1))
+    maps.set_view(axes, box)
     axes.grid(False)
     bands = maps.draw_bands(axes, run.mesh, values, np.linspace(-most, most, 21), "RdBu_r")
     maps.draw_outline(axes, run.mesh)
     axes.set_title(r"Residual $\sigma_{xx}$ after lifting")
-    figure.colorbar(bands, ax=axes, label=r"residual $\sigma_{xx}$ [MPa]", location="bottom", shrink=0.8,
-                    ticks=np.arange(-most, most + 1, 50))
+    figure.colorbar(bands, ax=axes, label=r"residual $\sigma_{xx}$ [MPa]", location="bottom",
+                    ticks=np.arange(-most, most + 1, 50 if shape > 1.5 else 100))
     nodes = np.flatnonzero(np.abs(run.field.points[:, 0]) < 1e-9)
     nodes = nodes[np.argsort(-run.field.points[nodes, 1])]
     line.plot(values[nodes], -1e3 * run.field.points[nodes, 1], color=BLUE)

@@ -15,7 +15,8 @@ from plotting.figure import Image, apply_style, plt
 from plotting.inputs import InputError, MissingInput, read_summary
 from plotting.run import Run
 
-LARGER = {"font.size": 13, "axes.titlesize": 13, "axes.labelsize": 13, "legend.fontsize": 12}  # readable at half size
+LARGER = {"font.size": 13, "axes.titlesize": 13, "axes.labelsize": 13, "legend.fontsize": 12,
+          "figure.constrained_layout.h_pad": 0.1, "figure.constrained_layout.w_pad": 0.07}  # readable at half size
 
 
 def save(figure, file):

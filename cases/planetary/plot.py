@@ -32,7 +32,7 @@ def draw_rollers(axes, run):
         axes.fill(*(center[:, None] + 1e3 * option(run.summary, "R") * np.array([np.cos(angle), np.sin(angle)])),
                   facecolor=FACE, edgecolor=GRAY, linewidth=1.2, zorder=0.5)
         toward = center * (1 - 0.8 * 1e3 * option(run.summary, "R") / np.hypot(*center))
-        axes.annotate(f"roller {number}", toward, ha="center", va="center", fontsize=9, annotation_clip=True)
+        axes.annotate(f"roller {number}", toward, ha="center", va="center", fontsize=10, annotation_clip=True)
 
 
 def isolines(run):
@@ -77,13 +77,13 @@ def strain_zones(run):
         maps.draw_outline(axes, run.mesh)
         draw_rollers(axes, run)
     for axes, name in ((left, "roller 2"), (right, "roller 1")):
-        axes.set_title(f"{name}: " + ", ".join(f"{side} side {run.result(f'ep, {name}, {side} side'):.2g}"
-                                               for side in ("rolled", "opposite")))
+        rolled, opposite = (run.result(f"ep, {name}, {side} side") for side in ("rolled", "opposite"))
+        axes.set_title(f"{name}: rolled side {rolled:.2g}, opposite {opposite:.2g}")
     whole.set_title(f"Accumulated plastic strain at t = {run.t:.4g}, largest at a point "
                     f"{run.result('largest plastic strain'):.3g}")
     if bands:
-        figure.colorbar(bands, ax=[whole, left, right], label="accumulated plastic strain [-]\nwhite: elastic", ticks=STRAINS,
-                        format="%.0e", shrink=0.8)
+        figure.colorbar(bands, ax=[whole, left, right], label="accumulated plastic strain [-]\nwhite: elastic", ticks=STRAINS, format="%g",
+                        shrink=0.8)
     return figure
 
 
@@ -100,7 +100,7 @@ def strain_history(run):
     axes.set_ylim(1e-6, 1e-1)
     axes.set_ylabel("largest plastic strain [-]")
     axes.set_title("Plastic strain under the rollers and opposite them; forces and advance")
-    axes.legend(fontsize=9)
+    axes.legend(fontsize=10)
     lower.plot(t, -1e-3 * run.history["Q_roller 1.r"], color=BLUE, label="roller 1, reaction at fixed distance")
     lower.plot(t, 1e-3 * run.history["Q_roller 2.advance"], color=RED, label="roller 2, prescribed")
     advance = run.history["roller 2.advance"]
@@ -110,7 +110,7 @@ def strain_history(run):
     other.set_ylabel(r"advance of roller 2 [$\mu$m]", color=GREEN)
     lower.set_ylabel("force toward C1 [kN/m]")
     lower.set_xlabel("load parameter t [-]")
-    lower.legend(fontsize=9, loc="lower right")
+    lower.legend(fontsize=10, loc="lower right")
     return figure
 
 

@@ -7,10 +7,10 @@ import json
 import os
 
 import numpy as np
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from plotting.curves import COLORS
 from plotting.figure import new_figure
+from plotting.labels import log_ticks, place_labels
 
 MOST = 6  # panels
 MARKERS = "os^vD<>P*X"
@@ -29,9 +29,9 @@ def results_of(sweep):
 
 
 def expected_values(sweep):
-    """{result: value expected} of the first variant that has results."""
+    """{result: (value expected, unit)} of the first variant that has results."""
     for results in results_of(sweep):
-        return {name: r["expected"] for name, r in results.items() if r.get("expected") is not None}
+        return {name: (r["expected"], r.get("unit") or "-") for name, r in results.items() if r.get("expected") is not None}
     return {}
 
 
@@ -41,19 +41,19 @@ def numbers(rows, column):
 
 
 def quantities(sweep, rows, asked):
-    """(result, True if its error is relative) of what can be drawn: asked for, or all whose error changes."""
+    """(result, unit of its error: % if it is relative) of what can be drawn: asked for, or all whose error changes."""
     chosen = []
-    for name, value in expected_values(sweep).items():
+    for name, (value, unit) in expected_values(sweep).items():
         error = numbers(rows, name + "_error")
         known = error[np.isfinite(error) & (error > 0)]
         if (name in asked) if asked else (len(known) > 1 and known.max() > 1.5 * known.min()):
-            chosen.append((name, value != 0))
+            chosen.append((name, "%" if value else unit))
     return chosen[:MOST]
 
 
-def draw_panel(axes, rows, name, relative, names):
-    """Curves of one result."""
-    factor = 100 if relative else 1
+def draw_panel(axes, rows, name, unit, names):
+    """Curves of one result; returns the labels of its points."""
+    factor, labels = 100 if unit == "%" else 1, []
     groups = list(dict.fromkeys(tuple(r[n] for n in names[1:]) for r in rows))
     for i, group in enumerate(groups):
         mine = [r for r in rows if tuple(r[n] for n in names[1:]) == group]
@@ -61,19 +61,15 @@ def draw_panel(axes, rows, name, relative, names):
         color = COLORS[i % len(COLORS)]
         axes.loglog(seconds, error, color=color, marker=MARKERS[i % len(MARKERS)], markersize=5,
                     label=", ".join(f"{n} {v}" for n, v in zip(names[1:], group)) or None)
-        for row, x, y in zip(mine, seconds, error):
-            if np.isfinite(x) and y > 0:
-                axes.annotate(row[names[0]], (x, y), xytext=(4, 3) if i % 2 else (-4, -9), textcoords="offset points",
-                              ha="left" if i % 2 else "right", fontsize=8, color=color)
-    axes.margins(0.08)
+        labels += [(x, y, row[names[0]], color) for row, x, y in zip(mine, seconds, error) if np.isfinite(x) and y > 0]
+    axes.margins(0.1)
     axes.autoscale_view()
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(LogLocator(subs=(1, 2, 5) if np.ptp(np.log10(axis.get_view_interval())) < 2.5 else (1,)))
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-        axis.set_minor_formatter(NullFormatter())
+        log_ticks(axis)
     axes.set_xlabel("CPU seconds of the run")
-    axes.set_ylabel("error [%]" if relative else "error [-]")
-    axes.set_title(name, fontsize=10)
+    axes.set_ylabel(f"error [{unit}]")
+    axes.set_title(name, fontsize=11)
+    return labels
 
 
 def cost_figure(sweep, rows, asked=()):
@@ -86,8 +82,7 @@ def cost_figure(sweep, rows, asked=()):
     lines = -(-len(drawn) // columns)
     width = {1: 6.4, 2: 4.8, 3: 4.0}[columns] * columns + 0.6
     figure, panels = new_figure(width, 3.6 * lines + 0.6, nrows=lines, ncols=columns, squeeze=False)
-    for axes, (name, relative) in zip(panels.flat, drawn):
-        draw_panel(axes, rows, name, relative, names)
+    beside = [(axes, draw_panel(axes, rows, name, unit, names)) for axes, (name, unit) in zip(panels.flat, drawn)]
     for axes in list(panels.flat)[len(drawn):]:
         axes.set_visible(False)
     handles, labels = panels.flat[0].get_legend_handles_labels()
@@ -96,4 +91,7 @@ def cost_figure(sweep, rows, asked=()):
     meaning = sweep["parameters"][0]["meaning"].split(";")[0].split(":")[0]
     figure.suptitle(f"{sweep['case']}: error against time; beside the points {names[0]}"
                     + (f" ({meaning})" if meaning else ""), fontsize=12)
+    figure.draw_without_rendering()  # places of the panels
+    for axes, mine in beside:
+        place_labels(axes, mine)
     return figure

@@ -51,7 +51,8 @@ def label_panel(axes, run, columns, title, change, exponent):
     beside = 1.2 * letters(title) + len(labels) * (6 + longest) < 68 and len(labels) < 3
     across = len(labels) if beside else int(np.clip(68 // (6 + longest), 1, min(3, len(labels))))
     lines = 0 if beside or len(labels) == 1 else -(-len(labels) // across)  # of the key, under the title
-    axes.set_title(title, loc="left", fontsize=10, pad=6 + 12 * lines)
+    rise = 12 if any("$" in label for label in labels) else 10  # of a line, formulas are higher [points]
+    axes.set_title(title, loc="left", fontsize=10, pad=6 + rise * lines)
     if len(columns) > 1:
         where = {"loc": "lower right", "bbox_to_anchor": (1.01, 0.97)}
         if not beside:
@@ -232,9 +233,9 @@ def expected_figure(run):
     heads = ("", "computed", "expected", "unit", "error", "allowed", "source")
     texts = [list(map(u.plain, row)) for row, _ in rows]
     wide = [max(len(row[k]) for row in (heads, *texts)) + 2 for k in range(len(heads))]
-    figure, axes = new_figure(max(6.0, 0.095 * sum(wide)), 1.3 + 0.34 * (len(rows) + 1))
+    figure, axes = new_figure(max(6.0, 0.095 * sum(wide)), 0.75 + 0.32 * (len(rows) + 1))
     axes.axis("off")
-    table = axes.table(texts, colLabels=heads, colWidths=[w / sum(wide) for w in wide], loc="center", cellLoc="right")
+    table = axes.table(texts, colLabels=heads, colWidths=[w / sum(wide) for w in wide], loc="upper center", cellLoc="right")
     table.auto_set_font_size(False)
     table.set_fontsize(11)
     table.scale(1, 1.7)

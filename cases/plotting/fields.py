@@ -46,14 +46,14 @@ def reflected(mesh, sign):
     return Triangulation(sign[0] * mesh.x, sign[1] * mesh.y, mesh.triangles, mesh.mask)
 
 
-def draw_mirrored(axes, mesh, values, levels, outlines, cmap, mirrors):
+def draw_mirrored(axes, mesh, values, levels, outlines, cmap, mirrors, edge=1.0):
     """The parts that symmetry leaves out: bands, outlines, tools; no mesh. Returns the handle for the key."""
     for sign in mirrors:
         other = reflected(mesh, sign)
         if levels is not None:
             maps.draw_bands(axes, other, values, levels, cmap)
-        maps.draw_outline(axes, other)
-        tools.draw_tools(axes, [o._replace(points=o.points * sign) for o in outlines], other)
+        maps.draw_outline(axes, other, edge)
+        tools.draw_tools(axes, [o._replace(points=o.points * sign) for o in outlines], other, mirrors=mirrors)
     if any(sign[0] < 0 for sign in mirrors):
         axes.axvline(0, color=GRAY, linewidth=0.9, linestyle="-.", zorder=3.2)
     if any(sign[1] < 0 for sign in mirrors):
@@ -61,9 +61,9 @@ def draw_mirrored(axes, mesh, values, levels, outlines, cmap, mirrors):
     return Line2D([], [], color=GRAY, linewidth=0.9, linestyle="-.", label="symmetry; the mesh is what was computed")
 
 
-def draw_map(axes, mesh, values, levels, outlines, box, cmap, unit="mm", mirrors=()):
-    """Filled bands, outline of the workpiece, tools; levels: None for no bands; unit: of length; mirrors: Run.mirrors. Returns
-    (bands or None, handles)."""
+def draw_map(axes, mesh, values, levels, outlines, box, cmap, unit="mm", mirrors=(), edge=1.0):
+    """Filled bands, outline of the workpiece, tools; levels: None for no bands; unit: of length; mirrors: Run.mirrors;
+    edge: width of the outline. Returns (bands or None, handles)."""
     maps.set_view(axes, box, unit)
     axes.grid(False)
     bands = None
@@ -71,10 +71,10 @@ def draw_map(axes, mesh, values, levels, outlines, box, cmap, unit="mm", mirrors
         values = np.maximum(values, 0)
         bands = maps.draw_bands(axes, mesh, values, levels, cmap)
     axes.triplot(mesh, color="black", linewidth=0.2, alpha=min(0.35, 400 / len(mesh.triangles)), zorder=1.5)
-    maps.draw_outline(axes, mesh)
-    handles = tools.draw_tools(axes, outlines, mesh)
+    maps.draw_outline(axes, mesh, edge)
+    handles = tools.draw_tools(axes, outlines, mesh, mirrors=mirrors)
     if mirrors:
-        handles.append(draw_mirrored(axes, mesh, values, levels, outlines, cmap, mirrors))
+        handles.append(draw_mirrored(axes, mesh, values, levels, outlines, cmap, mirrors, edge))
     return bands, handles
 
 
@@ -159,7 +159,7 @@ def sequence_figure(run, quantity, number=4, width=10.0):
     bands = None
     for axes, (t, mesh, values), drawn in zip(panels.flat, shown, outlines):
         mine, _ = draw_map(axes, mesh, values, levels, drawn, box, quantity.colors, run.units.length_unit,
-                           run.mirrors)
+                           run.mirrors, edge=0.6)
         bands = mine or bands
         axes.set_title(f"t = {t:.3g}")
         axes.locator_params(axis="x", nbins=6)

@@ -40,8 +40,8 @@ def rim_edges(mesh):
     return np.stack([mesh.x[rim], mesh.y[rim]], axis=-1)
 
 
-def draw_outline(axes, mesh):
-    axes.add_collection(LineCollection(rim_edges(mesh), colors="black", linewidths=1.0, zorder=3))
+def draw_outline(axes, mesh, width=1.0):
+    axes.add_collection(LineCollection(rim_edges(mesh), colors="black", linewidths=width, zorder=3))
 
 
 def box_of(x, y, margin, aspect=None):

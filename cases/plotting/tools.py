@@ -73,15 +73,32 @@ def widened(box, outlines, part=0.3):
     return x0 - pad, x1 + pad, y0 - pad, y1 + pad
 
 
-def draw_tools(axes, outlines, mesh, names=True):
+def own_part(axes, mesh, mirrors):
+    """The part of the view that is this mesh's own, where symmetry leaves out the others; None without symmetry."""
+    if not mirrors:
+        return None
+    limits = [sorted(axes.get_xlim()), sorted(axes.get_ylim())]
+    for k, places in enumerate((mesh.x, mesh.y)):
+        if any(sign[k] < 0 for sign in mirrors):
+            limits[k][0 if places.mean() > 0 else 1] = 0
+    (x0, x1), (y0, y1) = limits
+    return Path([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)])
+
+
+def draw_tools(axes, outlines, mesh, names=True, mirrors=()):
     """Outlines, filled where they are closed and do not enclose the workpiece, otherwise with a band on the tool's
-    side; set the view before. Returns handles for the key."""
+    side; set the view before. A tool ends where its mirror image (mirrors: Run.mirrors) begins. Returns handles for the
+    key."""
     width = 0.03 * max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
+    part = own_part(axes, mesh, mirrors)
     for outline in outlines:
         solid = closed(outline.points) and not encloses(outline.points, mesh)
         area = outline.points if solid else band(outline.points, side_of_body(outline.points, mesh), width)
-        axes.fill(*area.T, facecolor=FACE, edgecolor="none", zorder=0.5)
-        axes.plot(*outline.points.T, color=GRAY, linewidth=1.2, zorder=3.5)
+        drawn = axes.fill(*area.T, facecolor=FACE, edgecolor="none", zorder=0.5)
+        drawn += axes.plot(*outline.points.T, color=GRAY, linewidth=1.2, zorder=3.5)
+        for artist in drawn if part else ():
+            artist.set_clip_path(part, axes.transData)
+            artist.set_in_layout(False)  # matplotlib 3.6 fails where the view and this part share nothing of it
     if not outlines or not names:
         return []
     label = outlines[0].name if len(outlines) == 1 else "tools"

@@ -4,6 +4,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
+import numpy as np
 from plotting.case import draw
 from plotting.figure import BLUE, GREEN, RED, new_figure
 from plotting.inputs import option, read_summary, read_whole_table
@@ -43,6 +44,9 @@ def stress(run, component):
         draw_rates(axes, history, law, component, scale)
         axes.set_ylabel(ylabel)
         axes.set_title(title)
+    same = [history[f"isotropic_{rate}_{component}"] for rate, _, _ in RATES]
+    if all(np.allclose(values, same[0], rtol=5e-3) for values in same):
+        panels[2].set_title("Isotropic hardening: all three alike")
     panels[0].legend()
     return figure
 

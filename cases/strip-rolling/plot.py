@@ -22,14 +22,14 @@ def bite(run):
                  label="half of the pusher's" if two else "pusher")
     axes[1].plot(path, history["pull"], color=BLUE, linestyle="--", label="mean of the rolls" if two else "roll")
     axes[1].set_ylabel("force along x [N/mm]")
-    axes[2].plot(path, -history["Q_upper.y"], color=RED, label="roll force")
+    axes[2].plot(path, -history["Q_upper.y"], color=RED)
     axes[2].set_ylabel("roll force [N/mm]")
     axes[3].plot(path, history["Q_upper.angle"], color=BLUE, label="upper roll")
     if two:
-        axes[3].plot(path, -history["Q_lower.angle"], color=GREEN, linestyle=(0, (6, 6)), label="lower roll")
+        axes[3].plot(path, -history["Q_lower.angle"], color=ORANGE, linestyle=(0, (3, 3)), label="lower roll")
     axes[3].set_ylabel(r"torque [N$\cdot$mm/mm]")
     axes[3].set_xlabel("path of the roll's surface [mm]")
-    for place in axes:
+    for place in (axes[0], axes[1], axes[3]):
         place.legend()
     results = run.summary.get("results", {})
     verdict = results.get("gripped (1) or refused (0)", {"value": None})["value"]

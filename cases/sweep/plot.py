@@ -82,8 +82,9 @@ def draw_panel(axes, rows, quantity, names, values):
         y = np.array([number(r[quantity]) for r in mine])
         order = np.argsort(x)
         label = ", ".join(f"{n} = {v}" for n, v in zip(names[1:], group))
+        wide = (len(groups) - 1 - i) / max(1, len(groups) - 1)  # the first is the widest: lines on one another are seen
         axes.plot(np.array(x)[order], y[order], color=COLORS[i % len(COLORS)], marker=MARKERS[i % len(MARKERS)],
-                  markersize=4, label=label or None)
+                  linewidth=1.2 + 3.6 * wide, markersize=4 + 5 * wide, label=label or None)
     if not any(np.isfinite(number(r[quantity])) for r in rows):
         say_empty(axes, "no value")
     if not numeric:

@@ -15,7 +15,7 @@ def mark_folds(axes, x, y):
     for k in np.flatnonzero(np.diff(y) < -0.05 * y.max()):
         axes.axvspan(x[k], x[k + 1], color=ORANGE, alpha=0.3, linewidth=0)
         axes.annotate("a node of the side\nfolds onto the platen:\nthe contact is wider\nby one edge", (x[k], y[k]),
-                      xytext=(0.97, 0.08), textcoords="axes fraction", ha="right", va="bottom", fontsize=10,
+                      xytext=(0.03, 0.97), textcoords="axes fraction", ha="left", va="top", fontsize=10,
                       arrowprops={"arrowstyle": "->", "color": GRAY})
 
 

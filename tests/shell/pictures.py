@@ -9,11 +9,14 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(TOP / "cases"), str(TOP / "tests/support")]
 import numpy as np
+from matplotlib.tri import Triangulation
 from picture import faults
 from PIL import Image
 from plotting import case, contact, curves, fields, units
 from plotting.figure import new_figure, save
+from plotting.labels import place_labels
 from plotting.run import Run
+from plotting.tools import Outline, own_part
 
 FOLDER = Path(sys.argv.pop(1))
 FINISHED = FOLDER / "finished"
@@ -112,6 +115,38 @@ class ContactLine(unittest.TestCase):
 
     def test_not_between_tools(self):
         self.assertEqual(self.parts(range(6), [0] * 6, ["a", "a", "b", "b", "b", ""]), [(0, 2), (2, 5)])
+
+
+class Labels(unittest.TestCase):
+    def test_none_on_another(self):
+        """Points and labels of three curves that nearly meet, in an axes without much room."""
+        figure, axes = new_figure(3.2, 2.4)
+        points = [(x, x + 0.03 * k, str(n), "red") for k in range(3) for n, x in ((8, 1.0), (16, 1.2), (32, 3.0))]
+        for k in range(3):
+            axes.plot(*zip(*[p[:2] for p in points[3 * k:3 * k + 3]]), marker="o", markersize=5)
+        figure.draw_without_rendering()
+        place_labels(axes, points)
+        boxes = [text.get_window_extent() for text in axes.texts]
+        self.assertEqual(len(boxes), 9)
+        frame = axes.get_window_extent()
+        for k, box in enumerate(boxes):
+            self.assertFalse(any(box.overlaps(other) for other in boxes[:k]))
+            self.assertTrue(frame.contains(box.x0, box.y0) and frame.contains(box.x1, box.y1))
+
+
+class Mirrored(unittest.TestCase):
+    def test_tools(self):
+        """One that crosses the line of symmetry ends there; one out of view is no error."""
+        mesh = Triangulation([0, 1, 1, 0], [0, 0, 1, 1], [[0, 1, 2], [0, 2, 3]])
+        angle = np.linspace(0, 2 * np.pi, 100)
+        circle = np.column_stack([np.cos(angle), np.sin(angle)])
+        outlines = [Outline("near", 0.0, 2 * circle + [0.5, 3.1]), Outline("far", 0.0, circle + [40, 0])]
+        figure, axes = new_figure(4, 4)
+        fields.draw_map(axes, mesh, np.zeros(4), None, outlines, (-2, 2, -0.5, 3), "viridis", mirrors=[(-1, 1)])
+        save(figure, FOLDER, "mirrored")
+        part = own_part(axes, mesh, [(-1, 1)])
+        self.assertTrue(part.contains_point((1.5, 2.9)) and not part.contains_point((-0.1, 1)))
+        self.assertIsNone(own_part(axes, mesh, []))
 
 
 if __name__ == "__main__":

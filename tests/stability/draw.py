@@ -1,26 +1,47 @@
 """Pictures of the map: one of all dangers and methods, and one of each danger."""
 import os
 import re
+import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 2, "cases"))
 from matplotlib.patches import Patch, Rectangle
+from plotting.figure import plt, save
 
-COLORS = {"right": "#3a9b5c", "detected": "#f2c14e", "slow": "#b0b0b0", "silent": "#c8322b", "failed": "#000000"}
+COLORS = {"right": "#3a9b5c", "detected": "#f2c14e", "slow": "#b0b0b0", "silent": "#9b1c16", "failed": "#000000"}
 MARKERS = {"right": "o", "detected": "X", "slow": "P", "silent": "s", "failed": "v"}
+
+
+LINE, WORDS = 0.27, 9  # height of a danger [inches], size of letters
 
 
 def label(method):
     return f"{method[0].replace('penalty', 'penalty' + chr(10))}\n{method[1]}"
 
 
+def save_as(fig, path):
+    folder, name = os.path.split(path)
+    save(fig, folder, os.path.splitext(name)[0])
+
+
+def say_below(fig, rows, ours, rivals):
+    """What the colors mean and how often they are there, in inches from the lower edge."""
+    mine = [r["outcome"] for r in rows if (r["scheme"], r["element"]) in ours]
+    others = [r["outcome"] for r in rows if (r["scheme"], r["element"]) in rivals]
+    height = fig.get_figheight()
+    patches = [Patch(color=COLORS[n], label=f"{n}: ours {mine.count(n)}, rivals {others.count(n)}") for n in COLORS]
+    fig.legend(handles=patches, loc="upper center", ncol=3, frameon=False, fontsize=10,
+               bbox_to_anchor=(0.5, 1.15 / height))
+    for k, text in enumerate(("right: within its tolerance.  detected: refused, stopped, or the cause reported.",
+                              "silent: wrong without a word.  slow: more than 15 s by the article's literal scheme or a rival.",
+                              "white: rivals are not asked.  In a cell from left to right: the values behind the line.")):
+        fig.text(0.5, (0.5 - 0.19 * k) / height, text, ha="center", fontsize=10)
+
+
 def draw_map(dangers, ours, rivals, rows, path):
     """Dangers down, methods across, ours first; a cell is divided into the values of its sweep, from left to right."""
     by = {(r["danger"], r["scheme"], r["element"], r["x"]): r["outcome"] for r in rows}
     methods = [*ours, *rivals]
-    fig, ax = plt.subplots(figsize=(14, 1.6 + 0.29 * len(dangers)))
+    fig, ax = plt.subplots(figsize=(12.5, 1.9 + LINE * len(dangers)))
     for i, d in enumerate(dangers):
         for j, method in enumerate(methods):
             width = 0.94 / len(d["values"])
@@ -30,39 +51,32 @@ def draw_map(dangers, ours, rivals, rows, path):
                     continue
                 color = COLORS[outcome]
                 ax.add_patch(Rectangle((j + 0.03 + k * width, i + 0.1), 0.92 * width, 0.8, color=color, lw=0))
-        ax.text(len(methods) + 0.06, i + 0.5, f"{d['meaning']}: {', '.join(d['values'])}", va="center", fontsize=7.5)
+        ax.text(len(methods) + 0.06, i + 0.5, f"{d['meaning']}: {', '.join(d['values'])}", va="center", fontsize=WORDS)
     ax.axvline(len(ours), color="0.4", lw=1)
     ax.set_xlim(0, len(methods))
     ax.set_ylim(len(dangers), 0)
-    ax.set_xticks([j + 0.5 for j in range(len(methods))], [label(m) for m in methods])
+    ax.set_xticks([j + 0.5 for j in range(len(methods))], [label(m) for m in methods], fontsize=WORDS)
     ax.xaxis.tick_top()
-    ax.set_yticks([i + 0.5 for i in range(len(dangers))], [d["name"] for d in dangers])
+    ax.set_yticks([i + 0.5 for i in range(len(dangers))], [d["name"] for d in dangers], fontsize=WORDS)
     ax.tick_params(length=0)
     for side in ax.spines.values():
         side.set_visible(False)
-    mine = [r["outcome"] for r in rows if (r["scheme"], r["element"]) in ours]
-    others = [r["outcome"] for r in rows if (r["scheme"], r["element"]) in rivals]
-    fig.legend(handles=[Patch(color=COLORS[n], label=f"{n}: ours {mine.count(n)}, rivals {others.count(n)}") for n in COLORS], loc="lower center", ncol=5,
-               frameon=False, bbox_to_anchor=(0.5, 0.2 / fig.get_figheight()))
-    fig.text(0.5, 0.1 / fig.get_figheight(), "right: within its tolerance.  detected: refused, stopped, or the cause "
-             "reported.  silent: wrong without a word.  slow: more than 15 s by the article's literal scheme or a rival", ha="center",
-             fontsize=8.5)
+    say_below(fig, rows, ours, rivals)
     height = fig.get_figheight()
-    fig.subplots_adjust(left=0.22, right=0.7, top=1 - 0.75 / height, bottom=0.7 / height)
-    fig.savefig(path, dpi=110)
-    plt.close(fig)
+    fig.subplots_adjust(left=0.17, right=0.7, top=1 - 0.65 / height, bottom=1.2 / height)
+    save_as(fig, path)
 
 
 def draw_danger(danger, methods, rows, path):
     """Error over its tolerance against the danger; runs without a number stand on top."""
-    fig, ax = plt.subplots(figsize=(6.4, 4))
+    fig, ax = plt.subplots(figsize=(8.2, 4.6))
     values = danger["values"]
     top, bottom = 1e4, 1e-4
     for j, method in enumerate(methods):
         mine = [r for r in rows if r["danger"] == danger["name"] and (r["scheme"], r["element"]) == tuple(method)]
         if not mine:
             continue
-        shift = 0.12 * (j - (len(methods) - 1) / 2)
+        shift = 0.8 * ((j + 0.5) / len(methods) - 0.5)
         xs = [values.index(r["x"]) + shift for r in mine]
         # no number: above all
         ys = [3 * top if r["error_over_tolerance"] in ("", "inf") else
@@ -71,10 +85,10 @@ def draw_danger(danger, methods, rows, path):
         for x, y, r in zip(xs, ys, mine):
             ax.plot(x, y, MARKERS[r["outcome"]], color=COLORS[r["outcome"]], mec=line.get_color(), ms=7)
     ax.axhline(1, color="0.5", lw=0.8, ls="--")
-    ax.axhspan(1.5 * top, 6 * top, color="0.93")
-    ax.text(-0.45, 3 * top, "no number", va="center", fontsize=8, color="0.4")
+    ax.axhspan(1.5 * top, 30 * top, color="0.93")
+    ax.text(-0.45, 13 * top, "no number", va="center", fontsize=9, color="0.4")
     ax.set_yscale("log")
-    ax.set_ylim(bottom / 2, 6 * top)
+    ax.set_ylim(bottom / 2, 30 * top)
     ax.set_xlim(-0.5, len(values) - 0.5)
     ax.set_xticks(range(len(values)), values)
     ax.set_xlabel(danger["meaning"])
@@ -82,10 +96,9 @@ def draw_danger(danger, methods, rows, path):
     ax.set_title(danger["name"])
     marks = [plt.Line2D([], [], ls="", marker=MARKERS[n], color=COLORS[n], label=n) for n in COLORS]
     handles = ax.get_legend_handles_labels()[0] + marks
-    ax.legend(handles=handles, fontsize=7, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
+    ax.legend(handles=handles, fontsize=10, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     fig.tight_layout()
-    fig.savefig(path, dpi=100)
-    plt.close(fig)
+    save_as(fig, path)
 
 
 def draw(dangers, ours, rivals, rows, folder):
