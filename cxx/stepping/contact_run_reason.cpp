@@ -40,7 +40,8 @@ template <int Dim> std::string ContactRun<Dim>::reason(const std::string& of_bod
     last =
         "; " + last_equilibrium(*m_setup, m_accepted.prescribed, state.q, m_accepted.generalized_force, m_t);
   const std::string end = end_of_tool(*m_setup, state);
-  const bool cycles = found.find("inconsistent contact states") != std::string::npos;
+  const bool cycles = found.find("inconsistent contact states") != std::string::npos ||
+                      found.find("not held") != std::string::npos;
   return found + last + (end.empty() && cycles ? hangs_on_few(*m_setup, state) : end);
 }
 

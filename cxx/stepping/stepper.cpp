@@ -29,7 +29,7 @@ template <int Dim> Task Stepper<Dim>::next(Eigen::VectorXd& u, Eigen::VectorXd& 
   case Phase::RECORD:
     return begin_step();
   case Phase::PROGRAM:
-    return done ? begin_solve(u) : solved(false, u, R);
+    return done ? begin_solve(u, R) : solved(false, u, R);
   case Phase::SOLVE:
     return done ? ask(Task::FORCES, Phase::FORCES) : solved(false, u, R);
   case Phase::FORCES:
@@ -68,22 +68,34 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
          "scheme article with damage, expected implicit or event: pure rates never take off the force that a "
          "damaged point has lost");
   m_body.set_step_length(m_control.dt());
-  m_tries = 0;
+  m_tries = m_disagreed = 0;
   return try_step();
 }
 
+// Whether the present try is by events. States that never agree inside the iteration may agree one after another, and
+// the other way round.
+template <int Dim> bool Stepper<Dim>::by_events() const {
+  if (m_options.scheme == Scheme::EVENT) return m_tries < m_options.max_tries;
+  if (m_options.scheme != Scheme::IMPLICIT || m_options.fallback == 0 || m_options.condensed) return false;
+  return (m_disagreed >= m_options.fallback || m_counts.by_events > 0) && m_tries % 2 == 0;
+}
+
 template <int Dim> Task Stepper<Dim>::try_step() {
-  const bool by_event = m_options.scheme == Scheme::EVENT && m_tries < m_options.max_tries;
   m_scheme = &m_implicit;
-  if (by_event) m_scheme = &m_event;
+  if (by_events()) m_scheme = &m_event;
   if (m_options.scheme == Scheme::ARTICLE) m_scheme = &m_article;
   m_scheme->start(m_control.time(), m_control.dt());
   return ask(Task::PROGRAM, Phase::PROGRAM);
 }
 
-template <int Dim> Task Stepper<Dim>::begin_solve(Eigen::VectorXd& u) {
+template <int Dim> Task Stepper<Dim>::begin_solve(Eigen::VectorXd& u, Eigen::VectorXd& R) {
   const Solve& solve = m_scheme->solve();
-  m_contact.begin(u, solve.from, solve.dt, solve.stepping);
+  try {
+    m_contact.begin(u, solve.from, solve.dt, solve.stepping);
+  } catch (const std::exception&) {
+    if (!falls_back()) throw;
+    return rejected(u, R); // a piece has ended where there is no way on, e.g. off the body
+  }
   m_iteration = 0;
   return solve.stepping == Stepping::RATES ? ask(Task::SOLVE, Phase::SOLVE)
                                            : ask(Task::FORCES, Phase::FORCES);
@@ -114,7 +126,8 @@ template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorX
 }
 
 template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  if (!converged) {
+  if (!converged && !falls_back()) { // a try by events has no reason of its own
+    m_disagreed += m_refusal.empty() && m_contact.corrector().last_balance().inconsistent > 0;
     // of the contact: why the body was asked for too much
     const std::string cause = m_contact.reason(nearly_incompressible(m_body.checked()));
     const bool both = !cause.empty() && !m_refusal.empty();
@@ -163,6 +176,12 @@ template <int Dim> Task Stepper<Dim>::accepted() {
   measure_step();
   m_counts.scheme.pileups += m_options.scheme == Scheme::EVENT && m_tries >= m_options.max_tries;
   ++m_counts.steps;
+  if (m_options.scheme == Scheme::IMPLICIT) {
+    m_counts.fallbacks += falls_back();
+    m_counts.by_events = falls_back() && m_disagreed >= m_options.fallback
+                             ? m_options.fallback_steps
+                             : std::max(0, m_counts.by_events - 1);
+  }
   m_body.set_step_length(0);
   look(m_control.time() - t);
   return ask(Task::RECORD, Phase::RECORD);
