@@ -59,6 +59,8 @@ def wrong_command(words, targets):
         known = options_of(script)
         unknown = [w for w in words[2:] if re.fullmatch(r"-[a-zA-Z]\w*", w) and w != "-h" and w.lstrip("-") not in known and w not in known]
         return f"{words[1]} has no option {unknown[0]}" if unknown else ""
+    if words[0] == "/usr/bin/python3":
+        return "" if len(words) > 1 and (TOP / words[1]).is_file() else f"no script {words[1:2]}"
     return "" if words[0] in ("build/burnish", "burnish") else f"unknown command {words[0]}"
 
 
