@@ -6,8 +6,8 @@
 //     name=     name in messages, files and "tool.coordinate" | | "tool 1", "tool 2", ... | no comma, quote, line break
 //     ! give exactly one profile
 //     ! , expected a text without comma, quote and line break
-//   t.coordinates(kind)   the coordinates that place the tool's frame, once, before C.add
-//     kind      "cartesian": x, y, angle; "polar": r, phi, theta (its turn); or names of one's own, separated by commas | length, rad
+//   t.coordinates(kind)   the coordinates that place the tool's frame, once, before place, tightestradius and C.add; all begin at 0
+//     kind      "cartesian": x, y, angle; "polar": r, phi, theta (its absolute turn); or names of one's own, separated by commas | length, rad
 //     pivot=    polar: pole [x0, y0] | length | [0, 0]
 //     x=        names of one's own: formula of the frame's x in coordinates and parameters | length | required
 //     y=        the same of its y | length | required
