@@ -17,8 +17,20 @@ USAGE = """burnish help NAME    prints the reference of a name: contact.add, C.a
   history, events, surface, tools, fields, summary    files of a run: columns, fields, keys with their units
   formulas      functions that formulas of coordinates, forces, friction, hardening, events may call
   exit          exit statuses
+  sweep, pictures, movie.gif, springback, ...    the page of the manual that explains them
 A value out of its range, and what else is wrong in a script, ends it with exit status 20 and a line that names the place, the
 value and what is allowed."""
+# what has a page of the manual and no entry: words, then the page and what it says
+PAGES = (
+    (("sweep", "explore", "vary"), "sweeps", "runs for all values of some options: make sweep, or a loop of the shell"),
+    (("sequence.png", "scene.png", "stress.png", "plastic-strain.png", "stress-error.png", "history.png", "pressure.png", "expected.png",
+      "pictures", "plot.py", "movie.html", "movie.gif"), "pictures", "the pictures and movies of a run, and curves of your own"),
+    (("springback", "sheet", "u-channel.edp"), "thin-strips", "thin strips and sheets, their support and springback"),
+    (("knurl", "gear", "teeth"), "toothed-tools", "tools with teeth on a block and on a ring"),
+    (("paraview", "fields.pvd"), "paraview", "the files of a run in ParaView"),
+    (("warnings", "report.txt"), "reports", "warnings and the report of a run"),
+    (("new", "template"), "own-scene", "burnish new NAME makes a scene that runs, to be changed"),
+)
 GROUPS = {"functions": ("function", "macro"), "settings": ("setting",), "constants": ("constant",)}
 ALIASES = {"status": "exit", "statuses": "exit", "columns": "history", "types": "topics", "column": "history",
            "event": "events", "formula": "formulas"}
@@ -79,6 +91,14 @@ def lookup_part(name, reference):
     return lines or None
 
 
+def page_of(word):
+    """Lines on a word that a page of the manual explains; none for others."""
+    for words, page, what in PAGES:
+        if word.lower() in words:
+            yield f"{word}: {what}"
+            yield f"  see the manual, {topics.TOP / 'edp/manual' / page}.md"
+
+
 def all_names(reference):
     names = {*reference.topics, *plain.TABLES, *GROUPS, *reference.cases, *heads.OBJECTS.values(), "options"}
     names |= {last_part(key) for key in reference.topics}
@@ -88,7 +108,7 @@ def all_names(reference):
 
 
 def unknown(word, reference):
-    lower = {name.lower(): name for name in all_names(reference)}
+    lower = {name.lower(): name for name in all_names(reference).union(*(words for words, _, _ in PAGES))}
     near = difflib.get_close_matches(spelled(word).lower(), lower, 5, 0.6)
     names = ", ".join(lower[name] for name in near)
     advice = f"near it: {names}" if names else "burnish help lists the topics"
@@ -106,8 +126,8 @@ def main(words):
         print(f"burnish: {error}", file=sys.stderr)
         return 20
     word = " ".join(words)
-    lines = lookup(word, reference) or lookup(".".join(words), reference)
-    if lines is None:
+    lines = [*(lookup(word, reference) or lookup(".".join(words), reference) or []), *page_of(word)]
+    if not lines:
         return unknown(word, reference)
     print("\n".join(lines))
     return 0

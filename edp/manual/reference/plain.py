@@ -90,7 +90,7 @@ def type_text(name, reference):
 
 
 def option_text(option, reference, case=None):
-    start = f"  {option.name:<13}{option.kind:<8}"
+    start = f"  {option.name:<17}{option.kind:<8}"    # the longest is -frictiontangent
     default = topics.default_of(option, reference, case)
     text = option.meaning + (f" [{option.unit}]" if option.unit else "") + f" default {default}"
     return wrapped(text + (f", range {option.range}" if option.range else ""), " " * len(start), start)
