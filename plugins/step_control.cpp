@@ -16,6 +16,8 @@
 //     eventnoise=   stress that the residual's tolerance leaves, over the yield stress (event steps) | - | 1e-4 | finite > 0
 //     nodesperstep=   a rolling step is at least this many node spacings long | - | 1 | finite > 0
 //     widthsteps=   as stepsperwidth, for narrow contacts: the contact counts as that many spacings wide | - | 14 | finite > 0
+//     fallback=   implicit: a step that fails so often because contact states contradict the forces is tried by events, too, and
+//       so are the ten steps after it; 0: never | - | 4 | >= 0
 //     maxpieces=   article: pieces of a step between events | - | 100 | 1 to 999999
 //     maxretries=   article: changes of state at one instant | - | 4 | 1 to 999999
 //     ! , expected implicit, event or article
@@ -68,7 +70,7 @@ ElementEvents elements_of(const std::string& name, Scheme scheme) {
 }
 
 struct MakeStepControl {
-  static const int n = 13;
+  static const int n = 14;
   static basicAC_F0::name_and_type names[n];
   static double positive(const Named& a, const char* name, double otherwise) {
     if (!a.has(name)) return otherwise;
@@ -101,6 +103,8 @@ struct MakeStepControl {
     options.events.event_noise = positive(a, "eventnoise", options.events.event_noise);
     options.nodes_per_step = positive(a, "nodesperstep", options.nodes_per_step);
     options.width_steps = positive(a, "widthsteps", options.width_steps);
+    options.fallback = static_cast<int>(a.integer("fallback", options.fallback));
+    require(options.fallback >= 0, "stepcontrol", "fallback", options.fallback, ">= 0");
     options.events.max_pieces = count(a, "maxpieces", options.events.max_pieces);
     options.events.max_retries = count(a, "maxretries", options.events.max_retries);
     object->control = called("stepcontrol", [&] { return std::make_unique<StepControl>(0, control); });
@@ -113,7 +117,7 @@ basicAC_F0::name_and_type MakeStepControl::names[] = {
     {"stepsperwidth", &typeid(double)},  {"output", &typeid(KN_<double>)},    {"scheme", &typeid(string*)},
     {"elementevents", &typeid(string*)}, {"eventtolerance", &typeid(double)}, {"eventnoise", &typeid(double)},
     {"nodesperstep", &typeid(double)},   {"widthsteps", &typeid(double)},     {"maxpieces", &typeid(long)},
-    {"maxretries", &typeid(long)}};
+    {"maxretries", &typeid(long)},       {"fallback", &typeid(long)}};
 
 // Before start: the control is made anew.
 struct AccuracyTag {};

@@ -233,7 +233,7 @@ def expected_figure(run):
     heads = ("", "computed", "expected", "unit", "error", "allowed", "source")
     texts = [list(map(u.plain, row)) for row, _ in rows]
     wide = [max(len(row[k]) for row in (heads, *texts)) + 2 for k in range(len(heads))]
-    figure, axes = new_figure(max(6.0, 0.095 * sum(wide)), 0.75 + 0.32 * (len(rows) + 1))
+    figure, axes = new_figure(max(6.0, 0.095 * sum(wide)), max(3.1, 0.75 + 0.32 * (len(rows) + 1)))
     axes.axis("off")
     table = axes.table(texts, colLabels=heads, colWidths=[w / sum(wide) for w in wide], loc="upper center", cellLoc="right")
     table.auto_set_font_size(False)

@@ -110,13 +110,17 @@ template <int Dim> void say_of_symmetry(const ReportedRun<Dim>& run, List& list)
   }
 }
 
+constexpr const char* UNITS =
+    "; strains so small are right only if lengths, forces and stresses are in units of one system";
+
 template <int Dim> void say_of_strains(const ReportedRun<Dim>& run, List& list) {
   const double gradient = run.scene.gradient;
   if (!(gradient <= run.options.small_strain) || !(gradient > 0)) return;
   const char* option = flowed(run.step.workpiece) ? ", and so does update=\"single\"" : "";
   list.push_back({IN_VAIN, "strain", gradient, 20,
                   "strains and rotations are at most " + short_number(gradient) +
-                      " everywhere: the geometrically linear form gives the same" + option});
+                      " everywhere: the geometrically linear form gives the same" + option +
+                      (gradient < run.options.no_strain ? UNITS : "")});
 }
 
 } // namespace

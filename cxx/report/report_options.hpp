@@ -11,6 +11,7 @@ struct ReportOptions {
   double idle_energy = 1e-3;  ///< energy of half of the mesh over that of all of it: below, it is idle
   double fine_steps = 0.1;    ///< error of the steps over the accuracy asked: below, they are too fine
   double asymmetry = 1e-3;    ///< difference of mirrored displacements over the largest: below, symmetric
+  double no_strain = 1e-6;    ///< |F - I|: below everywhere, units may be mixed
   double small_strain = 1e-3; ///< |F - I|: below everywhere, the linear form gives the same
   double stress_error = 0.15; ///< recovered against computed stress, relative: above, the mesh is coarse
   double end_load = 0.01;     ///< load of the last node of an open contact surface over that of the tool

@@ -7,6 +7,7 @@
 #include "contact/tributary_area.hpp"
 #include "stepping/approach.hpp"
 #include "stepping/contact_window.hpp"
+#include "stepping/floating_check.hpp"
 #include "stepping/program_checks.hpp"
 #include <algorithm>
 #include <cmath>
@@ -150,15 +151,16 @@ template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, dou
     check_not_placed(*m_setup, m_accepted.contact);
   m_prescribed = prescribed_values(*m_setup, t + dt);
   m_prescribed.held = held_by_drive(driving_force(model(), m_prescribed, m_accepted.contact.q), m_prescribed);
+  if (first) check_not_inside(*m_setup, m_predictor.locator(), m_accepted.contact, u);
   m_left_out = leave_out_unresisted(*m_setup, m_accepted.contact, m_prescribed);
   check_support(*m_setup, m_accepted.contact, m_prescribed);
   check_independent(*m_setup, m_accepted.contact, m_prescribed);
   if (first) {
-    check_not_inside(*m_setup, m_predictor.locator(), m_accepted.contact, u);
     take_areas(m_accepted.contact, u);
     m_accepted.u = u;
   }
   begin_body(t, stepping, u);
+  if (!m_hold.acts(t + dt)) check_not_floating(*m_setup, m_accepted.contact, m_prescribed, u);
   m_t = t;
   m_dt = dt;
   m_largest_dt = std::max(m_largest_dt, dt);

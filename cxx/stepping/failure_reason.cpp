@@ -1,4 +1,5 @@
 #include "stepping/failure_reason.hpp"
+#include "stepping/rigid_modes.hpp"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -53,31 +54,11 @@ template <int Dim>
 std::string unheld_workpiece(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
                              const Eigen::VectorXd& u) {
   constexpr double none = 1e-6; // pivot over the largest: the motion meets no resistance
-  constexpr int modes = Dim + Dim * (Dim - 1) / 2;
+  constexpr int modes = RigidModes<Dim>::count;
   if (constrains_rigid_motions(setup.body())) return "";
   const auto& body = setup.body();
-  const Vector<Dim> center = body.position(u, setup.candidates()[0]);
-  const Vector<Dim> far = body.X.reshaped(Dim, body.X.size() / Dim).rowwise().maxCoeff() -
-                          body.X.reshaped(Dim, body.X.size() / Dim).rowwise().minCoeff();
-  // displacement of a place by the rigid motions, turns about the center over the size of the body
-  const auto motions = [&](const Vector<Dim>& x) {
-    Eigen::Matrix<double, Dim, modes> m = Eigen::Matrix<double, Dim, modes>::Zero();
-    m.template leftCols<Dim>().setIdentity();
-    const Vector<Dim> r = (x - center) / far.norm();
-    int turn = Dim;
-    for (int a = 0; a < Dim; ++a)
-      for (int b = a + 1; b < Dim; ++b, ++turn) {
-        m(a, turn) = -r[b];
-        m(b, turn) = r[a];
-      }
-    return m;
-  };
-  Eigen::Matrix<double, modes, modes> resisted = Eigen::Matrix<double, modes, modes>::Zero();
-  for (Eigen::Index a = 0; a < body.X.size() / Dim; ++a) {
-    const auto m = motions(body.position(u, static_cast<int>(a)));
-    for (int c = 0; c < Dim; ++c)
-      if (body.fixed[Dim * a + c]) resisted += m.row(c).transpose() * m.row(c);
-  }
+  const RigidModes<Dim> motions(body, body.position(u, setup.candidates()[0]));
+  Eigen::Matrix<double, modes, modes> resisted = motions.resisted_by_supports(body, u);
   const auto poses = setup.model().poses(state.q);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const auto& node = state.nodes[i];

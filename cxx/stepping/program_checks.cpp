@@ -73,18 +73,23 @@ void check_not_inside(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& lo
                                 "inside it; place the tool outside and call approach");
   const auto poses = setup.model().poses(state.q);
   const auto& body = setup.body();
+  double deepest = -INSIDE * body.spacing;
+  int node = -1, tool = -1;
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-    const int node = setup.candidates()[i];
-    const Vector<Dim> x = body.position(u, node);
+    const Vector<Dim> x = body.position(u, setup.candidates()[i]);
     const auto nearest = nearest_tool(setup.model(), poses, x, state.nodes[i], static_cast<int>(i));
-    if (nearest.foot.gap >= -INSIDE * body.spacing) continue;
-    std::ostringstream text;
-    text << "tool \"" << setup.tools()[nearest.tool]->name() << "\" starts inside the workpiece: node "
-         << node << " at " << x.transpose().format(PLACE_FORMAT) << " penetrates by " << -nearest.foot.gap
-         << "; place the tool outside and call approach, or, if its profile has the body on the wrong "
-         << "side, turn it: inside=true, or the points in the other order";
-    fail("contact.begin", text.str());
+    if (nearest.foot.gap >= deepest) continue;
+    deepest = nearest.foot.gap;
+    node = setup.candidates()[i];
+    tool = nearest.tool;
   }
+  if (node < 0) return;
+  std::ostringstream text;
+  text << "tool \"" << setup.tools()[tool]->name() << "\" starts inside the workpiece: node " << node
+       << " at " << body.position(u, node).transpose().format(PLACE_FORMAT) << " penetrates by " << -deepest
+       << "; place the tool outside and call approach, or, if its profile has the body on the wrong "
+       << "side, turn it: inside=true, or the points in the other order";
+  fail("contact.begin", text.str());
 }
 
 template <int Dim>

@@ -68,7 +68,8 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
          "scheme article with damage, expected implicit or event: pure rates never take off the force that a "
          "damaged point has lost");
   m_body.set_step_length(m_control.dt());
-  m_tries = m_disagreed = 0;
+  m_tries = 0;
+  m_disagreed = false;
   return try_step();
 }
 
@@ -77,7 +78,7 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
 template <int Dim> bool Stepper<Dim>::by_events() const {
   if (m_options.scheme == Scheme::EVENT) return m_tries < m_options.max_tries;
   if (m_options.scheme != Scheme::IMPLICIT || m_options.fallback == 0 || m_options.condensed) return false;
-  return (m_disagreed >= m_options.fallback || m_counts.by_events > 0) && m_tries % 2 == 0;
+  return ((m_tries >= m_options.fallback && m_disagreed) || m_counts.by_events > 0) && m_tries % 2 == 0;
 }
 
 template <int Dim> Task Stepper<Dim>::try_step() {
@@ -127,7 +128,7 @@ template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorX
 
 template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
   if (!converged && !falls_back()) { // a try by events has no reason of its own
-    m_disagreed += m_refusal.empty() && m_contact.corrector().last_balance().inconsistent > 0;
+    m_disagreed = m_disagreed || (m_refusal.empty() && m_contact.corrector().last_balance().inconsistent > 0);
     // of the contact: why the body was asked for too much
     const std::string cause = m_contact.reason(nearly_incompressible(m_body.checked()));
     const bool both = !cause.empty() && !m_refusal.empty();
@@ -178,9 +179,8 @@ template <int Dim> Task Stepper<Dim>::accepted() {
   ++m_counts.steps;
   if (m_options.scheme == Scheme::IMPLICIT) {
     m_counts.fallbacks += falls_back();
-    m_counts.by_events = falls_back() && m_disagreed >= m_options.fallback
-                             ? m_options.fallback_steps
-                             : std::max(0, m_counts.by_events - 1);
+    m_counts.by_events = falls_back() && m_tries >= m_options.fallback ? m_options.fallback_steps
+                                                                       : std::max(0, m_counts.by_events - 1);
   }
   m_body.set_step_length(0);
   look(m_control.time() - t);

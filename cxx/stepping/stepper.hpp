@@ -32,18 +32,18 @@ struct StepperOptions {
   bool condensed = false;     ///< every iteration is a SOLVE: the caller's solver takes the condensed matrix
   double warned_error = 0.08; ///< estimated error of the steps that is reported as a warning
   int max_tries = 5; ///< an event step that failed so often is taken with the states inside the iteration
-  int fallback =
-      2; ///< an implicit step whose states have disagreed so often is tried by events, every second time; 0: never
+  /// An implicit step that has failed so often, once or more with contact states that contradict the forces, is tried by
+  /// events every second time; 0: never.
+  int fallback = 4;
   int fallback_steps = 10; ///< so many steps after one that events have solved are tried by events first
 };
 
 struct StepperCounts {
   long steps = 0, rejected = 0;
-  long rolling = 0;  ///< steps in which the contact moved along the body
-  double travel = 0; ///< of the contact in them, node spacings
-  long fallbacks =
-      0; ///< implicit steps that events have solved after they had failed, and those tried so after them
-  int by_events = 0; ///< steps to come that are tried by events first
+  long rolling = 0;   ///< steps in which the contact moved along the body
+  double travel = 0;  ///< of the contact in them, node spacings
+  long fallbacks = 0; ///< implicit steps that events have solved
+  int by_events = 0;  ///< steps to come that are tried by events first
   /// Node spacings that the contact rolls in a step, mean [-]; 0: it does not roll.
   double nodes_per_step() const { return rolling > 0 ? travel / rolling : 0; }
   SchemeCounts scheme;
@@ -138,7 +138,7 @@ private:
   SceneReport<Dim> m_scene_report;
   Phase m_phase = Phase::STEP;
   int m_tries = 0, m_iteration = 0;
-  int m_disagreed = 0; // tries of the present step that ended with contact states that contradict the forces
+  bool m_disagreed = false; // a try of the present step ended with contact states that contradict the forces
   bool m_refused = false, m_stopped = false, m_at_floor = false;
   std::string m_refusal, m_reason, m_last_rejection;
   double m_rejected_dt = 0;
