@@ -78,7 +78,8 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
 template <int Dim> bool Stepper<Dim>::by_events() const {
   if (m_options.scheme == Scheme::EVENT) return m_tries < m_options.max_tries;
   if (m_options.scheme != Scheme::IMPLICIT || m_options.fallback == 0 || m_options.condensed) return false;
-  return ((m_tries >= m_options.fallback && m_disagreed) || m_counts.by_events > 0) && m_tries % 2 == 0;
+  if (m_tries == 0) return m_counts.by_events > 0;
+  return m_disagreed && m_tries >= m_options.fallback && (m_tries - m_options.fallback) % 2 == 0;
 }
 
 template <int Dim> Task Stepper<Dim>::try_step() {

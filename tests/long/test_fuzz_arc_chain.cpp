@@ -1,6 +1,6 @@
 // Random arc chains: refused with a clear error, or a smooth chain whose closest points are right.
-#include "long/fuzz.hpp"
 #include "geometry/arc_chain.hpp"
+#include "long/fuzz.hpp"
 #include <map>
 
 using namespace burnish;

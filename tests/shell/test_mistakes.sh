@@ -34,7 +34,7 @@ wrong misspelled 's/force("angle", 0)/force("theta", 0)/' 20 "$early|tool \"roll
 wrong forgotten '/force("angle", 0)/d' 20 "$early|coordinate \"angle\" of tool \"roller\" has neither motion nor force"
 wrong apart '/^C.approach/d' 20 "$early|is under force but the tool touches nothing"
 wrong pulling 's/-4e5\*t/4e5*t/' 3 "$early|step below its floor"
-wrong free 's/ fixed=held,//' 3 "$early"
+wrong free 's/ fixed=held,//' 20 "$early"
 wrong overload 's/-4e5\*t/-4e10*t/' 3 "$early|stopped by a self-check: an element is inverted"
 wrong infinite 's|-4e5\*t|1/0.*t|' 20 "Div by 0|$early|an error of the script or of FreeFEM, reported above"
 wrong nodes 's/^func int record(real t) {/& if (t > 0.5) rcCheck(false, "enough");/' 20 "$early|error: enough"
