@@ -17,7 +17,7 @@
 //     nodesperstep=   a rolling step is at least this many node spacings long | - | 1 | finite > 0
 //     widthsteps=   as stepsperwidth, for narrow contacts: the contact counts as that many spacings wide | - | 14 | finite > 0
 //     fallback=   implicit: a step that fails so often because contact states contradict the forces is tried by events, too, and
-//       so are the ten steps after it; 0: never | - | 3 | >= 0
+//       so are the ten steps after it; 0: never | - | 0 | >= 0
 //     maxpieces=   article: pieces of a step between events | - | 100 | 1 to 999999
 //     maxretries=   article: changes of state at one instant | - | 4 | 1 to 999999
 //     ! , expected implicit, event or article

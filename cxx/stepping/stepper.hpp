@@ -34,7 +34,7 @@ struct StepperOptions {
   int max_tries = 5; ///< an event step that failed so often is taken with the states inside the iteration
   /// An implicit step that has failed so often, once or more with contact states that contradict the forces, is tried by
   /// events every second time; 0: never.
-  int fallback = 3;
+  int fallback = 0;
   int fallback_steps = 10; ///< so many steps after one that events have solved are tried by events first
 };
 

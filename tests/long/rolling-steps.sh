@@ -13,5 +13,6 @@ for mesh in default graded; do
   run $mesh $options
 done
 run graded-lean $graded -steps 60 -width 15
+run graded-least -inner 6 -outer 40 -sides 8 -graded 1.1e-4 -steps 60 -width 10 -tolerance 1e-3
 run reference ${graded/1.2e-4/3e-5} -steps 400 -width 60
 PYTHONPATH="$here/../regression" "$PYTHON" "$here/rolling_steps.py" "$out"

@@ -79,10 +79,10 @@ def check(folder):
         worst = np.abs(errors).max(axis=1)
         for name, value, allowed in zip(("depth", "theta", "Q_phi", "p99"), worst, (1, 1, 1, 3)):
             checks.that(f"{mesh}, {name}", value <= allowed, f"largest error at the quarters {value:.2f} %, allowed {allowed} %")
-    runs = {name: Fields(os.path.join(folder, name)) for name in ("reference", "default", "graded", "graded-lean")}
+    runs = {name: Fields(os.path.join(folder, name)) for name in ("reference", "default", "graded", "graded-lean", "graded-least")}
     reference = runs.pop("reference")
     print("steps and mesh"), table(reference, runs.items())
-    for mesh in ("graded", "graded-lean"):
+    for mesh in ("graded", "graded-lean", "graded-least"):
         worst = np.abs(runs[mesh].errors(reference)).max(axis=1)
         for name, value, allowed in zip(("depth", "theta", "Q_phi", "p99"), worst, (1, 1, 1, 3)):
             checks.that(f"{mesh}, {name}", value <= allowed, f"steps and mesh: {value:.2f} % at the quarters, allowed {allowed} %")
