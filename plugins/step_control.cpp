@@ -5,6 +5,7 @@
 //     tend      end of the program | time | | > 0
 //     dtmax=    largest step | time | tend/100 | finite > 0
 //     dtmin=    smallest step: a run that needs a shorter one ends | time | 1e-7 tend | 0 < dtmin <= dtmax
+//     dtfirst=   first step: the whole program where nothing flows | time | a quarter of dtmax | dtmin <= dtfirst <= dtmax
 //     stepsperwidth=   steps at least while the contact rolls its width, 0: no such limit | - | 14 | >= 0
 //     accuracy=   chooses the steps by the relative error of the plastic strain increments, S.error | - | fixed by dtmax and
 //       the contact width | finite > 0
@@ -70,7 +71,7 @@ ElementEvents elements_of(const std::string& name, Scheme scheme) {
 }
 
 struct MakeStepControl {
-  static const int n = 14;
+  static const int n = 15;
   static basicAC_F0::name_and_type names[n];
   static double positive(const Named& a, const char* name, double otherwise) {
     if (!a.has(name)) return otherwise;
@@ -89,6 +90,7 @@ struct MakeStepControl {
     control.t_end = t_end;
     control.dt_max = positive(a, "dtmax", control.dt_max);
     control.dt_min = positive(a, "dtmin", control.dt_min);
+    control.dt_first = positive(a, "dtfirst", control.dt_first);
     control.steps_per_width = a.real("stepsperwidth", control.steps_per_width);
     control.accuracy = positive(a, "accuracy", control.accuracy);
     if (a.has("output")) {
@@ -117,7 +119,7 @@ basicAC_F0::name_and_type MakeStepControl::names[] = {
     {"stepsperwidth", &typeid(double)},  {"output", &typeid(KN_<double>)},    {"scheme", &typeid(string*)},
     {"elementevents", &typeid(string*)}, {"eventtolerance", &typeid(double)}, {"eventnoise", &typeid(double)},
     {"nodesperstep", &typeid(double)},   {"widthsteps", &typeid(double)},     {"maxpieces", &typeid(long)},
-    {"maxretries", &typeid(long)},       {"fallback", &typeid(long)}};
+    {"maxretries", &typeid(long)},       {"fallback", &typeid(long)},         {"dtfirst", &typeid(double)}};
 
 // Before start: the control is made anew.
 struct AccuracyTag {};

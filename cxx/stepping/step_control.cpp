@@ -24,6 +24,9 @@ StepControl::StepControl(double t_start, StepControlOptions options)
   if (o.dt_max == 0) o.dt_max = (o.t_end - t_start) / o.steps_per_program;
   if (o.dt_min == 0) o.dt_min = o.floor * (o.t_end - t_start);
   require(o.dt_min > 0 && o.dt_min <= o.dt_max, "StepControl", "dt_min", o.dt_min, "0 < dt_min <= dt_max");
+  if (o.dt_first == 0) o.dt_first = std::max(o.first * o.dt_max, o.dt_min);
+  require(o.dt_first >= o.dt_min && o.dt_first <= o.dt_max, "StepControl", "dt_first", o.dt_first,
+          "dt_min <= dt_first <= dt_max");
   require(o.steps_per_width >= 0, "StepControl", "steps_per_width", o.steps_per_width, ">= 0");
   require(o.accuracy >= 0, "StepControl", "accuracy", o.accuracy, ">= 0");
   require(o.growth > 1, "StepControl", "growth", o.growth, "> 1");
@@ -55,7 +58,7 @@ double StepControl::wanted(double width, double speed) {
   auto& s = m_state;
   double dt = o.dt_max;
   if (s.failed_dt > 0) dt = std::min(dt, s.cap);
-  dt = std::min(dt, s.first ? o.first * o.dt_max : o.growth * s.last_dt);
+  dt = std::min(dt, s.first ? o.dt_first : o.growth * s.last_dt);
   const double kept = s.width > 0 && width > 0 ? o.width_memory : 0;
   s.width = kept * s.width + (1 - kept) * width;
   double per_width = o.steps_per_width;

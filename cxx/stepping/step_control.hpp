@@ -15,6 +15,7 @@ struct StepControlOptions {
   double steps_per_program = 100;   ///< dt_max, if it is not given, is the program over this
   double floor = 1e-7;              ///< dt_min, if it is not given, over the program
   double first = 0.25;              ///< first step over dt_max
+  double dt_first = 0;              ///< first step; 0: `first` of dt_max
   double shrink = 0.5;  ///< least ratio of neighboring steps where the contact's width asks for shorter ones
   double retry = 0.5;   ///< a failed step is tried again with this part of its length
   double caution = 0.7; ///< after a failure steps may be this part of the failed one, ...

@@ -247,7 +247,7 @@ def defaults_of_structures():
         names = re.findall(r"`(\w+=)`", cells[-1]) if line.startswith("| `") and key else []
         for name in names:
             value = cells[1].split("::")[-1].lower()
-            if name not in ("dtmax=", "dtmin=", "accuracy=", "elementevents="):  # 0 and NONE stand for a rule
+            if name not in ("dtmax=", "dtmin=", "dtfirst=", "accuracy=", "elementevents="):  # 0 and NONE stand for a rule
                 found[(key, name)] = value
     return found
 

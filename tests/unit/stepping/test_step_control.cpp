@@ -46,6 +46,16 @@ TEST(StepControl, FirstStepQuarterThenGrowth) {
   EXPECT_DOUBLE_EQ(advance(control, 8), 0.1) << "bounded by the largest step";
 }
 
+TEST(StepControl, FirstStepAsGiven) {
+  StepControlOptions o = options();
+  o.dt_first = 0.1;
+  StepControl control(0, o);
+  EXPECT_DOUBLE_EQ(advance(control, 1), 0.1);
+  o.dt_max = 2;
+  o.dt_first = 2;
+  EXPECT_DOUBLE_EQ(StepControl(0, o).propose(0, 0), 2) << "the whole program";
+}
+
 TEST(StepControl, ContactWidthOverRollingSpeed) {
   StepControl control(0, options());
   advance(control, 8);
@@ -159,6 +169,8 @@ TEST(StepControl, BadInput) {
                  "StepControl: t_end = 1, expected later than the start");
   expect_invalid([&] { with([](auto& o) { o.dt_min = 0.2; }); },
                  "StepControl: dt_min = 0.2, expected 0 < dt_min <= dt_max");
+  expect_invalid([&] { with([](auto& o) { o.dt_first = 0.2; }); },
+                 "StepControl: dt_first = 0.2, expected dt_min <= dt_first <= dt_max");
   expect_invalid([&] { with([](auto& o) { o.dt_max = -1; }); }, "expected 0 < dt_min <= dt_max");
   expect_invalid([&] { with([](auto& o) { o.steps_per_width = -1; }); },
                  "StepControl: steps_per_width = -1, expected >= 0");
