@@ -15,7 +15,7 @@ template <int Dim> Statement lean(const ReportedRun<Dim>& run) {
     given +=
         step.model.coupling_of(static_cast<int>(k)) || (step.prescribed && step.prescribed->is_motion[k]);
   std::ostringstream text;
-  text << given << " of " << all << " coordinates are prescribed and carry no equation";
+  text << given << " of " << all << " coordinates are prescribed at the end and carry no equation";
   if (run.scene.window > 0)
     text << "; at most " << run.scene.window << " of " << step.model.candidates.size()
          << " contact nodes took part in the contact iteration";
