@@ -207,7 +207,7 @@ START_SANITIZER     = $(abspath $(SANITIZED))/start_sanitizer.so
 UNSANITIZED         = MemoryLimit*
 export ASAN_OPTIONS  ?= detect_leaks=0:alloc_dealloc_mismatch=0:detect_odr_violation=0
 export UBSAN_OPTIONS ?= print_stacktrace=1
-sanitize: packages ## unit, verification and plugin tests and one case with the sanitizers of addresses and undefined behavior (two hours)
+sanitize: packages ## unit, verification and plugin tests and one case with the sanitizers of addresses and undefined behavior (an hour)
 	+@$(MAKE) -s --no-print-directory BUILD='$(SANITIZED)' PACKAGES=true LDFLAGS='$(LDFLAGS) $(SANITIZERS)' \
 	  OPTIMIZE='-O1 -g1 -fno-omit-frame-pointer $(SANITIZERS)' TEST_OPTIMIZE='-O1' \
 	  FREEFEM='env LD_PRELOAD=$(SANITIZER_LIBRARIES):$(START_SANITIZER) $(FREEFEM)' sanitized
