@@ -7,6 +7,7 @@ from plotting import units as u
 from plotting.figure import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, SKY, key_under_labels, new_figure, say_empty
 
 COLORS = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "black", GRAY)
+DASHES = ("-", (0, (4, 1.5)), (0, (1.2, 1.2)), (0, (5, 1.2, 1.2, 1.2)))
 PANELS = ((u.LENGTH, "displacement of the tools"), (u.ANGLE, "turn of the tools"), (u.FORCE, "drive force"),
           (u.MOMENT, "drive moment"), (u.NODES, "nodes"), (u.STRAIN, "largest plastic strain"),
           (u.STRESS, "largest von Mises stress"))
@@ -28,12 +29,23 @@ def power_of_panel(run, columns, change):
     return u.power_of_ten(np.nanmax(np.abs(values), initial=0.0), 1e-3, 1e5)
 
 
-def draw_column(axes, run, column, against, color, change=False, exponent=0):
-    """One column over another one."""
+def draw_column(axes, run, column, against, style, change=False, exponent=0):
+    """One column over another one. style: color and dashes."""
     y, values = run.columns[column], values_of(run, column, change)
     how = "steps-mid" if y.kind == u.NODES else "default"
-    axes.plot(values_of(run, against), values * 10.0**-exponent, color=color, label=y.label, drawstyle=how,
+    axes.plot(values_of(run, against), values * 10.0**-exponent, color=style[0], linestyle=style[1], label=y.label, drawstyle=how,
               linewidth=1.0 if y.kind == u.NODES else 1.5)
+
+
+def styles(labels):
+    """Color and dashes of each curve: of several tools, "die: x", a color each, and dashes for the coordinate."""
+    tools = list(dict.fromkeys(label.split(": ")[0] for label in labels if ": " in label))
+    if len(tools) < 2:
+        return [(COLORS[k % len(COLORS)], "-") for k in range(len(labels))]
+    others = iter(COLORS[len(tools):] * len(labels))
+    parts = list(dict.fromkeys(label.split(": ")[1] for label in labels if ": " in label))
+    return [(COLORS[tools.index(label.split(": ")[0]) % len(COLORS)], DASHES[parts.index(label.split(": ")[1]) % len(DASHES)])
+            if ": " in label else (next(others), "-") for label in labels]
 
 
 def letters(text):
@@ -58,11 +70,12 @@ def label_panel(axes, run, columns, title, change, exponent):
         if not beside:
             where = {"loc": "lower left", "bbox_to_anchor": (-0.02, 0.97)}
         axes.legend(fontsize=8, ncol=across, frameon=False, borderpad=0.3, labelspacing=0.2,
-                    handlelength=1.2, columnspacing=0.8, handletextpad=0.4, **where)
+                    handlelength=1.8, columnspacing=0.8, handletextpad=0.4, **where)
     if first.kind == u.NODES:
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
 
 
+OF_RINGS = (".x", ".angle")  # in axisymmetry a drive force along r or about the axis has no meaning
 RESULTANTS = ("_Fx", "_Fy", "_Mz")  # of supports and tools: the forces of the drives show the same
 
 
@@ -70,7 +83,8 @@ def default_panels(run):
     """(title, columns, change) of the panels with something to show; a column of the case has a panel of its own."""
     panels = []
     for kind, title in PANELS:
-        names = [n for n, c in run.columns.items() if c.kind == kind and moves(run.history[n])]
+        names = [n for n, c in run.columns.items() if c.kind == kind and moves(run.history[n])
+                 and not (run.axisymmetric and n.startswith("Q_") and n.endswith(OF_RINGS))]
         if names:
             panels.append((title, names, kind in (u.LENGTH, u.ANGLE)))
     own = [n for n, c in run.columns.items() if c.kind == u.OTHER and n != "factorizations"
@@ -89,8 +103,8 @@ def history_figure(run, panels=None, against="t"):
     figure, axes = new_figure(5.2 * columns, 0.8 + 2.1 * rows, nrows=rows, ncols=columns, squeeze=False, sharex=True)
     for place, (title, names, change) in zip(axes.flat, chosen):
         exponent = power_of_panel(run, names, change)
-        for name, color in zip(names, COLORS * len(names)):
-            draw_column(place, run, name, against, color, change, exponent)
+        for name, style in zip(names, styles([run.columns[n].label for n in names])):
+            draw_column(place, run, name, against, style, change, exponent)
         units = {run.columns[n].unit for n in names}
         title = title or " / ".join(sorted(units)) if len(units) > 1 else title
         label_panel(place, run, names, title, change, exponent)

@@ -136,8 +136,8 @@ class Screen:
     def curve(self, axes, title, names, change):
         """A panel of the history; returns the mark of the present time."""
         exponent = curves.power_of_panel(self.run, names, change)
-        for name, color in zip(names, curves.COLORS * len(names)):
-            curves.draw_column(axes, self.run, name, "t", color, change, exponent)
+        for name, style in zip(names, curves.styles([self.run.columns[n].label for n in names])):
+            curves.draw_column(axes, self.run, name, "t", style, change, exponent)
         if len(names) == 1:
             curves.label_panel(axes, self.run, names, title, change, exponent)
         else:
