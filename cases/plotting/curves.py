@@ -75,7 +75,7 @@ def label_panel(axes, run, columns, title, change, exponent):
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
 
 
-OF_RINGS = (".x", ".angle")  # in axisymmetry a drive force along r or about the axis has no meaning
+WITHOUT_MEANING = ("x", "angle")  # in axisymmetry a drive force along r or about the axis has no meaning
 RESULTANTS = ("_Fx", "_Fy", "_Mz")  # of supports and tools: the forces of the drives show the same
 
 
@@ -84,7 +84,7 @@ def default_panels(run):
     panels = []
     for kind, title in PANELS:
         names = [n for n, c in run.columns.items() if c.kind == kind and moves(run.history[n])
-                 and not (run.axisymmetric and n.startswith("Q_") and n.endswith(OF_RINGS))]
+                 and not (run.axisymmetric and n.startswith("Q_") and n[2:].split(".")[-1] in WITHOUT_MEANING)]
         if names:
             panels.append((title, names, kind in (u.LENGTH, u.ANGLE)))
     own = [n for n, c in run.columns.items() if c.kind == u.OTHER and n != "factorizations"

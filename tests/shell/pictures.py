@@ -76,6 +76,21 @@ class Scene(unittest.TestCase):
         ring = units.of_ring(units.SYSTEMS["mm"])
         self.assertEqual((ring.force_unit, ring.moment_unit), ("N", r"N$\cdot$mm"))
 
+    def test_styles_of_curves(self):
+        (x, dash_x), (y, dash_y), (other, dash_other), (nodes, _) = curves.styles(["die: x", "die: y", "punch: x", "sliding"])
+        self.assertEqual((x, dash_x), (y, "-"))
+        self.assertEqual(dash_other, dash_x)
+        self.assertNotEqual(dash_y, dash_x)
+        self.assertEqual(len({x, other, nodes}), 3)
+        self.assertEqual(len(set(curves.styles(["x", "y", "angle"]))), 3)
+
+    def test_drive_forces_of_a_ring(self):
+        for ring in (False, True):
+            run = Run(str(FINISHED))
+            run.axisymmetric = ring
+            names = [name for _, names, _ in curves.default_panels(run) for name in names if name.startswith("Q_")]
+            self.assertEqual(names, ["Q_y"] if ring else ["Q_x", "Q_y", "Q_angle"])
+
     def draw(self, folder):
         """The exit code of the pictures of any scene, their names, and what is said."""
         said = io.StringIO()
