@@ -26,16 +26,7 @@ template <int Dim> void LockingCheck<Dim>::find_neighbors(const Mesh<Dim>& mesh)
 }
 
 template <int Dim>
-void LockingCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions& options, CheckState& state,
-                             FindingList& findings) {
-  constexpr double nearly_incompressible = 10; // K over G, nu = 0.45
-  if (step.mesh.nodes_per_element != Dim + 1) return;
-  if (state.steps % options.seldom != 0 && !step.last) return;
-  const MaterialLaw<Dim>* law = known_law(step.workpiece);
-  if (!law) return;
-  if (m_neighbor.empty()) find_neighbors(step.mesh);
-  const auto moduli = law->moduli();
-  const bool everywhere = moduli.at("K") > nearly_incompressible * moduli.at("G");
+double LockingCheck<Dim>::alternation(const AcceptedStep<Dim>& step, bool everywhere) const {
   const WorkpieceState<Dim>& body = step.workpiece.state_old();
   const Discretization<Dim>& space = step.workpiece.discretization();
   double jumps = 0, shear = 0;
@@ -54,8 +45,21 @@ void LockingCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions& 
     jumps += space.weight[e] * jump * jump;
     shear += space.weight[e] * squared_equivalent<Dim>(s);
   }
-  if (!(shear > 0)) return;
-  const double value = std::sqrt(jumps / shear);
+  return shear > 0 ? std::sqrt(jumps / shear) : 0;
+}
+
+template <int Dim>
+void LockingCheck<Dim>::look(const AcceptedStep<Dim>& step, const CheckOptions& options, CheckState& state,
+                             FindingList& findings) {
+  constexpr double nearly_incompressible = 10; // K over G, nu = 0.45
+  if (step.mesh.nodes_per_element != Dim + 1) return;
+  if (state.steps % options.seldom != 0 && !step.last) return;
+  const MaterialLaw<Dim>* law = known_law(step.workpiece);
+  if (!law) return;
+  if (m_neighbor.empty()) find_neighbors(step.mesh);
+  const auto moduli = law->moduli();
+  const double value = alternation(step, moduli.at("K") > nearly_incompressible * moduli.at("G"));
+  if (!(value > 0)) return;
   state.largest("locking", value);
   if (!(value > options.locking)) return;
   Finding* finding = findings.report("locking", "", Severity::WARNING, value, step.t);

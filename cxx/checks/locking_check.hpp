@@ -11,6 +11,8 @@ public:
 
 private:
   void find_neighbors(const Mesh<Dim>& mesh);
+  /// Jumps of the mean stress over the von Mises stress, of plastic elements or of all; 0 where none can tell [-].
+  double alternation(const AcceptedStep<Dim>& step, bool everywhere) const;
   std::vector<int> m_neighbor; ///< per element and vertex: across the opposite face, -1: none
 };
 
