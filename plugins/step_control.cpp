@@ -50,6 +50,7 @@
 #include "step_control.hpp"
 #include "base/error.hpp"
 #include "named.hpp"
+#include <algorithm>
 
 namespace burnish {
 namespace {
@@ -68,6 +69,17 @@ ElementEvents elements_of(const std::string& name, Scheme scheme) {
   if (name == "log") return ElementEvents::LOG;
   if (name == "cut") return ElementEvents::CUT;
   fail("stepcontrol", "unknown elementevents \"" + name + "\", expected none, log, cut or default");
+}
+
+// Errors name the options as scripts do: dt_min is dtmin there.
+std::unique_ptr<StepControl> control_of(const StepControlOptions& options) {
+  try {
+    return called("stepcontrol", [&] { return std::make_unique<StepControl>(0, options); });
+  } catch (const std::invalid_argument& error) {
+    std::string text = error.what();
+    text.erase(std::remove(text.begin(), text.end(), '_'), text.end());
+    throw std::invalid_argument(text);
+  }
 }
 
 struct MakeStepControl {
@@ -109,7 +121,7 @@ struct MakeStepControl {
     require(options.fallback >= 0, "stepcontrol", "fallback", options.fallback, ">= 0");
     options.events.max_pieces = count(a, "maxpieces", options.events.max_pieces);
     options.events.max_retries = count(a, "maxretries", options.events.max_retries);
-    object->control = called("stepcontrol", [&] { return std::make_unique<StepControl>(0, control); });
+    object->control = control_of(control);
     handle->set(std::move(object));
     return handle;
   }
