@@ -24,6 +24,8 @@
 //     ! no matrix has been condensed yet
 //   C.elasticblend   part of elastic moduli that the next tangent should have in plastic points, after losses of definiteness | -
 //   C.blendexhausted   true: no more of that helps
+//   C.stepsperfactor(steps)   as stepsperfactor= of rcContact, from the next step on
+//     steps     that one factor serves at most | - | | 1 to 1000000
 //   C.frictiontangent(name)   as frictiontangent= of rcContact, from the next iteration on
 //     name      "consistent", "symmetric", "lagged"
 //   C.cut(u, fraction)   a step of pure rates is shortened: everything is linear in it
@@ -118,12 +120,22 @@ double expand(Stack, const Method<ContactHandle, ExpandTag>& m, const KN_<double
   });
 }
 
+StepOptions& options_of(ContactObject& contact) {
+  return contact.started() ? contact.run().corrector().options() : contact.setup->options();
+}
+
 struct FrictionTangentTag {};
 bool set_friction_tangent(const Method<ContactHandle, FrictionTangentTag>& m, string* const& name) {
   return guarded([&] {
-    ContactObject& contact = m->get();
-    StepOptions& options = contact.started() ? contact.run().corrector().options() : contact.setup->options();
-    options.friction_tangent = friction_tangent_of(*name);
+    options_of(m->get()).friction_tangent = friction_tangent_of(*name);
+    return true;
+  });
+}
+
+struct StepsPerFactorTag {};
+bool set_steps_per_factor(const Method<ContactHandle, StepsPerFactorTag>& m, const long& steps) {
+  return guarded([&] {
+    options_of(m->get()).implicit_steps_per_factor = steps_per_factor_of(steps);
     return true;
   });
 }
@@ -149,6 +161,11 @@ FrictionTangent friction_tangent_of(const std::string& name) {
        "unknown frictiontangent \"" + name + "\", expected \"consistent\", \"symmetric\" or \"lagged\"");
 }
 
+int steps_per_factor_of(long steps) {
+  require(steps >= 1 && steps <= 1000000, "contact", "stepsperfactor", steps, "1 to 1000000");
+  return static_cast<int>(steps);
+}
+
 void register_contact_matrix() {
   using H = ContactHandle;
   using Array = KN_<double>;
@@ -167,6 +184,9 @@ void register_contact_matrix() {
                         [] { return new OneOperator3s_<bool, Method<H, CutTag>, Array, double>(cut); });
   add_method<H, FrictionTangentTag>("frictiontangent", [] {
     return new OneOperator2_<bool, Method<H, FrictionTangentTag>, string*>(set_friction_tangent);
+  });
+  add_method<H, StepsPerFactorTag>("stepsperfactor", [] {
+    return new OneOperator2_<bool, Method<H, StepsPerFactorTag>, long>(set_steps_per_factor);
   });
   add_method<H, ExpandTag>(
       "expand", [] { return new OneOperator3s_<double, Method<H, ExpandTag>, Array, Array>(expand); });

@@ -15,6 +15,8 @@
 //     terms=    geometric terms (METHOD.md 3.6) | | "complete" | "complete", "article", "none"
 //     frictiontangent=   friction in the matrix of an iteration, the result is the same (METHOD.md 3.21): "symmetric": its
 //       symmetric part, "lagged": on the right-hand side | | "consistent" | "consistent", "symmetric", "lagged"
+//     stepsperfactor=   implicit: steps that one factor of the tangent serves at most; a loss of stability may be noticed so
+//       many steps later | - | 1 | 1 to 1000000
 //     tied=     P2: stick and slip at corners, by forces shared with the mid nodes, instead of node by node | | false
 //     axisymmetric=   x is the radius, y the axis, as in rcMaterial | | false
 //     surfaceplaces=   where the mid nodes of P2 edges lie on the true curve: Vh [X, Y] = [...]; X[] | length |
@@ -80,7 +82,7 @@ std::vector<long> labels_of(const Named& a, const char* where) {
 constexpr double LOOSE = 1e-2; // largest tolerance that nobody has to confirm
 
 struct MakeContact {
-  static const int n = 15;
+  static const int n = 16;
   static basicAC_F0::name_and_type names[n];
   static Made<ContactObject> call(const Named& a, pfes* space) {
     const std::vector<long> labels = labels_of(a, "contact");
@@ -108,6 +110,7 @@ struct MakeContact {
         static_cast<int>(a.integer("memory", options.anderson_memory, 0, 1000, "contact"));
     options.terms = terms_of(a.text("terms", "complete"));
     options.friction_tangent = friction_tangent_of(a.text("frictiontangent", "consistent"));
+    options.implicit_steps_per_factor = steps_per_factor_of(a.integer("stepsperfactor", 1));
     options.tied = a.boolean("tied", options.tied);
     auto object = std::make_shared<ContactObject>();
     object->friction = called("rcContact", [&] { return make_coulomb(a.real("friction", 0)); });
@@ -126,21 +129,15 @@ struct MakeContact {
     return made(a.stack(), std::move(object));
   }
 };
-basicAC_F0::name_and_type MakeContact::names[] = {{"label", &typeid(long)},
-                                                  {"labels", &typeid(KN_<long>)},
-                                                  {"fixed", &typeid(KN_<double>)},
-                                                  {"friction", &typeid(double)},
-                                                  {"tolerance", &typeid(double)},
-                                                  {"gaptolerance", &typeid(double)},
-                                                  {"maxiterations", &typeid(long)},
-                                                  {"memory", &typeid(long)},
-                                                  {"terms", &typeid(string*)},
-                                                  {"frictiontangent", &typeid(string*)},
-                                                  {"tied", &typeid(bool)},
-                                                  {"axisymmetric", &typeid(bool)},
-                                                  {"surfaceplaces", &typeid(KN_<double>)},
-                                                  {"straight", &typeid(bool)},
-                                                  {"loose", &typeid(bool)}};
+basicAC_F0::name_and_type MakeContact::names[] = {
+    {"label", &typeid(long)},          {"labels", &typeid(KN_<long>)},
+    {"fixed", &typeid(KN_<double>)},   {"friction", &typeid(double)},
+    {"tolerance", &typeid(double)},    {"gaptolerance", &typeid(double)},
+    {"maxiterations", &typeid(long)},  {"memory", &typeid(long)},
+    {"terms", &typeid(string*)},       {"frictiontangent", &typeid(string*)},
+    {"stepsperfactor", &typeid(long)}, {"tied", &typeid(bool)},
+    {"axisymmetric", &typeid(bool)},   {"surfaceplaces", &typeid(KN_<double>)},
+    {"straight", &typeid(bool)},       {"loose", &typeid(bool)}};
 
 // Edges of the labels that a tool may touch; empty: all.
 std::vector<Facet<2>> reach_of(const Named& a, const ContactObject& contact) {
