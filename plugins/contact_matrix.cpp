@@ -135,7 +135,7 @@ bool set_friction_tangent(const Method<ContactHandle, FrictionTangentTag>& m, st
 struct StepsPerFactorTag {};
 bool set_steps_per_factor(const Method<ContactHandle, StepsPerFactorTag>& m, const long& steps) {
   return guarded([&] {
-    options_of(m->get()).implicit_steps_per_factor = steps_per_factor_of(steps);
+    options_of(m->get()).steps_per_factor = steps_per_factor_of(steps);
     return true;
   });
 }

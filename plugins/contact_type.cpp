@@ -110,7 +110,7 @@ struct MakeContact {
         static_cast<int>(a.integer("memory", options.anderson_memory, 0, 1000, "contact"));
     options.terms = terms_of(a.text("terms", "complete"));
     options.friction_tangent = friction_tangent_of(a.text("frictiontangent", "consistent"));
-    options.implicit_steps_per_factor = steps_per_factor_of(a.integer("stepsperfactor", 1));
+    options.steps_per_factor = steps_per_factor_of(a.integer("stepsperfactor", 1));
     options.tied = a.boolean("tied", options.tied);
     auto object = std::make_shared<ContactObject>();
     object->friction = called("rcContact", [&] { return make_coulomb(a.real("friction", 0)); });

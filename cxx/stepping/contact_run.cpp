@@ -172,8 +172,7 @@ template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, dou
   u = prediction.u;
   m_supports.apply(u);
   const StepOptions& options = m_corrector.options();
-  const int served =
-      stepping == Stepping::EVENT ? options.steps_per_factor : options.implicit_steps_per_factor;
+  const int served = stepping == Stepping::EVENT ? options.event_steps_per_factor : options.steps_per_factor;
   const bool keep = m_corrector.factor_age() < served && (stepping == Stepping::EVENT || served > 1);
   m_corrector.begin(m_prescribed, prediction.state, std::move(prediction.entry),
                     stepping == Stepping::IMPLICIT, keep);

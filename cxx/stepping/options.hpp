@@ -42,10 +42,10 @@ struct StepOptions {
   /// (ALGORITHMS.md 5.8)
   int max_together = 8;
   double condensed_slow =
-      0.7;                  ///< condensed iterations: a residual that falls by less takes more elastic moduli
-  int condensed_falls = 3;  ///< after so many that fall by more none are taken again
-  int steps_per_factor = 2; ///< event steps that one factor serves
-  int implicit_steps_per_factor = 1; ///< implicit steps that one factor serves at most
+      0.7;                 ///< condensed iterations: a residual that falls by less takes more elastic moduli
+  int condensed_falls = 3; ///< after so many that fall by more none are taken again
+  int event_steps_per_factor = 2; ///< event steps that one factor serves
+  int steps_per_factor = 1;       ///< implicit steps that one factor serves at most
   bool tied = false; ///< quadratic edges: stick and slip by forces shared to the corners (METHOD.md 3.19)
   GeometricTerms terms = GeometricTerms::COMPLETE;
   FrictionTangent friction_tangent = FrictionTangent::CONSISTENT; ///< of the iteration (METHOD.md 3.21)
