@@ -10,7 +10,8 @@
 //     dummy     not read
 //   rcCaughtExit(dummy)   in a catch block: whether it is exit(n) of the script
 //     dummy     not read
-//   rcCatchInterrupt(dummy)   Ctrl-C, SIGTERM, SIGHUP only set rcInterrupted, until rcReleaseInterrupt; twice: leaves, status 130
+//   rcCatchInterrupt(dummy)   Ctrl-C, SIGTERM, SIGHUP only set rcInterrupted, until rcReleaseInterrupt; again a second
+//       later: leaves, status 130
 //     dummy     not read
 //   rcReleaseInterrupt(dummy)   they end the script again
 //     dummy     not read
@@ -38,6 +39,7 @@
 #include "solver/blas_info.hpp"
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <exception>
 #include <unistd.h>
 #include <utility>
@@ -46,9 +48,16 @@ namespace burnish {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+timespec first_signal{};
+constexpr double SAME_REQUEST = 1; // [s] timeout(1) signals the program and its group
 void note_signal(int) {
-  if (interrupted) std::_Exit(130); // asked twice: leave at once
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (!interrupted) first_signal = now;
   interrupted = 1;
+  const double since = static_cast<double>(now.tv_sec - first_signal.tv_sec) +
+                       1e-9 * static_cast<double>(now.tv_nsec - first_signal.tv_nsec);
+  if (since > SAME_REQUEST) std::_Exit(130); // asked twice: leave at once
 }
 
 // Taken, not only read: an error of FreeFEM's own leaves no text, and must not be reported by the text of an older one.

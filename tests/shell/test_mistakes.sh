@@ -57,6 +57,10 @@ kill -s INT "$process" $(pgrep -P "$process") 2>/dev/null
 wait "$process"
 status=$?
 judge interrupted 130 "$early|interrupted"
+# timeout(1) signals a program twice at once, itself and its group: that is one request
+(cd "$SCRATCH" && timeout 3 "$BURNISH" interrupted.edp >interrupted.log 2>&1 </dev/null)
+status=$?
+judge interrupted 124 "$early|interrupted"
 
 # a run that violates a self-check ends with its own status; the script goes on to its last line and writes its files
 made overlap 's/"x", -1e-3)/"x", 26e-3)/; s/"y", 16e-3/"y", -5e-3/; /^C.approach/d; s/force("y", -4e5\*t)/move("y", -5e-3)/
