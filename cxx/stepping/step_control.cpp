@@ -45,6 +45,10 @@ bool StepControl::finished() const {
   return m_state.t >= m_options.t_end - AT_END * scale(m_options, m_state);
 }
 
+bool StepControl::is_last() const {
+  return m_state.t + m_state.dt >= m_options.t_end - SAME_TIME * scale(m_options, m_state);
+}
+
 bool StepControl::at_output() const {
   const double same = SAME_TIME * scale(m_options, m_state);
   for (const double t : m_options.output_times)

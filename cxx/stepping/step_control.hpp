@@ -55,6 +55,7 @@ public:
   double start() const { return m_start; }  ///< of the program
   double dt() const { return m_state.dt; }  ///< its length
   bool finished() const;
+  bool is_last() const;   ///< the step to come reaches the end
   bool at_output() const; ///< time() is an output time or the end
   /// Steps are far shorter than dt_max since one failed.
   bool crawls() const { return m_state.failed_dt > 0 && m_state.dt < m_options.crawl * m_options.dt_max; }

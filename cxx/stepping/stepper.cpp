@@ -92,6 +92,9 @@ template <int Dim> Task Stepper<Dim>::try_step() {
 
 template <int Dim> Task Stepper<Dim>::begin_solve(Eigen::VectorXd& u, Eigen::VectorXd& R) {
   const Solve& solve = m_scheme->solve();
+  Corrector<Dim>& corrector = m_contact.corrector();
+  if (solve.stepping == Stepping::IMPLICIT && corrector.options().steps_per_factor > 1 && m_control.is_last())
+    corrector.drop_factor(); // so that no loss of stability is left unseen
   try {
     m_contact.begin(u, solve.from, solve.dt, solve.stepping);
   } catch (const std::exception&) {

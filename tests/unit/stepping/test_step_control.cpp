@@ -46,6 +46,18 @@ TEST(StepControl, FirstStepQuarterThenGrowth) {
   EXPECT_DOUBLE_EQ(advance(control, 8), 0.1) << "bounded by the largest step";
 }
 
+TEST(StepControl, LastStep) {
+  StepControl control(0, options());
+  int last = 0;
+  for (int k = 0; k < 100 && !control.finished(); ++k) {
+    control.propose(0, 0);
+    last += control.is_last();
+    EXPECT_EQ(control.is_last(), control.time() + control.dt() > 2 - 1e-9);
+    control.accepted();
+  }
+  EXPECT_EQ(last, 1);
+}
+
 TEST(StepControl, FirstStepAsGiven) {
   StepControlOptions o = options();
   o.dt_first = 0.1;
