@@ -56,8 +56,8 @@ PLUGIN   := $(BUILD)/plugins/burnish.so
 GMSH     := $(BUILD)/plugins/burnish_gmsh.so
 CAD      := $(BUILD)/plugins/burnish_cad.so
 WRAPPER  := $(BUILD)/burnish
-GMSH_SOURCES   := $(call sources,cxx/gmsh)
-CAD_SOURCES    := $(call sources,cxx/cad)
+GMSH_SOURCES   := cxx/cad/companion_gmsh/burnish_gmsh.cpp
+CAD_SOURCES    := cxx/cad/companion_occ/burnish_cad.cpp
 CXX_SOURCES    := $(filter-out $(GMSH_SOURCES) $(CAD_SOURCES),$(call sources,cxx))
 PLUGIN_SOURCES := $(sort $(wildcard plugins/*.cpp))
 $(foreach p,$(PROGRAMS),$(eval SOURCES_$(p) := $(if $(wildcard tests/$(p)),$(call sources,tests/$(p)))))
@@ -76,8 +76,10 @@ FORMATTED = cxx plugins tests -name '*.[ch]pp'
 CASES     = $(sort $(patsubst cases/%/,%,$(dir $(wildcard cases/*/*.edp))))
 
 # --- environment of every script: our folders first, then FreeFEM's ------------------------------------------
+EDP_FOLDERS := run cases mesh rivals
+space   := $(subst ,, )
 LOAD    := $(abspath $(BUILD)/plugins);$(FREEFEM_LOAD)
-INCLUDE := $(CURDIR)/edp;$(FREEFEM_IDP)
+INCLUDE := $(CURDIR)/edp;$(subst $(space),;,$(addprefix $(CURDIR)/edp/,$(EDP_FOLDERS)));$(FREEFEM_IDP)
 export FF_LOADPATH    := $(LOAD)
 export FF_INCLUDEPATH := $(INCLUDE)
 export PYTHON
@@ -243,8 +245,8 @@ install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines 
 	@sed -e 's#$(abspath $(BUILD))/plugins#@@/lib/burnish#g' -e 's#$(abspath $(WRAPPER))#@@/bin/burnish#g' \
 	  -e 's#$(CURDIR)#@@/share/burnish#g' -e 's#@@#$(PREFIX)#g' $(WRAPPER) >$(DESTDIR)$(PREFIX)/bin/burnish
 	@chmod 755 $(DESTDIR)$(PREFIX)/bin/burnish
-	@printf '%s\n' 'loadpath += "$(PREFIX)/lib/burnish"' 'loadpath += "$(FREEFEM_LOAD)"' 'includepath += "$(PREFIX)/share/burnish/edp"' \
-	  'includepath += "$(FREEFEM_IDP)"' >$(SHARE)/freefem++.pref
+	@printf '%s\n' 'loadpath += "$(PREFIX)/lib/burnish"' 'loadpath += "$(FREEFEM_LOAD)"' \
+	  $(foreach d,edp $(EDP_FOLDERS:%=edp/%),'includepath += "$(PREFIX)/share/burnish/$(d)"') 'includepath += "$(FREEFEM_IDP)"' >$(SHARE)/freefem++.pref
 	@echo "installed: $(PREFIX)/bin/burnish SCRIPT.edp. For plain FreeFem++ add to ~/.freefem++.pref the lines of $(PREFIX)/share/burnish/freefem++.pref:"
 	@cat $(SHARE)/freefem++.pref
 

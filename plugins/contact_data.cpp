@@ -51,7 +51,8 @@ using Array = KN_<double>;
 
 SurfaceReport<2> report(const ContactRun<2>& run) {
   const auto& state = run.accepted();
-  return surface_report(run.model(), run.body(), state.contact, run.setup().surface(), state.u, state.R);
+  return surface_report(run.setup().model(), run.setup().body(), state.contact, run.setup().surface(),
+                        state.u, state.R);
 }
 template <Eigen::VectorXd SurfaceReport<2>::*member> Array from_report(Stack stack, H* const& h) {
   return guarded([&] { return new_array(stack, report(h->get().running("contact")).*member); });
@@ -93,23 +94,24 @@ Array parameters(Stack stack, H* const& h) {
   });
 }
 double width(H* const& h) {
-  return guarded([&] { return h->get().started() ? h->get().run().contact_width() : 0.; });
+  return guarded([&] { return h->get().started() ? burnish::contact_width(h->get().run()) : 0.; });
 }
 double stick_share(H* const& h) {
   return guarded([&] { return h->get().started() ? report(h->get().run()).stick_share : 0.; });
 }
 double speed(H* const& h) {
-  return guarded([&] { return h->get().started() ? h->get().run().contact_speed() : 0.; });
+  return guarded([&] { return h->get().started() ? burnish::contact_speed(h->get().run()) : 0.; });
 }
 double spacing(H* const& h) {
-  return guarded([&] { return h->get().run().body().spacing; });
+  return guarded([&] { return h->get().run().setup().body().spacing; });
 }
 double residual(H* const& h) {
   return guarded(
-      [&] { return h->get().started() ? h->get().run().corrector().last_balance().residual : 0.; });
+      [&] { return h->get().started() ? h->get().run().iteration().balance().last().residual : 0.; });
 }
 double load_scale(H* const& h) {
-  return guarded([&] { return h->get().started() ? h->get().run().corrector().load_scale() : 0.; });
+  return guarded(
+      [&] { return h->get().started() ? h->get().run().iteration().balance().memory().scale : 0.; });
 }
 
 struct CountTag {};
@@ -124,8 +126,8 @@ long count(const Method<H, CountTag>& m, string* const& state) {
 struct StatisticTag {};
 long statistic(const Method<H, StatisticTag>& m, string* const& name) {
   return guarded([&] {
-    const CorrectorCounts counts =
-        m->get().started() ? m->get().run().corrector().counts() : CorrectorCounts{};
+    const IterationCounts counts =
+        m->get().started() ? m->get().run().iteration().counts() : IterationCounts{};
     if (*name == "iterations") return counts.iterations;
     if (*name == "factorizations") return counts.factorizations;
     if (*name == "solves") return counts.solves;
@@ -143,12 +145,12 @@ struct SecondsTag {};
 double seconds(const Method<H, SecondsTag>& m, string* const& phase) {
   return guarded([&] {
     ContactObject& contact = m->get();
-    const auto counts = contact.started() ? contact.run().corrector().counts() : CorrectorCounts{};
+    const auto counts = contact.started() ? contact.run().iteration().counts() : IterationCounts{};
     if (*phase == "condensation") return counts.condensation_seconds + contact.condense_seconds;
     if (*phase == "factorization") return counts.factorization_seconds;
     if (*phase == "solve") return counts.solve_seconds;
     if (*phase == "events") return contact.event_seconds;
-    if (*phase == "checks") return contact.check_seconds;
+    if (*phase == "checks") return contact.diagnosis.seconds();
     fail("contact.seconds",
          "unknown phase \"" + *phase + "\", expected condensation, factorization, solve, events or checks");
   });
@@ -197,7 +199,7 @@ string* left_out(Stack stack, H* const& h) {
   return guarded([&] {
     std::string text;
     if (!h->get().started()) return new_string(stack, text);
-    for (const auto& what : h->get().run().left_out()) text += (text.empty() ? "" : "; ") + what;
+    for (const auto& what : burnish::left_out(h->get().run())) text += (text.empty() ? "" : "; ") + what;
     return new_string(stack, text);
   });
 }

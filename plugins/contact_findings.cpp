@@ -25,11 +25,7 @@ namespace {
 
 using H = ContactHandle;
 
-const FindingList& findings_of(H* h) {
-  static const FindingList none;
-  ContactObject& contact = h->get();
-  return contact.started() ? contact.run().accepted().warnings.findings() : none;
-}
+const FindingList& findings_of(H* h) { return h->get().diagnosis.findings(); }
 const Finding& finding(H* h, long i) {
   const FindingList& findings = findings_of(h);
   require(i >= 0 && i < static_cast<long>(findings.size()), "contact.finding", "index", i,

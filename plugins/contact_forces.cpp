@@ -9,7 +9,7 @@
 //     i         tool, in the order of C.add | - | | 0 to toolnumber-1
 //     x0        point of the moment | length
 //     y0        point of the moment | length
-//   C.externalforce(M, x0, y0)   of the forces of the script, rcExternal | force, force*length
+//   C.externalforce(M, x0, y0)   of the forces of the script, C.external | force, force*length
 //     M         the material
 //     x0        point of the moment | length
 //     y0        point of the moment | length
@@ -20,7 +20,7 @@
 //     M         the material
 #include "base/error.hpp"
 #include "named.hpp"
-#include "stepping/force_balance.hpp"
+#include "run/force_balance.hpp"
 #include "types.hpp"
 
 namespace burnish {

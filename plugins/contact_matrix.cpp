@@ -8,7 +8,7 @@
 //     R         nodal forces, internal - external | force
 //     terms=    geometric terms | | "complete" | "complete", "article", "none"
 //     rates=    true: right-hand side of pure rates, after C.begin(..., rates=true) | | false
-//     symmetric=   true: one triangle, for CHOLMOD and its like; without friction, or with a frictiontangent= that is symmetric | | false
+//     symmetric=   true: one triangle, for CHOLMOD and its like; without friction, or with frictiontangent="lagged" | | false
 //     solver=   solver of FreeFEM attached to the matrix, or "BURNISH" | | "BURNISH" | a solver that is loaded
 //     ! needs symmetric=true
 //     ! the force array contains NaN or Inf
@@ -60,9 +60,9 @@ struct Condense {
     if (symmetric) require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.condense");
     const auto right = a.boolean("rates", false) ? RightHandSide::RATES : RightHandSide::TOTAL;
     const auto& system = called("contact.condense", [&]() -> const CondensedSystem& {
-      return contact.run().condense(blocks, to_dofs(u, n, "contact.condense", "u"),
-                                    to_dofs(R, n, "contact.condense", "R"),
-                                    terms_of(a.text("terms", "complete")), right, symmetric);
+      return contact.run().condensed().condense(blocks, to_dofs(u, n, "contact.condense", "u"),
+                                                to_dofs(R, n, "contact.condense", "R"),
+                                                terms_of(a.text("terms", "complete")), right, symmetric);
     });
     contact.condensed = &system;
     contact.rhs.assign(system.rhs.data(), system.rhs.data() + system.rhs.size());
@@ -90,18 +90,18 @@ double matrix_number(const Method<ContactHandle, MatrixTag>& m, string* const& n
 
 KN_<double> given(Stack stack, ContactHandle* const& h) {
   return guarded([&] {
-    const auto& fixed = h->get().run().body().fixed;
+    const auto& fixed = h->get().run().setup().body().fixed;
     return new_array(stack, std::vector<double>(fixed.begin(), fixed.end()));
   });
 }
 double elastic_blend(ContactHandle* const& h) {
-  return guarded([&] { return h->get().run().corrector().elastic_blend(); });
+  return guarded([&] { return h->get().run().iteration().policy().elastic_blend(); });
 }
 bool again(ContactHandle* const& h) {
-  return guarded([&] { return h->get().run().corrector().again(); });
+  return guarded([&] { return h->get().run().condensed().again(); });
 }
 bool blend_exhausted(ContactHandle* const& h) {
-  return guarded([&] { return h->get().run().corrector().blend_exhausted(); });
+  return guarded([&] { return h->get().run().iteration().policy().blend_exhausted(); });
 }
 
 KN_<double> right_hand_side(Stack stack, ContactHandle* const& h) {
@@ -114,14 +114,15 @@ double expand(Stack, const Method<ContactHandle, ExpandTag>& m, const KN_<double
     ContactObject& contact = m->get();
     Eigen::VectorXd v = to_dofs(u, contact.setup->mesh().num_dofs(), "contact.expand", "u");
     const Eigen::VectorXd solution = to_vector(z, "contact.expand", "z");
-    const double largest = called("contact.expand", [&] { return contact.run().expand(solution, v); });
+    const double largest =
+        called("contact.expand", [&] { return contact.run().condensed().expand(solution, v); });
     to_array(v, u, "contact.expand");
     return largest;
   });
 }
 
-StepOptions& options_of(ContactObject& contact) {
-  return contact.started() ? contact.run().corrector().options() : contact.setup->options();
+IterationOptions& options_of(ContactObject& contact) {
+  return contact.started() ? contact.run().iteration().options() : contact.options;
 }
 
 struct FrictionTangentTag {};
@@ -145,7 +146,7 @@ bool cut(Stack, const Method<ContactHandle, CutTag>& m, const KN_<double>& u, co
   return guarded([&] {
     ContactObject& contact = m->get();
     Eigen::VectorXd v = to_dofs(u, contact.setup->mesh().num_dofs(), "contact.cut", "u");
-    contact.run().cut(v, fraction);
+    contact.run().condensed().cut(v, fraction);
     to_array(v, u, "contact.cut");
     return true;
   });
@@ -155,10 +156,8 @@ bool cut(Stack, const Method<ContactHandle, CutTag>& m, const KN_<double>& u, co
 
 FrictionTangent friction_tangent_of(const std::string& name) {
   if (name == "consistent") return FrictionTangent::CONSISTENT;
-  if (name == "symmetric") return FrictionTangent::SYMMETRIC;
   if (name == "lagged") return FrictionTangent::LAGGED;
-  fail("contact",
-       "unknown frictiontangent \"" + name + "\", expected \"consistent\", \"symmetric\" or \"lagged\"");
+  fail("contact", "unknown frictiontangent \"" + name + "\", expected \"consistent\" or \"lagged\"");
 }
 
 int steps_per_factor_of(long steps) {

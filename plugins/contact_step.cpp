@@ -36,8 +36,8 @@
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
+#include "run/workpiece_tangent.hpp"
 #include "solver/block_symmetry.hpp"
-#include "stepping/workpiece_tangent.hpp"
 #include "types.hpp"
 
 namespace burnish {
@@ -113,7 +113,7 @@ bool factorize_matrix(const Method<ContactHandle, FactorizeTag>& m, Matrice_Creu
     ContactObject& contact = m->get();
     const auto& blocks = contact.blocks(view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"),
                                         "contact.factorize");
-    contact.run().require_begun("contact.factorize");
+    contact.run().step().require_begun("contact.factorize");
     require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.factorize");
     return contact.run().factorize(blocks, dofs(contact, u, "contact.factorize", "u")) == FactorStatus::OK;
   });
@@ -139,7 +139,7 @@ basicAC_F0::name_and_type Events::names[] = {{"tolerance", &typeid(double)}, {"u
 struct LogTag {};
 long log_events(const Method<ContactHandle, LogTag>& m, MaterialHandle* const& material) {
   return guarded([&] {
-    m->get().run().require_begun("contact.logevents");
+    m->get().run().step().require_begun("contact.logevents");
     const auto& events = material->get().body->pending();
     m->get().run().log_elements(events);
     return static_cast<long>(events.size());
@@ -161,7 +161,7 @@ struct AcceptTag {};
 struct RevertTag {};
 // A step of pure rates is solved, not iterated; the core refuses to accept what has not been checked.
 void require_converged(ContactObject& contact, const Eigen::VectorXd& u) {
-  contact.run().require_checked("contact.accept");
+  contact.run().step().require_checked("contact.accept");
   const StepSeen& step = contact.step;
   if (step.rates) return;
   if (!step.converged)
@@ -179,7 +179,9 @@ bool accept(Stack, const Method<ContactHandle, AcceptTag>& m, const KN_<double>&
     const CpuTimer timer(contact.event_seconds);
     const Eigen::VectorXd v = dofs(contact, u, "contact.accept", "u");
     require_converged(contact, v);
+    contact.diagnosis.begin(accepted_step<2>(contact.run(), nullptr));
     contact.run().accept(v, dofs(contact, R, "contact.accept", "R"), contact.pending);
+    contact.diagnosis.look(accepted_step<2>(contact.run(), nullptr));
     contact.pending.clear();
     contact.step = {};
     return true;
@@ -194,7 +196,10 @@ bool revert(const Method<ContactHandle, RevertTag>& m) {
   });
 }
 string* reason(Stack stack, ContactHandle* const& h) {
-  return guarded([&] { return new_string(stack, h->get().started() ? h->get().run().reason() : ""); });
+  return guarded([&] {
+    return new_string(
+        stack, h->get().started() ? burnish::reason<2>(h->get().run(), h->get().diagnosis, nullptr) : "");
+  });
 }
 
 } // namespace

@@ -88,7 +88,7 @@ template <int axis> double tool_force(const Method<H, ForceTag<axis>>& m, const 
     const int tool = tool_index(*m->get().setup, i, axis == 0 ? "contact.toolforcex" : "contact.toolforcey");
     if (!m->get().started()) return 0.;
     const ContactRun<2>& run = m->get().run();
-    return tool_resultant(run.model(), run.accepted().contact, run.accepted().R, tool)[axis];
+    return tool_resultant(run.setup().model(), run.accepted().contact, run.accepted().R, tool)[axis];
   });
 }
 template <int axis> struct OutlineTag {};

@@ -13,8 +13,8 @@
 //     maxiterations=   bound on the iterations of a step | - | 25 | 1 to 1000000
 //     memory=   of the Anderson mixing, 0: none | - | 8 | 0 to 1000
 //     terms=    geometric terms (METHOD.md 3.6) | | "complete" | "complete", "article", "none"
-//     frictiontangent=   friction in the matrix of an iteration, the result is the same (METHOD.md 3.21): "symmetric": its
-//       symmetric part, "lagged": on the right-hand side | | "consistent" | "consistent", "symmetric", "lagged"
+//     frictiontangent=   friction in the matrix of an iteration, the result is the same (METHOD.md 3.21): "lagged": on the
+//       right-hand side | | "consistent" | "consistent", "lagged"
 //     stepsperfactor=   implicit: steps that one factor of the tangent serves at most; a loss of stability may be noticed so
 //       many steps later | - | 1 | 1 to 1000000
 //     tied=     P2: stick and slip at corners, by forces shared with the mid nodes, instead of node by node | | false
@@ -25,7 +25,7 @@
 //     loose=    true: a tolerance above 1e-2 is taken | | false
 //     ! the contact surface is missing: label=... or labels=...
 //     ! , expected "complete", "article" or "none"
-//     ! , expected "consistent", "symmetric" or "lagged"
+//     ! , expected "consistent" or "lagged"
 //     ! the space must be [P1,P1] or [P2,P2]
 //   C.add(t)   lets a tool touch the surface, or the part of it with the labels; before the first step
 //     t         the tool, with coordinates
@@ -57,8 +57,8 @@
 //     ! a run is under way: approach before it, or between two runs
 #include "arguments.hpp"
 #include "base/error.hpp"
-#include "base/formula.hpp"
 #include "contact/friction_laws.hpp"
+#include "formula/formula.hpp"
 #include "mesh/mesh_match.hpp"
 #include "named.hpp"
 #include "types.hpp"
@@ -94,7 +94,7 @@ struct MakeContact {
           to_dofs(a.array("fixed"), static_cast<long>(fixed.size()), "contact", "fixed");
       for (std::size_t d = 0; d < fixed.size(); ++d) fixed[d] = flags[static_cast<long>(d)] != 0;
     }
-    StepOptions options;
+    IterationOptions options;
     options.tolerance = a.real("tolerance", options.tolerance);
     require(options.tolerance > 0 && options.tolerance < 1, "contact", "tolerance", options.tolerance,
             "0 < tolerance < 1");
@@ -118,7 +118,8 @@ struct MakeContact {
     auto surface = facets_with(mesh, labels, "contact");
     auto measure = std::make_shared<EdgeMeasure>(mesh.axisymmetric);
     object->setup = std::make_shared<ContactSetup<2>>(std::move(mesh), std::move(surface), std::move(fixed),
-                                                      std::move(measure), options);
+                                                      std::move(measure));
+    object->options = options;
     if (a.boolean("straight", false)) {
       const auto& X = object->setup->mesh().X;
       object->setup->place_surface(Eigen::Map<const Eigen::VectorXd>(X.data(), static_cast<long>(X.size())));
@@ -190,11 +191,8 @@ double parameter(const Method<ContactHandle, ParameterTag>& m, string* const& na
 string* warnings(Stack stack, ContactHandle* const& h) {
   return guarded([&] {
     std::string text;
-    if (!h->get().started()) return new_string(stack, "");
-    for (const Finding& finding : h->get().run().accepted().warnings.list())
+    for (const Finding& finding : h->get().diagnosis.findings().list())
       if (finding.severity == Severity::WARNING) text += finding.text + "\n";
-    const std::string hold = h->get().run().hold().warning();
-    if (!hold.empty()) text += hold + "\n";
     return new_string(stack, text);
   });
 }
@@ -226,7 +224,7 @@ double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& 
 } // namespace
 
 ContactRun<2>& ContactObject::run() {
-  if (!m_run) m_run = std::make_unique<ContactRun<2>>(setup);
+  if (!m_run) m_run = std::make_unique<ContactRun<2>>(setup, options);
   return *m_run;
 }
 
@@ -243,7 +241,7 @@ const NodeBlockMatrix<2>& ContactObject::blocks(const TripletView& K, const char
 
 double ContactObject::linear_seconds() const {
   if (!m_run) return 0;
-  const CorrectorCounts& counts = m_run->corrector().counts();
+  const IterationCounts& counts = m_run->iteration().counts();
   return counts.factorization_seconds + counts.condensation_seconds + counts.solve_seconds;
 }
 

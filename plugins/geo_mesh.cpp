@@ -1,9 +1,9 @@
 // Meshes of .geo files.
-//   rcMeshGeo(file, numbers, result)   meshes a .geo file; rcGmsh (edp/rcGmsh.idp) reads the result
+//   rcMeshGeo(file, numbers, result)   meshes a .geo file; rcGmsh (edp/mesh/rcGmsh.idp) reads the result
 //     file      the .geo file
 //     numbers   for its DefineConstants, "NAME=VALUE; ..." or ""
 //     result    path and name, without ending, of the files written
-#include "mesh/geo_mesh.hpp"
+#include "cad/geo_mesh.hpp"
 #include "plugin.hpp"
 
 namespace burnish {

@@ -70,7 +70,7 @@ double earliest(const Method<M, EarliestTag>& m, const double& tolerance, const 
 }
 long log_points(const Method<ContactHandle, LogTag>& c, M* const& material) {
   return guarded([&] {
-    c->get().run().require_begun("contact.logpoints");
+    c->get().run().step().require_begun("contact.logpoints");
     const CpuTimer timer(c->get().event_seconds);
     const auto events = material->get().body->user_events();
     c->get().run().log_elements(events);

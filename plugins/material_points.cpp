@@ -44,7 +44,6 @@
 //   M.strain(i)   strain increment of the step | -
 //     i         0 xx, 1 yy, 2 zz, 3 xy | - | | 0 to 3
 //   M.rotation   rotation increment of the step | rad
-//   M.acceptances, M.reversions   how often the accepted state changed, and how often it was gone back to | -
 //   M.modulus(name)   constant of the law | stress, -
 //     name      "K", "G": elasticity; "C", "gamma": back stress
 //   M.yieldstress(ep), M.hardeningslope(ep)   of its hardening | stress
@@ -87,12 +86,6 @@ Array component(Stack stack, const std::vector<double>& all, long i, long n, con
   for (long p = 0; p < points; ++p) (*r)[p] = all[p * n + i];
   return *r;
 }
-// The values as they are: the core looks for those that are not finite and names the point.
-Eigen::VectorXd values_of(const Array& a) {
-  Eigen::VectorXd v(a.N());
-  for (long i = 0; i < a.N(); ++i) v[i] = a[i];
-  return v;
-}
 int component_index(long i, const char* where) {
   require(i >= 0 && i < 1000, where, "component", i, "0 or more, see the list of components");
   return static_cast<int>(i);
@@ -100,8 +93,7 @@ int component_index(long i, const char* where) {
 template <class Give> bool give(H* handle, const Give& f) {
   return guarded([&] {
     const CpuTimer timer(handle->get().update_seconds);
-    handle->get().moduli_blend = -1;
-    f(handle->get().workpiece());
+    f(handle->get().changed().workpiece());
     return true;
   });
 }
@@ -129,14 +121,9 @@ bool give_piola(const Method<H, PiolaTag>& m, const long& i, const Array& a) {
 }
 // All moduli are made at once: a script reads one component after the other.
 const std::vector<double>& all_moduli(MaterialObject& object, double blend) {
-  const long acceptances = object.body->acceptances(), reversions = object.body->reversions();
-  if (object.moduli_blend == blend && object.moduli_acceptances == acceptances &&
-      object.moduli_reversions == reversions)
-    return object.moduli;
+  if (object.moduli_blend == blend) return object.moduli;
   object.moduli = moduli_field(object.workpiece(), TangentKind::CONSISTENT, blend);
   object.moduli_blend = blend;
-  object.moduli_acceptances = acceptances;
-  object.moduli_reversions = reversions;
   return object.moduli;
 }
 Array blended_moduli(Stack stack, const Method<H, ModuliTag>& m, const long& i, const long& j,
@@ -218,12 +205,6 @@ Array at_vertices(Stack stack, const Method<H, VertexTag>& m, const Array& a) {
                                           to_vector(a, "material.vertexvalues", "values"), P1DC_PLACES));
   });
 }
-long acceptances(H* const& h) {
-  return guarded([&] { return h->get().body->acceptances(); });
-}
-long reversions(H* const& h) {
-  return guarded([&] { return h->get().body->reversions(); });
-}
 
 } // namespace
 
@@ -268,8 +249,6 @@ void register_material_points() {
   add_method<H, VertexTag>(
       "vertexvalues", [] { return new OneOperator2s_<Array, Method<H, VertexTag>, Array>(at_vertices); });
   Add<H*>("rotation", ".", new OneOperator1s_<Array, H*>(rotation));
-  Add<H*>("acceptances", ".", new OneOperator1_<long, H*>(acceptances));
-  Add<H*>("reversions", ".", new OneOperator1_<long, H*>(reversions));
 }
 
 } // namespace burnish

@@ -146,9 +146,8 @@ long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>
             const long& it) {
   return guarded([&] {
     const CpuTimer timer(m->get().update_seconds);
-    m->get().moduli_blend = -1;
     const auto result = called("material.update", [&] {
-      Workpiece<2>& body = m->get().workpiece();
+      Workpiece<2>& body = m->get().changed().workpiece();
       return body.update(to_dofs(u, body.discretization().num_dofs(), "material.update", "u"), dt,
                          static_cast<int>(it));
     });
@@ -173,10 +172,10 @@ double force(Stack, const Method<MaterialHandle, ForceTag>& m, const KN_<double>
   });
 }
 bool accept(const Method<MaterialHandle, AcceptTag>& m) {
-  return guarded([&] { return m->get().body->accept(), true; });
+  return guarded([&] { return m->get().changed().accept(), true; });
 }
 bool revert(const Method<MaterialHandle, RevertTag>& m) {
-  return guarded([&] { return m->get().body->revert(), true; });
+  return guarded([&] { return m->get().changed().revert(), true; });
 }
 
 struct EventsTag {};
@@ -210,7 +209,7 @@ bool keep_plastic(const Method<MaterialHandle, KeepTag>& m, const double& noise)
   });
 }
 long accept_events(const Method<MaterialHandle, AcceptEventsTag>& m) {
-  return guarded([&] { return m->get().body->accept_events(); });
+  return guarded([&] { return m->get().changed().accept_events(); });
 }
 
 struct SecondsTag {};

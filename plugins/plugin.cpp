@@ -11,10 +11,15 @@ std::string& last_error() {
   return text;
 }
 
-Eigen::VectorXd to_vector(const KN_<double>& a, const char* where, const char* name) {
+Eigen::VectorXd values_of(const KN_<double>& a) {
   Eigen::VectorXd v(a.N());
+  for (long i = 0; i < a.N(); ++i) v[i] = a[i];
+  return v;
+}
+
+Eigen::VectorXd to_vector(const KN_<double>& a, const char* where, const char* name) {
+  Eigen::VectorXd v = values_of(a);
   for (long i = 0; i < a.N(); ++i) {
-    v[i] = a[i];
     if (std::isfinite(v[i])) continue;
     std::ostringstream text;
     text << name << "[" << i << "] = " << v[i] << ", expected a finite number";

@@ -114,6 +114,8 @@ template <class Object, class Tag, class... Makers> void add_method(const char* 
   (Add<Proxy>("(", "", makers()), ...);
 }
 
+/// Copy of a script array as it is, for entries of the core that name the place of a value that is not finite.
+Eigen::VectorXd values_of(const KN_<double>& a);
 /// Copy of a script array; refuses NaN and Inf with the place.
 Eigen::VectorXd to_vector(const KN_<double>& a, const char* where, const char* name);
 /// The same; refuses another size than n, the number of degrees of freedom.

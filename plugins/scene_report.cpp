@@ -22,7 +22,6 @@ const std::vector<Statement>& statements_of(StepControlHandle* h) {
   if (!object.stepper) return object.statements;
   const long steps = object.stepper->counts().steps;
   if (object.statements_at == steps) return object.statements;
-  const CpuTimer timer(object.contact->check_seconds);
   object.statements = object.stepper->report();
   object.statements_at = steps;
   return object.statements;

@@ -1,4 +1,4 @@
-// Script type `stepcontrol`: the length of the steps, and the loop over them turned inside out (edp/rcRun.idp).
+// Script type `stepcontrol`: the length of the steps, and the loop over them turned inside out (edp/run/rcRun.idp).
 //   > stepcontrol S(1., dtmax=0.05);
 //   > rcRun(C, M, u[], S, program, record)
 //   stepcontrol(tend)   the program runs from t = 0 to tend
@@ -31,8 +31,8 @@
 //     R         nodal forces | force
 //     ! no run has been started, call start first
 //     ! : the run's displacement was changed by
-//   rcProgram, rcForces, rcTangent, rcSolve, rcRecord, rcFinished, rcStopped   tasks of S.next: set every coordinate for
-//       S.target; M.update(u, S.piece, S.iteration) and nodal forces into R; C.factorize(M, u); condense, solve, expand; a
+//   rcProgram, rcAcceptLaw, rcRevertLaw, rcForces, rcTangent, rcSolve, rcRecord, rcFinished, rcStopped   tasks of S.next: set
+//       every coordinate for S.target; of a law of the script: the end of the step becomes its start, back to that; M.update(u, S.piece, S.iteration) and nodal forces into R; C.factorize(M, u); condense, solve, expand; a
 //       step has been accepted; the end is reached; the run has ended early, S.reason tells why
 //   S.condensed(on)   every iteration is an rcSolve: the condensed matrix for a solver of the script
 //     on        true or false | | false
@@ -162,8 +162,8 @@ bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, Material
     object.contact = contact->share();
     object.material = material->share();
     object.stepper = std::make_unique<Stepper<2>>(object.contact->run(), *object.material->body,
-                                                  *object.control, object.options);
-    object.stepper->checks().options() = object.checks;
+                                                  object.contact->diagnosis, *object.control, object.options);
+    object.contact->diagnosis.set_checks(object.checks);
     return true;
   });
 }
@@ -195,10 +195,10 @@ long next(Stack, const Method<H, NextTag>& m, const KN_<double>& u, const KN_<do
     Eigen::VectorXd v = to_dofs(u, n, "stepcontrol.next", "u"),
                     force = to_dofs(R, n, "stepcontrol.next", "R");
     require_untouched(object, v, u);
-    const double checks = stepper.check_seconds(), linear = object.contact->linear_seconds();
+    const double checks = object.contact->diagnosis.seconds(), linear = object.contact->linear_seconds();
+    object.material->changed();
     const Task task = called("contact.begin", [&] { return stepper.next(v, force); });
-    const double checked = stepper.check_seconds() - checks;
-    object.contact->check_seconds += checked;
+    const double checked = object.contact->diagnosis.seconds() - checks;
     object.contact->event_seconds -= checked + object.contact->linear_seconds() - linear;
     to_array(v, u, "stepcontrol.next");
     object.task = task;
@@ -246,8 +246,8 @@ struct ChecksTag {};
 bool set_checks(const Method<H, ChecksTag>& m, const bool& on) {
   return guarded([&] {
     ControlObject& object = m->get();
-    object.checks.on = on;
-    if (object.stepper) object.stepper->checks().options().on = on;
+    object.checks = on;
+    if (object.contact) object.contact->diagnosis.set_checks(on);
     return on;
   });
 }
@@ -276,8 +276,8 @@ void register_step_control() {
   register_step_data();
   register_scene_report();
   long number = 0;
-  for (const char* name :
-       {"rcProgram", "rcForces", "rcTangent", "rcSolve", "rcRecord", "rcFinished", "rcStopped"})
+  for (const char* name : {"rcProgram", "rcAcceptLaw", "rcRevertLaw", "rcForces", "rcTangent", "rcSolve",
+                           "rcRecord", "rcFinished", "rcStopped"})
     Global.New(name, CConstant<long>(number++));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // The object behind the script type `stepcontrol`, for the files that register its members.
 #include "base/error.hpp"
-#include "stepping/stepper.hpp"
+#include "run/stepper.hpp"
 #include "types.hpp"
 
 namespace burnish {
@@ -10,7 +10,7 @@ struct ControlObject {
   static constexpr const char* TYPE = "stepcontrol";
   std::unique_ptr<StepControl> control;
   StepperOptions options;
-  CheckOptions checks;
+  bool checks = true;
   std::shared_ptr<ContactObject> contact; // of the run
   std::shared_ptr<MaterialObject> material;
   std::unique_ptr<Stepper<2>> stepper;

@@ -42,19 +42,20 @@ namespace {
 
 using H = StepControlHandle;
 
-bool halted(H* const& h) { return h->get().stepper && !h->get().stepper->checks().stop().empty(); }
+bool halted(H* const& h) { return h->get().stepper && h->get().stepper->halted(); }
 string* measures(Stack stack, H* const& h) {
   return guarded([&] {
     std::string names;
     if (h->get().stepper)
-      for (const auto& [name, value] : h->get().stepper->checks().state().measured) names += name + ",";
+      for (const auto& [name, value] : h->get().contact->diagnosis.findings().measured()) names += name + ",";
     return new_string(stack, names);
   });
 }
 struct MeasuredTag {};
 double measured(const Method<H, MeasuredTag>& m, string* const& name) {
   return guarded([&] {
-    const auto& measured = m->get().running("stepcontrol.measured").checks().state().measured;
+    m->get().running("stepcontrol.measured");
+    const auto& measured = m->get().contact->diagnosis.findings().measured();
     const auto found = measured.find(*name);
     if (found == measured.end())
       fail("stepcontrol.measured", "no check has measured \"" + *name + "\", see S.measures");

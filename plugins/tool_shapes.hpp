@@ -1,7 +1,7 @@
 #pragma once
 // Named parameters of a tool that choose its profile, from the core's table of shapes.
-#include "geometry/shapes.hpp"
 #include "named.hpp"
+#include "shapes/shapes.hpp"
 
 namespace burnish {
 

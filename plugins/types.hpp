@@ -4,8 +4,9 @@
 #include "contact/matrix_check.hpp"
 #include "kinematics/driven_tool.hpp"
 #include "plugin.hpp"
-#include "stepping/contact_run.hpp"
-#include "stepping/run_body.hpp"
+#include "run/contact_motion.hpp"
+#include "run/run_body.hpp"
+#include "run/seen_step.hpp"
 
 #include <map>
 
@@ -23,11 +24,15 @@ struct MaterialObject {
   double update_seconds = 0, assembly_seconds = 0; // CPU
   std::vector<double> moduli;                      // the last that were read, while nothing has changed
   double moduli_blend = -1;                        // -1: they are out of date
-  long moduli_acceptances = 0, moduli_reversions = 0;
-  std::shared_ptr<const ::Mesh> mesh; // FreeFEM's
-  std::uint64_t fingerprint = 0;      // of the mesh
-  std::string warnings;               // of its numbers, one line each
+  std::shared_ptr<const ::Mesh> mesh;              // FreeFEM's
+  std::uint64_t fingerprint = 0;                   // of the mesh
+  std::string warnings;                            // of its numbers, one line each
   Workpiece<2>& workpiece() { return body->workpiece(); }
+  /// The body, to be changed: what was read of it is out of date.
+  WorkpieceBody<2>& changed() {
+    moduli_blend = -1;
+    return *body;
+  }
 };
 /// What the verbs of a step have seen of it.
 struct StepSeen {
@@ -37,13 +42,15 @@ struct StepSeen {
 struct ContactObject {
   static constexpr const char* TYPE = "contact";
   std::shared_ptr<ContactSetup<2>> setup;
+  IterationOptions options; // of the run, until it is begun
+  Diagnosis<2> diagnosis;
   std::shared_ptr<const FrictionLaw> friction; // default of add()
   std::map<std::string, double> parameters;    // numbers by name for formulas of friction
   TripletReader<2> reader;
-  std::vector<ContactEvent<2>> pending;       // found by events(), applied by accept() or acceptevents()
-  std::vector<double> rhs;                    // of the last condensed matrix
-  const CondensedSystem* condensed = nullptr; // the last one, the run's
-  double event_seconds = 0, condense_seconds = 0, check_seconds = 0; // CPU
+  std::vector<ContactEvent<2>> pending;           // found by events(), applied by accept() or acceptevents()
+  std::vector<double> rhs;                        // of the last condensed matrix
+  const CondensedSystem* condensed = nullptr;     // the last one, the run's
+  double event_seconds = 0, condense_seconds = 0; // CPU
   StepSeen step;
   bool under_way = false; // a run of a stepcontrol goes on
   MatrixCheck matrices;

@@ -33,6 +33,7 @@
 //     status    exit status | -
 //   rcOwe(status)   the exit status if the script ends by itself; 0 takes it back
 //     status    exit status | -
+//   internal: rcNoMore
 #include "base/version.hpp"
 #include "leave.hpp"
 #include "named.hpp"
@@ -67,6 +68,14 @@ string* last_error_text(Stack stack, const long&) {
 bool fail_with_status(string* const& message, const long& status) {
   throw PluginError(message->empty() ? "rcFail without a text" : *message, static_cast<int>(status));
 }
+// A name that is no more: an error where the script is read, before any of it runs.
+class NoMore : public OneOperator {
+public:
+  NoMore() : OneOperator(atype<bool>(), atype<const char*>()) {}
+  E_F0* code(const basicAC_F0& arguments) const override {
+    throw PluginError(GetAny<const char*>((*arguments[0].LeftValue())(nullptr)));
+  }
+};
 bool fail_with(string* const& message) { return fail_with_status(message, BAD_INPUT); }
 // FreeFEM runs a script's catch block while the exception is there.
 long caught_status(const long&) {
@@ -129,6 +138,7 @@ bool is_terminal(const long&) { return isatty(STDOUT_FILENO) != 0; }
 
 void register_tools_of_the_trade() {
   Global.Add("rcLastError", "(", new OneOperator1s_<string*, long>(last_error_text));
+  Global.Add("rcNoMore", "(", new NoMore);
   Global.Add("rcFail", "(", new OneOperator1_<bool, string*>(fail_with));
   Global.Add("rcFail", "(", new OneOperator2_<bool, string*, long>(fail_with_status));
   Global.Add("rcCaughtStatus", "(", new OneOperator1_<long, long>(caught_status));

@@ -2,7 +2,7 @@
   sweep.json    parameters in order, with units and meanings, and the variants: folder, values, options
   commands.txt  one shell command for each variant that is not finished yet
 and prints how many there are. Exit status 2 and a line on stderr for what cannot be run. CASE is the name of a case, or the
-path of a script that reads its options as cases do (edp/rcCaseOptions.idp). Ways to write VARY: values.py.
+path of a script that reads its options as cases do (edp/cases/rcCaseOptions.idp). Ways to write VARY: values.py.
 """
 import glob
 import hashlib
@@ -23,7 +23,7 @@ def script_of(case):
     """(name, path of the script) of a case's name or of a script's path."""
     if case.endswith(".edp") and os.path.isfile(case):
         if "rcCaseEnd" not in read_text(case):
-            raise SweepError(f"CASE: {case} has no rcCaseEnd, which writes what a sweep compares; see edp/rcCase.idp")
+            raise SweepError(f"CASE: {case} has no rcCaseEnd, which writes what a sweep compares; see edp/cases/rcCase.idp")
         return os.path.basename(case)[:-len(".edp")], case
     script = f"cases/{case}/{case}.edp"
     if not case or "/" in case or not os.path.isfile(script):
@@ -64,7 +64,7 @@ def case_name():
 
 def described(script):
     """{option: (unit, meaning)} as the scripts tell: rcReal("-R", 1, "mm", "radius")."""
-    text = read_text(os.path.join("edp", "rcCaseOptions.idp")) + read_text(script)
+    text = read_text(os.path.join("edp", "cases", "rcCaseOptions.idp")) + read_text(script)
     found = re.findall(r'rc(?:Real|Int|Text)\("-(\w+)",[^"]*(?:"[^"]*",\s*)?"([^"]*)",\s*"([^"]*)"\)', text)
     return {name: (unit, meaning) for name, unit, meaning in found}
 

@@ -21,8 +21,8 @@ namespace burnish {
 namespace {
 
 constexpr const char* RUN_IN_CHILD = "run_in_child";
-constexpr int EXITED = 77; // status of a child in which exit() was called
-constexpr char MARK = '.'; // before a result
+constexpr int EXITED = 77;          // status of a child in which exit() was called
+constexpr char BEFORE_RESULT = '.'; // before a result
 
 void write_all(int handle, const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
@@ -69,7 +69,7 @@ void forbid_programs() {
   forbid_programs();
   std::atexit([] { _exit(EXITED); }); // before what the program itself does at its end
   try {
-    write_all(result, MARK + function());
+    write_all(result, BEFORE_RESULT + function());
   } catch (...) {
     std::abort();
   }
@@ -107,7 +107,7 @@ ChildEnd run_in_child(const std::function<std::string()>& function, const std::s
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   ChildEnd end;
-  end.returned = !said.empty() && said[0] == MARK;
+  end.returned = !said.empty() && said[0] == BEFORE_RESULT;
   if (end.returned) end.result = said.substr(1);
   end.signal = !end.returned && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   end.exit = !end.returned && WIFEXITED(status) && WEXITSTATUS(status) == EXITED;

@@ -23,7 +23,7 @@ constexpr double AROUND =
 template <int Dim>
 std::vector<double> weights_near_tools(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                        const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                                       const BalanceTolerance& tolerance) {
+                                       const Tolerances& tolerance) {
   std::vector<double> weights;
   for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
     if (tolerance.weight(t) == 1) continue;
@@ -80,10 +80,10 @@ double support_load(const ContactModel<Dim>& model, const BodyView<Dim>& body, c
 template <int Dim>
 void contact_node(const ContactModel<Dim>& model, int candidate, const ContactNode<Dim>& node,
                   const ContactPoint<Dim>& at, double N, const DecidingForce<Dim>& deciding,
-                  const Vector<Dim>& x, const BalanceTolerance& tolerance, Balance& result) {
+                  const Vector<Dim>& x, const Tolerances& tolerance, Balance& result) {
   const TangentialLaw<Dim>& law = model.law(candidate, node.tool);
   const SurfaceForce<Dim>& force = deciding.force;
-  const ContactTolerance limits{tolerance.force_of(node.tool), tolerance.gap};
+  const ContactTolerance limits = tolerance.of(node.tool);
   const bool off = offset_to(model, candidate, at.surface, x).norm() > tolerance.offset;
   if (node.tied) { // its friction is part of that of its ends
     result.inconsistent += off || N < -limits.force;
@@ -138,8 +138,7 @@ void add_driving_loads(const ContactModel<Dim>& model, const PrescribedValues& p
 }
 
 // Weight of the row of a coordinate: that of its tool, or of a tool that follows it and carries more.
-template <int Dim>
-double weight_of_row(const ContactModel<Dim>& model, const BalanceTolerance& tolerance, int k) {
+template <int Dim> double weight_of_row(const ContactModel<Dim>& model, const Tolerances& tolerance, int k) {
   double weight = tolerance.weight(model.tool_of(k));
   for (const int follower : model.followers(k))
     weight = std::min(weight, tolerance.weight(model.tool_of(follower)));
@@ -149,7 +148,7 @@ double weight_of_row(const ContactModel<Dim>& model, const BalanceTolerance& tol
 // Tool rows over their lever arms.
 template <int Dim>
 void tool_residual(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                   const DrivingForce& drive, const Eigen::VectorXd& lever, const BalanceTolerance& tolerance,
+                   const DrivingForce& drive, const Eigen::VectorXd& lever, const Tolerances& tolerance,
                    Balance& result) {
   const Eigen::Index nq = result.generalized_force.size();
   result.tool_residual = Eigen::VectorXd::Zero(nq);
@@ -173,7 +172,7 @@ void tool_residual(const ContactModel<Dim>& model, const PrescribedValues& presc
 template <int Dim>
 Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
                 const PrescribedValues& prescribed, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                const BalanceTolerance& tolerance) {
+                const Tolerances& tolerance, double held) {
   Balance result;
   const Eigen::Index nq = model.num_coordinates();
   result.generalized_force = Eigen::VectorXd::Zero(nq);
@@ -206,7 +205,7 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
   }
   pass_on_forces(model, state.q, result.generalized_force);
   complete_levers(model, prescribed, poses, state.q, lever);
-  const double others = support_load(model, body, state, R) + tolerance.held;
+  const double others = support_load(model, body, state, R) + held;
   if (result.load < LIGHT * others) result.load = others;
   free_residual(model, body, state, R, weights_near_tools(model, body, state, u, tolerance), result);
   const DrivingForce drive = driving_force(model, prescribed, state.q);
@@ -218,7 +217,7 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template Balance balance<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&, const ContactState<Dim>&,    \
                                 const PrescribedValues&, const Eigen::VectorXd&, const Eigen::VectorXd&,     \
-                                const BalanceTolerance&);
+                                const Tolerances&, double);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

@@ -3,6 +3,7 @@
 // METHOD.md 3.1).
 #include "contact/body_view.hpp"
 #include "contact/contact_model.hpp"
+#include "contact/tolerances.hpp"
 
 namespace burnish {
 
@@ -26,26 +27,11 @@ struct Balance {
   double penetration = 0;                  ///< deepest penetration of a free candidate >= 0 [length]
 };
 
-/// Absolute tolerances of the state tests.
-struct BalanceTolerance {
-  double force = 0;  ///< [force]
-  double gap = 0;    ///< of penetration and of backward slip [length]
-  double offset = 0; ///< of a contact node from its tool [length]
-  double held = 0;   ///< what carries the body beside tools and supports [force]
-  Eigen::VectorXd tool_force =
-      {}; ///< per tool: the same as force for what belongs to it, no larger; empty: force
-  double force_of(int tool) const { return tool_force.size() > 0 ? tool_force[tool] : force; }
-  /// Of a residual that belongs to a tool, beside others: >= 1.
-  double weight(int tool) const {
-    const double own = force_of(tool);
-    return own > 0 && own < force ? force / own : 1;
-  }
-};
-
-/// @param R internal minus external nodal force, num_dofs [force]
+/// @param R    internal minus external nodal force, num_dofs [force]
+/// @param held what carries the body beside tools and supports [force]
 template <int Dim>
 Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
                 const PrescribedValues& prescribed, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                const BalanceTolerance& tolerance);
+                const Tolerances& tolerance, double held = 0);
 
 } // namespace burnish

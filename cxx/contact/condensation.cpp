@@ -239,7 +239,6 @@ Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K, const ContactState<Di
   add_drive();
   set_right_hand_side(K, step, state, R, right);
   move_geometric_columns(*step.end, state);
-  if (tangent == FrictionTangent::SYMMETRIC) keep_symmetric_part();
   double scale = 0;
   for (int m = 0; m < K.num_nodes; ++m) scale = std::max(scale, std::abs(*K.block(K.find(m, m))));
   set_given(*step.end, state, scale);

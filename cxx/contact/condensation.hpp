@@ -38,7 +38,7 @@ public:
   Condensation(const ContactModel<Dim>& model, const BodyView<Dim>& body) : m_model(model), m_body(body) {}
   /// @param K tangent of the body, symmetric; @param u displacement, R internal minus external nodal force,
   /// num_dofs
-  /// @param half store the lower triangle only (no friction or a symmetric tangent of it, COMPLETE or NONE terms)
+  /// @param half store the lower triangle only (no friction or a LAGGED tangent of it, COMPLETE or NONE terms)
   /// @throws std::invalid_argument if K has another size than the body, half with friction in a CONSISTENT tangent,
   /// another tangent with RATES
   const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
@@ -84,7 +84,6 @@ private:
                            const Eigen::VectorXd& R, RightHandSide right);
   void move_geometric_columns(const PrescribedValues& prescribed, const ContactState<Dim>& state);
   void set_given(const PrescribedValues& prescribed, const ContactState<Dim>& state, double scale);
-  void keep_symmetric_part();
   void keep_lower();
   double& at(int row, int column);
 

@@ -64,22 +64,12 @@ void Condensation<Dim>::require_form(const Step& step, GeometricTerms terms, Rig
                                      FrictionTangent tangent) const {
   if (right == RightHandSide::RATES && tangent != FrictionTangent::CONSISTENT)
     fail("condense", "pure rates are solved once and need the consistent tangent of friction");
-  if (!half || tangent == FrictionTangent::SYMMETRIC) return;
+  if (!half) return;
   if (!m_model.symmetric() && tangent == FrictionTangent::CONSISTENT)
     fail("condense",
-         "symmetric storage needs a contact without friction, or one with frictiontangent=\"lagged\" or "
-         "\"symmetric\"");
+         "symmetric storage needs a contact without friction, or one with frictiontangent=\"lagged\"");
   if (terms == GeometricTerms::ARTICLE) fail("condense", "the article's terms are not symmetric");
   require_symmetric_drive(m_model, *step.end, m_drive);
-}
-
-// The mean of mirrored entries; the right-hand side keeps what is known of the whole matrix.
-template <int Dim> void Condensation<Dim>::keep_symmetric_part() {
-  for (int row = 0; row < m_full.n; ++row)
-    for (int k = m_full.row_start[row]; k < m_full.row_start[row + 1] && m_full.col[k] < row; ++k) {
-      double& mirror = at(m_full.col[k], row);
-      m_full.value[k] = mirror = 0.5 * (m_full.value[k] + mirror);
-    }
 }
 
 template <int Dim> void Condensation<Dim>::keep_lower() {
@@ -104,7 +94,6 @@ template <int Dim> void Condensation<Dim>::keep_lower() {
   template void Condensation<Dim>::set_given(const PrescribedValues&, const ContactState<Dim>&, double);     \
   template void Condensation<Dim>::require_form(const Step&, GeometricTerms, RightHandSide, bool,            \
                                                 FrictionTangent) const;                                      \
-  template void Condensation<Dim>::keep_symmetric_part();                                                    \
   template void Condensation<Dim>::keep_lower();
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)

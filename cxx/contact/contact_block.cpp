@@ -91,14 +91,6 @@ void add_geometric_terms(const std::vector<NodeLinearization<Dim>>& nodes, const
   }
 }
 
-// The symmetric part of what is unknown; columns of coordinates under motion are known and stay.
-void keep_symmetric_part(const PrescribedValues& prescribed, Eigen::Index first, Eigen::MatrixXd& matrix) {
-  Eigen::MatrixXd part = 0.5 * (matrix + matrix.transpose());
-  for (Eigen::Index k = 0; first + k < matrix.cols(); ++k)
-    if (prescribed.is_motion[k]) part.col(first + k) = matrix.col(first + k);
-  matrix.swap(part);
-}
-
 // Replaces rows of coordinates under motion.
 void prescribe_motion(const PrescribedValues& prescribed, const Eigen::VectorXd& q, Eigen::Index first,
                       Eigen::MatrixXd& matrix, Eigen::VectorXd& rhs) {
@@ -201,7 +193,7 @@ template <int Dim>
 void assemble_block(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                     const Eigen::VectorXd& q, const std::vector<NodeLinearization<Dim>>& nodes,
                     const Columns<Dim>& c, const Eigen::MatrixXd& SA, const Eigen::VectorXd& F0,
-                    bool symmetric_part, Eigen::MatrixXd& matrix, Eigen::VectorXd& rhs) {
+                    Eigen::MatrixXd& matrix, Eigen::VectorXd& rhs) {
   matrix = c.W.transpose() * SA;
   rhs = -c.W.transpose() * F0;
   add_geometric_terms(nodes, c, matrix);
@@ -213,7 +205,6 @@ void assemble_block(const ContactModel<Dim>& model, const PrescribedValues& pres
   if (drive.slope.size() > 0) matrix.block(c.num_nodal, c.num_nodal, nq, nq) -= drive.slope;
   for (int k = 0; k < nq; ++k)
     if (!prescribed.is_motion[k]) rhs[c.num_nodal + k] += drive.value[k];
-  if (symmetric_part) keep_symmetric_part(prescribed, c.num_nodal, matrix);
   prescribe_motion(prescribed, q, c.num_nodal, matrix, rhs);
   leave_out_followers(model, c.num_nodal, matrix, rhs);
 }
@@ -235,7 +226,7 @@ ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model,
     SA -= added.asDiagonal() * c.A;
     F0 -= added.cwiseProduct(offset);
   }
-  assemble_block(model, prescribed, q, nodes, c, SA, F0, input.symmetric_part, matrix, rhs);
+  assemble_block(model, prescribed, q, nodes, c, SA, F0, matrix, rhs);
 
   ContactBlockSolution<Dim> solution;
   if (input.test_stability) solution.unstable = is_unstable(model, prescribed, c.num_nodal, matrix);

@@ -22,7 +22,6 @@ template <int Dim> struct ContactBlockInput {
   /// tools support has a singular tangent. Dim*nodes [force/length], or empty: none.
   Eigen::VectorXd added_stiffness;
   bool test_stability = false; ///< find out whether body and tools are stable together
-  bool symmetric_part = false; ///< in place of the block, in what is unknown: FrictionTangent::SYMMETRIC
 };
 
 template <int Dim> struct ContactBlockSolution {

@@ -25,6 +25,8 @@ template <int Dim> struct ContactModel {
   /// Per candidate: the ends of the edge that it is the mid node of, or -1; empty: linear facets, or in space.
   std::vector<std::array<int, 2>> edge_ends;
 
+  std::vector<std::vector<int>>
+      neighbors;                   ///< per candidate: those next to it along the surface; empty: nobody asks
   std::vector<Coupling> couplings; ///< relations between coordinates; what follows is followed by nothing
 
   /// The relation that coordinate k follows, null if it is independent.

@@ -98,7 +98,7 @@ double touch_fraction(const ContactModel<Dim>& model, const BodyView<Dim>& body,
 // @param m direction of the slip in the tangents at the start of the step
 template <int Dim>
 double stick_fraction(const Surface<Dim>& surface, const ContactNode<Dim>& start, const ContactNode<Dim>& end,
-                      const Param<Dim>& m, double dt, const EventTolerance& tolerance) {
+                      const Param<Dim>& m, double dt, const EventSearch& tolerance) {
   const Param<Dim> slip = -surface.slip(end.place, start.place); // in the tangents at the start
   if (!TangentialLaw<Dim>::slips_back(slip, m, tolerance.slip_of(start.tool))) return NEVER;
   const double before = start.slip_rate, now = TangentialLaw<Dim>::advance(slip, m) / dt;
@@ -127,9 +127,11 @@ ContactEvent<Dim> make_event(const BodyView<Dim>& body, const StepEnds<Dim>& ste
 template <int Dim>
 ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                 const StepEnds<Dim>& step, const BothEnds<Dim>& ends, std::size_t i,
-                                const EventTolerance& tolerance, bool support) {
+                                const EventSearch& tolerance) {
   const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
   const int candidate = static_cast<int>(i);
+  const std::vector<int>& supports = tolerance.supports;
+  const bool support = std::find(supports.begin(), supports.end(), candidate) != supports.end();
   const auto a = forces(model, candidate, ends.poses0, n0, *step.R_start);
   const auto b = forces(model, candidate, ends.poses1, n1, *step.R_end);
   const TangentialLaw<Dim>& law = model.law(candidate, n0.tool);
@@ -163,9 +165,9 @@ ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<D
 template <int Dim>
 ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                              const StepEnds<Dim>& step, const BothEnds<Dim>& ends, std::size_t i,
-                             const EventTolerance& tolerance, bool support) {
+                             const EventSearch& tolerance) {
   const ContactNode<Dim>& node = step.start->nodes[i];
-  if (in_contact(node.state)) return contact_event(model, body, step, ends, i, tolerance, support);
+  if (in_contact(node.state)) return contact_event(model, body, step, ends, i, tolerance);
   const double f =
       node.state == NodeState::FREE ? touch_fraction(model, body, step, i, tolerance.gap) : NEVER;
   return make_event(body, step, model, i, EventKind::TOUCH, f, node.tool);
@@ -175,14 +177,12 @@ ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>
 
 template <int Dim>
 std::vector<ContactEvent<Dim>> earliest_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                                               const StepEnds<Dim>& step, const EventTolerance& tolerance,
-                                               const std::vector<int>& supports) {
+                                               const StepEnds<Dim>& step, const EventSearch& tolerance) {
   const BothEnds<Dim> ends = both_ends(model, step);
   std::vector<ContactEvent<Dim>> found;
   double earliest = NEVER;
   for (std::size_t i = 0; i < model.candidates.size(); ++i) {
-    const bool support = std::find(supports.begin(), supports.end(), static_cast<int>(i)) != supports.end();
-    const auto event = node_event(model, body, step, ends, i, tolerance, support);
+    const auto event = node_event(model, body, step, ends, i, tolerance);
     if (!(event.fraction <= 1)) continue;
     earliest = std::min(earliest, event.fraction);
     found.push_back(event);
@@ -267,8 +267,7 @@ void settle_released(const ContactModel<Dim>& model, const BodyView<Dim>& body, 
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template std::vector<ContactEvent<Dim>> earliest_events<Dim>(                                              \
-      const ContactModel<Dim>&, const BodyView<Dim>&, const StepEnds<Dim>&, const EventTolerance&,           \
-      const std::vector<int>&);                                                                              \
+      const ContactModel<Dim>&, const BodyView<Dim>&, const StepEnds<Dim>&, const EventSearch&);             \
   template std::vector<ContactEvent<Dim>> state_changes<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&, \
                                                              const StepEnds<Dim>&);                          \
   template void apply_events<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                            \

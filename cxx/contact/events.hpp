@@ -2,7 +2,7 @@
 // Contact events inside a step: everything is linear in the fraction of the step; the earliest one is located
 // and all within its tolerance are taken together (METHOD.md 4.2, ALGORITHMS.md 10).
 #include "contact/body_view.hpp"
-#include "contact/contact_model.hpp"
+#include "contact/tolerances.hpp"
 #include <algorithm>
 #include <string>
 
@@ -46,28 +46,21 @@ template <int Dim> struct StepEnds {
   double t_start = 0, dt = 0;
 };
 
-struct EventTolerance {
-  double force = 0;                ///< absolute, of N and of mu N - |T| [force]
-  double gap = 0;                  ///< absolute, of slips at least [length]
-  double fraction = 1e-3;          ///< events this close to the earliest one are taken with it
-  Eigen::VectorXd tool_force = {}; ///< per tool: the same as force for its nodes; empty: force
-  double compliance =
-      0; ///< largest of a contact node: what the tolerance of forces leaves of slips [length/force]
+/// Tolerances of an event search, and what is left out of it.
+struct EventSearch : Tolerances {
+  double fraction = 1e-3; ///< events this close to the earliest one are taken with it
   /// Fraction of the step by which a node that begins to slide and slips back is looked at again; 0: it sticks at once
   double closer = 0;
-  double force_of(int tool) const { return tool_force.size() > 0 ? tool_force[tool] : force; }
-  double slip_of(int tool) const { return std::max(gap, compliance * force_of(tool)); }
+  /// Candidates that must not begin to slide, since nothing else supports their tool; they are released directly.
+  std::vector<int> supports = {};
 };
 
 /// All events of the step that lie within the tolerance of the earliest; empty if the whole step is free of
 /// events. Fractions are those of linear interpolation; touch fractions are refined on the true gap. An event
 /// whose quantity comes within its tolerance at the end of the step, from above, has the fraction 1.
-/// @param supports candidates that must not begin to slide, since nothing else supports their tool; they are
-/// released directly
 template <int Dim>
 std::vector<ContactEvent<Dim>> earliest_events(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                                               const StepEnds<Dim>& step, const EventTolerance& tolerance,
-                                               const std::vector<int>& supports = {});
+                                               const StepEnds<Dim>& step, const EventSearch& search);
 
 /// All state changes between two accepted states (implicit stepping). Instants are estimates within the step:
 /// a touch where the moving tool meets the place that the node had at the start, the others in the middle of

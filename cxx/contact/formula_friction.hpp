@@ -1,7 +1,7 @@
 #pragma once
 // User-defined friction law: traction as a formula of pressure.
-#include "base/formula.hpp"
 #include "contact/friction.hpp"
+#include "formula/formula.hpp"
 
 namespace burnish {
 

@@ -6,7 +6,6 @@ namespace burnish {
 
 enum class FrictionTangent {
   CONSISTENT, ///< the derivative of the residual: nonsymmetric
-  SYMMETRIC,  ///< its symmetric part
   LAGGED,     ///< friction on the right-hand side, at the last normal force: symmetric
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 // A number that depends on generalized coordinates by a formula: a driving force, or a coordinate that follows others.
-#include "base/formula.hpp"
+#include "formula/formula.hpp"
 
 namespace burnish {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Coordinates of a plane tool by formula: any number of names, and where the tool's frame is as text.
-#include "base/formula.hpp"
+#include "formula/formula.hpp"
 #include "kinematics/coordinates.hpp"
 
 namespace burnish {

@@ -1,6 +1,6 @@
 #include "material/formula_hardening.hpp"
 #include "base/error.hpp"
-#include "base/formula.hpp"
+#include "formula/formula.hpp"
 #include <limits>
 
 namespace burnish {

@@ -8,8 +8,6 @@ void require_valid(const UpdateOptions& options, const char* where) {
   require(options.min_substeps >= 1, where, "min_substeps", options.min_substeps, ">= 1");
   require(options.max_substeps >= options.min_substeps, where, "max_substeps", options.max_substeps,
           ">= min_substeps");
-  require(options.substep_strain > 0, where, "substep_strain", options.substep_strain, "> 0");
-  require(options.freeze_iteration >= 1, where, "freeze_iteration", options.freeze_iteration, ">= 1");
 }
 
 } // namespace burnish

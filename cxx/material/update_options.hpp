@@ -14,18 +14,19 @@ enum class StrainFrame {
   END,      ///< dd turned by half the rotation, METHOD.md (1.14), dd_p by the whole: second order
 };
 
+constexpr double SUBSTEP_STRAIN = 0.3; ///< q of the elastic increment of a substep over sigma_y, at most
+constexpr int FREEZE_ITERATION = 3;    ///< number of substeps may only grow before, is frozen from here on
+
 /// Each law takes the ones that concern it.
 struct UpdateOptions {
   StressUpdate update = StressUpdate::SUBSTEPPED;
   StrainFrame strain_frame = StrainFrame::END;
   double path_limit = 1.5;                 ///< L of ALGORITHMS.md (2.2); 0: straight; infinite: no limit
   int min_substeps = 3, max_substeps = 20; ///< bounds of the number of substeps of a point
-  double substep_strain = 0.3; ///< substep when q of the elastic increment exceeds this fraction of sigma_y
-  int freeze_iteration = 3;    ///< number of substeps may only grow before, is frozen from here on
 };
 
 /// @throws std::invalid_argument naming `where` unless path_limit >= 0 (may be infinite),
-///         1 <= min_substeps <= max_substeps, substep_strain > 0, freeze_iteration >= 1
+///         1 <= min_substeps <= max_substeps
 void require_valid(const UpdateOptions& options, const char* where);
 
 } // namespace burnish

@@ -35,13 +35,13 @@ std::vector<std::vector<int>> edges_of(const ContactRun<2>& run) {
 /// Pressure and tangential traction along the tool's normal and tangent at every candidate [stress].
 Numbers traction_vectors(const ContactRun<2>& run, const SurfaceReport<2>& report) {
   const auto& state = run.accepted().contact;
-  const auto poses = run.model().poses(state.q);
+  const auto poses = run.setup().model().poses(state.q);
   Numbers vectors(3 * state.nodes.size(), 0.);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const auto& node = state.nodes[i];
     if (!in_contact(node.state)) continue;
     const auto k = static_cast<Eigen::Index>(i);
-    const auto p = run.model().tools[node.tool]->point(poses[node.tool], node.place);
+    const auto p = run.setup().model().tools[node.tool]->point(poses[node.tool], node.place);
     const Vector<2> traction = report.pressure[k] * p.n + p.E * report.traction_tangential.col(k);
     for (int a = 0; a < 2; ++a) vectors[3 * i + a] = traction[a];
   }
@@ -50,8 +50,8 @@ Numbers traction_vectors(const ContactRun<2>& run, const SurfaceReport<2>& repor
 
 void write_surface_data(const ContactRun<2>& run, VtkFile& file) {
   const auto& state = run.accepted();
-  const auto report =
-      surface_report(run.model(), run.body(), state.contact, run.setup().surface(), state.u, state.R);
+  const auto report = surface_report(run.setup().model(), run.setup().body(), state.contact,
+                                     run.setup().surface(), state.u, state.R);
   const std::vector<int>& candidates = run.setup().candidates();
   Numbers displacement(3 * candidates.size(), 0.);
   std::vector<std::int64_t> states, tools;
@@ -92,7 +92,7 @@ void save_surface(const ContactRun<2>& run, const std::string& path) {
 }
 
 void save_supports(const ContactRun<2>& run, const std::string& path) {
-  const std::vector<char>& fixed = run.body().fixed;
+  const std::vector<char>& fixed = run.setup().body().fixed;
   Numbers places, components;
   std::vector<std::vector<int>> points;
   for (int a = 0; a < run.setup().mesh().num_nodes; ++a) {

@@ -1,7 +1,7 @@
 #pragma once
 // The contact surface and the tools of a run as .vtp files for ParaView, written whole (whole_file.hpp).
 // @throws FileError
-#include "stepping/contact_run.hpp"
+#include "run/contact_run.hpp"
 #include <string>
 
 namespace burnish {

@@ -2,7 +2,7 @@
 // Events of quadrature points that a script defines by a formula on the state of a point (damage, healing, a
 // yield condition, a place that is reached; ALGORITHMS.md 13). They find and count; what an event does to
 // its point is in point_damage.hpp. Knows no tool.
-#include "base/formula.hpp"
+#include "formula/formula.hpp"
 #include "workpiece/element_events.hpp"
 #include "workpiece/point_variables.hpp"
 #include <map>

@@ -39,7 +39,7 @@ public:
   /// state() is unusable until the next update or revert.
   /// @param displacement total displacement, num_dofs [length]; @param dt step length > 0 [time]
   /// @param iteration    0,1,2.. within the step; a point's number of substeps may only grow before
-  ///                     freeze_iteration and is frozen from there on (a point that yields later gets one
+  ///                     FREEZE_ITERATION and is frozen from there on (a point that yields later gets one
   ///                     then)
   /// @throws std::invalid_argument if the size, dt, iteration or an option is wrong, or where axisymmetric a
   ///         node on the axis has u_r other than 0 but for rounding (names it): the solver must constrain it

@@ -1,5 +1,5 @@
 // Cost of the closest point on a CAD curve of a STEP file, from places on a circle about it, without a hint. Judges nothing.
-#include "unit/geometry/cad_samples.hpp"
+#include "unit/cad/cad_samples.hpp"
 #include <benchmark/benchmark.h>
 
 using namespace burnish;

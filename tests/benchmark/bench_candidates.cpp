@@ -39,7 +39,7 @@ void step(benchmark::State& state) {
   Strip strip(static_cast<int>(state.range(0)));
   double way = 0.2 * SPACING;
   for (auto _ : state) {
-    if (!strip.go(way)) state.SkipWithError(strip.contact().reason().c_str());
+    if (!strip.go(way)) state.SkipWithError(strip.why().c_str());
     way = -way; // to and fro
   }
   state.SetComplexityN(state.range(0));

@@ -16,8 +16,8 @@ struct UnderWay {
   Scene& scene = rolling.scene;
   ProgramAt program = rolling.program();
   UnderWay() {
-    Stepper<2> stepper(scene.contact(), scene.body, Rolling::control(MIDDLE, DT), {});
-    stepper.checks().options().on = false;
+    Stepper<2> stepper(scene.contact(), scene.body, scene.diagnosis, Rolling::control(MIDDLE, DT), {});
+    scene.diagnosis.set_checks(false);
     if (run(scene, stepper, program) != Task::FINISHED || !solve()) std::abort();
   }
   bool solve() {
@@ -61,7 +61,7 @@ void whole_step(benchmark::State& state) {
   UnderWay& way = UnderWay::once();
   for (auto _ : state) {
     revert(way.scene);
-    if (!way.solve()) state.SkipWithError(way.scene.contact().reason().c_str());
+    if (!way.solve()) state.SkipWithError(way.scene.why().c_str());
   }
 }
 

@@ -1,10 +1,10 @@
-"""What friction in the matrix costs and gains: consistent, symmetric part, on the right-hand side.
+"""What friction in the matrix costs and gains: consistent, or on the right-hand side.
 
 tangents.py [--quick] [--only TEXT] [--ways TEXT] [--mu LIST] [--repeat N] [--fine] [--store NAME] [--out FOLDER]
                                        BURNISH=build/burnish
 Every scene by the core's solver (a symmetric factor of the body, kept for several iterations, and the dense block of the contact)
-and by the condensed matrix, anew in every iteration: UMFPACK; rows that are not symmetric as a dense border (BURNISH); the
-symmetric part, by BURNISH since it may be indefinite (CHOLMOD, if not UMFPACK); lagged by CHOLMOD, see METHOD.md 3.21.
+and by the condensed matrix, anew in every iteration: UMFPACK; rows that are not symmetric as a dense border (BURNISH); lagged by
+CHOLMOD, see METHOD.md 3.21.
 Runs of a repetition are done in turns, those longer than ONCE once; CPU seconds of the whole process, median and spread (half of
 largest less smallest over the median). `off`: largest difference of a result from that of the first way, over the result. Writes
 tangents.csv and tangents.md; --store puts the table into tests/chart/tangents.md, between the marks of NAME.
@@ -24,10 +24,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
 WRONG = 1e-2
 ONCE = 3  # [s]
-WAYS = [("block, consistent", ""), ("block, symmetric", "-frictiontangent symmetric"),
-        ("block, lagged", "-frictiontangent lagged"),
+WAYS = [("block, consistent", ""), ("block, lagged", "-frictiontangent lagged"),
         ("sparse, consistent", "-solver UMFPACK"), ("sparse, border", "-solver BURNISH"),
-        ("sparse, symmetric", "-frictiontangent symmetric -solver BURNISH"),
         ("sparse, lagged", "-frictiontangent lagged -solver CHOLMOD")]
 SCENES = [  # name, script, options, of --quick
     ("hertz", "tests/chart/tangents.edp", "-n 6 -steps 10", "-element P1 -n 6 -steps 8"),

@@ -1,6 +1,6 @@
 // Formulas made at random: values, first and second derivatives against an independent reading of the text,
 // and texts spoiled at random, which must give a number or an error that quotes them. Seeds are fixed.
-#include "base/formula.hpp"
+#include "formula/formula.hpp"
 #include "long/formula_reference.hpp"
 #include <array>
 #include <chrono>

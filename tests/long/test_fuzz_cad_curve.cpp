@@ -1,7 +1,7 @@
 // Random splines of .geo files, both kernels of gmsh: refused with a clear error, or a curve whose
 // derivatives and closest points are right.
 #include "long/fuzz.hpp"
-#include "unit/geometry/cad_samples.hpp"
+#include "unit/cad/cad_samples.hpp"
 #include <iostream>
 #include <map>
 

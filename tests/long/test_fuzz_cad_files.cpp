@@ -1,6 +1,6 @@
 // Damaged CAD files, at random: each is read, or refused with std::invalid_argument; none ends the process or hangs.
 #include "long/fuzz.hpp"
-#include "unit/geometry/cad_samples.hpp"
+#include "unit/cad/cad_samples.hpp"
 #include <array>
 #include <cctype>
 #include <csignal>

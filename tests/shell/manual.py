@@ -76,7 +76,7 @@ def wrong_commands(page, targets):
 
 def said():
     """All texts in quotation marks of the core and the library, joined where one goes on in the next."""
-    files = [*TOP.glob("cxx/**/*.cpp"), *TOP.glob("plugins/*.cpp"), *TOP.glob("edp/*.idp")]
+    files = [*TOP.glob("cxx/**/*.cpp"), *TOP.glob("plugins/*.cpp"), *TOP.glob("edp/**/*.idp")]
     source = "\n".join(path.read_text() for path in files).replace('\\"', "'")
     return re.sub(r'"\s*\n?\s*(?:<<)?\s*"', "", source)
 

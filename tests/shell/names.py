@@ -12,11 +12,10 @@ import re
 import sys
 
 NAMES, ALGORITHMS = "cxx/NAMES.md", "cxx/ALGORITHMS.md"
-WRITERS = ["edp/rcOutput.idp", "edp/rcSummary.idp", "edp/rcRunState.idp", "cxx/contact/events.cpp",
+WRITERS = ["edp/cases/rcOutput.idp", "edp/cases/rcSummary.idp", "edp/run/rcRunState.idp", "cxx/contact/events.cpp",
            "cxx/output/workpiece_file.cpp", "cxx/output/contact_files.cpp"]
-OPTION_FILES = ["cxx/stepping/options.hpp", "cxx/stepping/step_control.hpp", "cxx/stepping/stepper.hpp",
-                "cxx/stepping/step_scheme.hpp", "cxx/material/update_options.hpp", "cxx/checks/check_options.hpp",
-                "cxx/report/report_options.hpp"]
+OPTION_FILES = ["cxx/iteration/options.hpp", "cxx/run/step_control.hpp", "cxx/run/stepper.hpp",
+                "cxx/run/step_scheme.hpp", "cxx/material/update_options.hpp"]
 
 
 def read(path):
@@ -72,6 +71,7 @@ class Checker:
         plugins = "\n".join(tree(root, ["plugins"], (".hpp", ".cpp")).values())
         library = "\n".join(tree(root, ["edp"], (".idp",)).values())
         self.core_words, self.members = set(), {}  # members: words of the files that declare a type
+        self.core_text = "\n".join(core.values())
         for text in core.values():
             words = {re.sub("^m_", "", word) for word in re.findall(r"\w+", text)}
             self.core_words |= words
@@ -201,9 +201,23 @@ class Checker:
                 if (structure, name) not in seen:
                     self.fail(ALGORITHMS, 1, "the table of options lacks %s of %s" % (name, structure))
 
+    def check_constants(self):
+        """`NAME` (number) in ALGORITHMS.md against constexpr NAME = number; of arrays all numbers."""
+        known = {}
+        for value in re.findall(r"\bconstexpr [\w:<>, ]*? (\w+(?: =\s+|\{)[^;]*);", self.core_text):
+            for name, numbers in re.findall(r"([A-Z][A-Z_]+)(?: =\s+|\{)([-\d.e]+(?:, [-\d.e]+)*)", value):
+                known.setdefault(name, []).append(numbers)
+        for line, text in enumerate(read(os.path.join(self.root, ALGORITHMS)).split("\n"), 1):
+            for name, value in re.findall(r"`([A-Z][A-Z_]+)` \((\$10\^\{-\d+\}\$|[\d., ]*\d)\)", text):
+                self.count += 1
+                value = re.sub(r"\$10\^\{(-\d+)\}\$", r"1e\1", value)
+                if not any(same(value, one) for one in known.get(name, [])):
+                    self.fail(ALGORITHMS, line, "the constant %s is %s in the code" % (name, known.get(name, ["none"])[0]))
+
     def run(self):
         self.check_names()
         self.check_options()
+        self.check_constants()
         return self.errors
 
 

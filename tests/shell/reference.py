@@ -30,7 +30,7 @@ def read(path):
 def literals():
     """All texts of the sources, those that the compiler joins joined, quotes as they are printed."""
     texts = []
-    for pattern in ("cxx/**/*.?pp", "plugins/*.?pp", "edp/*.idp"):
+    for pattern in ("cxx/**/*.?pp", "plugins/*.?pp", "edp/**/*.idp"):
         for path in TOP.glob(pattern):
             code = re.sub(r"^ *//.*$", "", read(path), flags=re.M)
             joined = re.sub(r'"\s*\n\s*"', "", code)
@@ -177,7 +177,7 @@ class Checker:
 
     def check_summary(self, folders):
         keys = {key for folder in folders for key in flat(json.loads(read(folder / "summary.json")))}
-        writer = (read(TOP / "edp/rcSummary.idp") + read(TOP / "edp/rcCase.idp")).replace("\\", "")
+        writer = (read(TOP / "edp/cases/rcSummary.idp") + read(TOP / "edp/cases/rcCase.idp")).replace("\\", "")
         for name in self.compare("summary.json", sorted(keys)):
             last = re.split(r"\.|\[\]", name)[-1]
             if "<" not in last and last and f'"{last}"' not in writer:
@@ -185,16 +185,16 @@ class Checker:
 
     def check_kinds(self):
         """Kinds of events, exit statuses and functions of formulas are those of the code."""
-        tape = read(TOP / "cxx/base/formula_tape.cpp")
+        tape = read(TOP / "cxx/formula/formula_tape.cpp")
         known = set(re.findall(r'\{"(\w+)", \w', tape)) - {"conjugate", "real_part", "imag_part"}
         known |= set(re.findall(r'"(\w+)"', tape.split("std::vector<std::string> list{")[1].split("}")[0]))
         listed = {name.split("(")[0] for name in self.entries_of("formula") if "(" in name}
         for name in known ^ (listed - {"sqrt", "pow"}) - {"sqrt", "pow"}:
-            self.fail(f"formula {name}: in one of cxx/base/formula_tape.cpp and the reference only")
+            self.fail(f"formula {name}: in one of cxx/formula/formula_tape.cpp and the reference only")
         named = set(re.findall(r'return "([\w-]+)";', read(TOP / "cxx/contact/events.cpp")))
         for name in named ^ self.entries_of("event"):
             self.fail(f"event {name}: in one of cxx/contact/events.cpp and the reference only")
-        state = read(TOP / "edp/rcRunState.idp").split("func int rcExitStatus")[1].split("\n}")[0]
+        state = read(TOP / "edp/run/rcRunState.idp").split("func int rcExitStatus")[1].split("\n}")[0]
         statuses = {int(one) for one in re.findall(r"(?:return|\?) (\d+)", state)} | {5, 20}
         for status in statuses ^ {int(one) for one in self.entries_of("exit")}:
             self.fail(f"exit {status}: in one of rcExitStatus and the reference only")
@@ -238,7 +238,7 @@ def plain(text):
 def defaults_of_structures():
     """The table of ALGORITHMS.md 15, which test_names.sh holds against the structures."""
     owner = {"StepControlOptions": "stepcontrol", "StepperOptions": "stepcontrol", "SchemeOptions": "stepcontrol",
-             "StepOptions": "rcContact", "UpdateOptions": "rcMaterial"}
+             "IterationOptions": "rcContact", "UpdateOptions": "rcMaterial"}
     found, key = {}, None
     for line in read(TOP / "cxx/ALGORITHMS.md").split("\n"):
         cells = [cell.strip() for cell in line.strip("|").split("|")]

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Names in cxx/NAMES.md occur in the tree and follow its rule, options in ALGORITHMS.md have the defaults of the structures
-# (names.py); wrong ones in a copy are found.
+# Names in cxx/NAMES.md occur in the tree and follow its rule, options and constants in ALGORITHMS.md have the numbers of the
+# code (names.py); wrong ones in a copy are found.
 set -eu
 "$PYTHON" tests/shell/names.py
 
@@ -22,7 +22,9 @@ expect NAMES.md 's/`rcConverged`/`rcDone`/' "the script name rcDone does not occ
 expect NAMES.md 's/`normal_force`/`force_normal`/' "the file name force_normal does not occur"
 expect NAMES.md '/^| `hardening_modulus` | `H`/d' "hardening_modulus and H break the rule"
 expect NAMES.md '/^| `hint` | `s`/a | `stress` | `F` | none |' "no row needs the exception stress, F"
-expect ALGORITHMS.md 's/^| `growth` | 1.3 /| `growth` | 1.4 /' "growth is 1.3 in StepControlOptions"
-expect ALGORITHMS.md '/^| `max_together` /d' "the table of options lacks max_together of StepOptions"
-expect ALGORITHMS.md 's/^| `slow` /| `fast` /' "StepOptions has no member fast"
+expect ALGORITHMS.md 's/^| `path_limit` | 1.5 /| `path_limit` | 1.6 /' "path_limit is 1.5 in UpdateOptions"
+expect ALGORITHMS.md '/^| `anderson_memory` /d' "the table of options lacks anderson_memory of IterationOptions"
+expect ALGORITHMS.md 's/^| `tied` /| `bound` /' "IterationOptions has no member bound"
+expect ALGORITHMS.md 's/`GROWTH` (1.3)/`GROWTH` (1.4)/' "the constant GROWTH is 1.3 in the code"
+expect ALGORITHMS.md 's/`SLOW` (2)/`FAST` (2)/' "the constant FAST is none in the code"
 exit $wrong

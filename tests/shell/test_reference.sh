@@ -32,10 +32,10 @@ change plugins/contact_type.cpp '/^\/\/   C.couple/,/^\/\/     ! relations/d' "n
 change plugins/contact_type.cpp '/^\/\/     tied=/,/^\/\/     axis/{/axis/!d}' "rcContact: no line for the parameter tied="
 change plugins/contact_type.cpp 's/^\(\/\/     memory= .*\)| 8 |/\1| 9 |/' "rcContact memory= has the default 9, in the code 8"
 change edp/manual/reference/callables.txt '/^member tool.q /d' "callables.txt lacks \"member tool.q -> real[int]\""
-change edp/rcNotes.idp '/^\/\/   rcNotedMean/d' "no entry for function rcNotedMean(string) of edp/rcNotes.idp"
-change edp/rcRunState.idp 's/^\/\/   rcQuiet /\/\/   rcSilent /' "nothing callable is rcSilent"
+change edp/run/rcNotes.idp '/^\/\/   rcNotedMean/d' "no entry for function rcNotedMean(string) of edp/run/rcNotes.idp"
+change edp/run/rcRunState.idp 's/^\/\/   rcQuiet /\/\/   rcSilent /' "nothing callable is rcSilent"
 change edp/manual/reference/files.txt '/^\/\/   surface.csv gap/d' "no entry for surface.csv gap"
-change edp/rcSummary.idp '/^\/\/   summary.json left_out/d' "no entry for summary.json left_out"
+change edp/cases/rcSummary.idp '/^\/\/   summary.json left_out/d' "no entry for summary.json left_out"
 change plugins/tool_type.cpp 's/^\/\/     ! lack the formula/\/\/     ! want the formula/' "no source says \"want the formula\""
 wanted+=("nothing callable is t.q" "no entry for setting rcQuiet()") # their other halves
 

@@ -26,7 +26,7 @@ inline std::unique_ptr<RolledBlock> placed(const AnyTool& tool, double mu) {
 /// sum_n dX(q,s_n)/dq^k . F_n over the nodes in contact, dX/dq by central differences of the surface map.
 inline Eigen::VectorXd summed_forces(Scene& scene) {
   const auto& accepted = scene.contact().accepted();
-  const auto& model = scene.contact().model();
+  const auto& model = scene.contact().setup().model();
   const auto& tool = *model.tools[0];
   const Eigen::VectorXd q = accepted.contact.q;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(q.size());

@@ -6,8 +6,8 @@
 namespace burnish::test {
 
 /// Residuals far below what is compared, with room for the iterations that this takes.
-inline StepOptions tight_options() {
-  StepOptions options;
+inline IterationOptions tight_options() {
+  IterationOptions options;
   options.tolerance = 1e-11;
   options.offset_tolerance = 1e-9;
   options.gap_tolerance = 1e-7;
@@ -32,7 +32,7 @@ struct RolledBlock {
     for (int k = 1; k <= STEPS; ++k) {
       program(k);
       ASSERT_EQ(converge(scene, (k - 1.) / STEPS, 1. / STEPS, Stepping::IMPLICIT), StepStatus::CONVERGED)
-          << "step " << k << ": " << scene.contact().reason();
+          << "step " << k << ": " << scene.why();
       accept(scene, {});
       u.push_back(scene.u);
       q.push_back(scene.tool->q());

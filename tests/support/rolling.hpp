@@ -8,7 +8,7 @@ struct Rolling {
   double force = 7.5e5, moment = 2e3; ///< F0 [N/m], M0 [N]
   Scene scene;
 
-  explicit Rolling(int along, int across, const StepOptions& options = {})
+  explicit Rolling(int along, int across, const IterationOptions& options = {})
       : scene(ring_mesh(along, across, 2, 25e-3, 30e-3, M_PI / 8, 3),
               J2Parameters::from_shear(2.7e10, 0.32, 1.93e8, 9.62e8), options) {
     scene.add_tool(std::make_shared<Circle>(15e-3), std::make_shared<Polar>(), 0.2);

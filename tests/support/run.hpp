@@ -1,8 +1,8 @@
 #pragma once
 // Runs of a scene: the Stepper's tasks answered by its workpiece, and one step by the verbs.
+#include "run/stepper.hpp"
+#include "run/workpiece_tangent.hpp"
 #include "solver/unsymmetric_solver.hpp"
-#include "stepping/stepper.hpp"
-#include "stepping/workpiece_tangent.hpp"
 #include "support/scene.hpp"
 #include <functional>
 #include <gtest/gtest.h>
@@ -24,13 +24,13 @@ inline void answer(Task task, Scene& scene, Stepper<2>& stepper, const ProgramAt
     stepper.refuse("");
   if (task != Task::SOLVE) return;
   scene.workpiece().tangent(scene.tangent, TangentKind::RATE);
-  const CondensedSystem& system = scene.contact().condense(
+  const CondensedSystem& system = scene.contact().condensed().condense(
       scene.tangent, scene.u, scene.R, GeometricTerms::ARTICLE, RightHandSide::RATES, false);
   UnsymmetricSolver solver;
   if (solver.factorize({system.n, system.row_start.data(), system.col.data(), system.value.data(), false}) !=
       FactorStatus::OK)
     return stepper.refuse("the condensed matrix is singular");
-  scene.contact().expand(solver.solve(system.rhs), scene.u);
+  scene.contact().condensed().expand(solver.solve(system.rhs), scene.u);
 }
 
 /// Goes on to the end of the run. @param on_accept after every accepted piece of a step, u, R at its end

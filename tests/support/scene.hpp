@@ -5,8 +5,9 @@
 #include "kinematics/cartesian.hpp"
 #include "kinematics/polar.hpp"
 #include "material/j2/law.hpp"
-#include "stepping/contact_run.hpp"
-#include "stepping/run_body.hpp"
+#include "run/contact_motion.hpp"
+#include "run/run_body.hpp"
+#include "run/seen_step.hpp"
 #include "support/profile_tool.hpp"
 #include "support/structured_mesh.hpp"
 
@@ -16,16 +17,17 @@ struct Scene {
   std::shared_ptr<ContactSetup<2>> setup;
   std::shared_ptr<DrivenTool<2>> tool; ///< the one added last
   WorkpieceBody<2> body;
+  Diagnosis<2> diagnosis;
   NodeBlockMatrix<2> tangent;
   Eigen::VectorXd u, R;
 
-  Scene(const ContactMesh& mesh, const J2Parameters& material, const StepOptions& options = {},
+  Scene(const ContactMesh& mesh, const J2Parameters& material, const IterationOptions& options = {},
         const UpdateOptions& update = {})
       : setup(std::make_shared<ContactSetup<2>>(mesh.space, mesh.surface, mesh.fixed,
-                                                std::make_shared<EdgeMeasure>(mesh.space.axisymmetric),
-                                                options)),
+                                                std::make_shared<EdgeMeasure>(mesh.space.axisymmetric))),
         body(std::make_unique<Workpiece<2>>(mesh.space, j2_law<2>(material), update)),
-        tangent(body.workpiece().pattern()), u(Eigen::VectorXd::Zero(mesh.space.num_dofs())), R(u) {}
+        tangent(body.workpiece().pattern()), u(Eigen::VectorXd::Zero(mesh.space.num_dofs())), R(u),
+        m_options(options) {}
   void add_tool(std::shared_ptr<const Profile<2>> profile, std::shared_ptr<const Coordinates<2>> coordinates,
                 double mu) {
     tool = driven_tool("tool", std::move(profile), std::move(coordinates));
@@ -35,13 +37,16 @@ struct Scene {
     for (std::size_t k = 0; k < q.size(); ++k) tool->place(tool->prescription().names()[k], q[k]);
   }
   Workpiece<2>& workpiece() { return body.workpiece(); }
+  /// Why the last step failed.
+  std::string why() { return reason<2>(contact(), diagnosis, &workpiece()); }
   /// The first call closes the setup.
   ContactRun<2>& contact() {
-    if (!m_contact) m_contact = std::make_unique<ContactRun<2>>(setup);
+    if (!m_contact) m_contact = std::make_unique<ContactRun<2>>(setup, m_options);
     return *m_contact;
   }
 
 private:
+  IterationOptions m_options;
   std::unique_ptr<ContactRun<2>> m_contact;
 };
 

@@ -1,9 +1,9 @@
 // T2 (duality), T3 (invariance) and T4 (resultants) for every profile and every kind of coordinates: circle, arc chain,
 // CAD curve; Cartesian, polar, formula.
+#include "cad/occ/cad_curve.hpp"
 #include "geometry/arc_chain.hpp"
 #include "geometry/plane.hpp"
 #include "kinematics/formula_coordinates.hpp"
-#include "occ/cad_curve.hpp"
 #include "support/any_tool.hpp"
 
 using namespace burnish;

@@ -60,7 +60,7 @@ private:
 };
 
 void check_resultants(Scheme scheme, double tolerance) {
-  StepOptions options;
+  IterationOptions options;
   options.tolerance = tolerance;
   Rolling rolling(24, 5, options);
   Resultants resultants(rolling, tolerance);
@@ -68,7 +68,8 @@ void check_resultants(Scheme scheme, double tolerance) {
   const ProgramAt program = [&, set = rolling.program()](double t) { set(t_end_of_step = t); };
   StepperOptions stepping;
   stepping.scheme = scheme;
-  Stepper<2> stepper(rolling.scene.contact(), rolling.scene.body, Rolling::control(1, 0.02), stepping);
+  Stepper<2> stepper(rolling.scene.contact(), rolling.scene.body, rolling.scene.diagnosis,
+                     Rolling::control(1, 0.02), stepping);
   const Task end = run(rolling.scene, stepper, program, [&] { resultants.check(t_end_of_step); });
   ASSERT_EQ(end, Task::FINISHED) << stepper.reason();
   EXPECT_EQ(resultants.steps(), stepper.counts().scheme.pieces);

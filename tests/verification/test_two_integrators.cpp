@@ -20,7 +20,8 @@ Eigen::MatrixXd history(Scheme scheme, double dt) {
   const ProgramAt program = [&, set = rolling.program()](double t) { set(now = t); };
   StepperOptions stepping;
   stepping.scheme = scheme;
-  Stepper<2> stepper(rolling.scene.contact(), rolling.scene.body, StepControl(0, options), stepping);
+  Stepper<2> stepper(rolling.scene.contact(), rolling.scene.body, rolling.scene.diagnosis,
+                     StepControl(0, options), stepping);
   const Task end = run(rolling.scene, stepper, program, [&] {
     const int i = static_cast<int>(std::lround(10 * now)) - 1;
     if (i < 0 || std::abs(now - options.output_times[i]) > 1e-9) return;

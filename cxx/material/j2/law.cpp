@@ -41,7 +41,7 @@ int chosen_substeps(const J2Parameters& material, const PointStep<Dim>& step, co
   if (step.options.update != StressUpdate::SUBSTEPPED) return 0;
   const int needed = needed_substeps(material, step, kin, elastic);
   if (needed == 0) return 0;
-  const bool may_grow = step.iteration < step.options.freeze_iteration || trial.substeps == 0;
+  const bool may_grow = step.iteration < FREEZE_ITERATION || trial.substeps == 0;
   if (may_grow) trial.substeps = std::max(trial.substeps, needed);
   return trial.substeps;
 }

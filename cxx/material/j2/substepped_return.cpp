@@ -36,8 +36,7 @@ int substeps_needed(const J2Parameters& material, const UpdateOptions& options,
                     const ElasticTrial<Dim>& trial, double plastic_strain_eq, bool plastic) {
   const double yield = material.yield_stress(plastic_strain_eq).value;
   if (!plastic && squared_equivalent<Dim>(trial.s_old + trial.elastic_increment) <= yield * yield) return 0;
-  const double wanted =
-      std::ceil(equivalent<Dim>(trial.elastic_increment) / (options.substep_strain * yield));
+  const double wanted = std::ceil(equivalent<Dim>(trial.elastic_increment) / (SUBSTEP_STRAIN * yield));
   if (std::isnan(wanted)) return 0; // the trial stress is NaN, which the caller reports
   // compared as doubles: a huge step must not overflow an int
   return static_cast<int>(

@@ -148,7 +148,7 @@ class Reader:
 
 def read_heads(top):
     """Heads of all sources that a script sees, in the order of their names."""
-    paths = sorted((top / "plugins").glob("*.cpp")) + sorted((top / "edp").glob("*.idp"))
+    paths = sorted((top / "plugins").glob("*.cpp")) + sorted((top / "edp").rglob("*.idp"))
     paths += sorted((top / "edp/manual/reference").glob("*.txt"))
     heads = []
     for path in paths:

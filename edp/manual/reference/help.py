@@ -11,7 +11,7 @@ import topics
 USAGE = """burnish help NAME    prints the reference of a name: contact.add, C.add, rcRun, tolerance=, -steps, summary, rolling
   tool, contact, material, stepcontrol    the types of a scene: how they are declared, what they do and know
   functions     functions and macros: rcRun, rcCase, rcReal, ...
-  settings      variables that a script sets or reads: rcQuiet, rcStatus, rcExternal, ...
+  settings      variables that a script sets or reads: rcQuiet, rcStatus, rcTolerance, ...
   constants     rcConverged, rcForces, ...
   options       options of every case; the name of a case: its own
   history, events, surface, tools, fields, summary    files of a run: columns, fields, keys with their units
@@ -53,7 +53,7 @@ def last_part(key):
 def table(kind, reference):
     name = plain.TABLES[kind]
     titles = {"exit": "exit statuses of a script", "formulas": "formulas that a script hands over as texts know"}
-    yield titles.get(kind, f"{name}, see edp/rcOutput.idp and edp/rcSummary.idp")
+    yield titles.get(kind, f"{name}, see edp/cases/rcOutput.idp and edp/cases/rcSummary.idp")
     yield from plain.group_text(name, reference)
     if kind == "events":
         yield "kinds of events"

@@ -99,7 +99,7 @@ def declarations(path, text):
 
 def read_declarations(top):
     found = []
-    for path in sorted((top / "edp").glob("*.idp")):
+    for path in sorted((top / "edp").rglob("*.idp")):
         text = re.sub(r",[^\n,;]*\n +(?=rc\w+\(0\))", lambda m: m[0].replace("\n", " "), path.read_text(encoding="utf-8"))
         found += declarations(str(path.relative_to(top)), text)
     return found

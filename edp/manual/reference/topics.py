@@ -11,8 +11,8 @@ OF_ANY = {"C": "contact", "M": "material", "S": "stepcontrol", "T": "tool", "Vh"
 PAGES = [("plugins/contact", "contact"), ("plugins/tool", "tool"), ("plugins/material", "material"),
          ("plugins/step_", "stepcontrol"), ("plugins/scene_report", "stepcontrol")]
 FIRST = ["plugins/contact_type.cpp", "plugins/tool_type.cpp", "plugins/material_type.cpp", "plugins/step_control.cpp",
-         "edp/rcRun.idp", "edp/rcRunState.idp", "edp/rcCaseOptions.idp", "edp/rcCase.idp",
-         "plugins/options.cpp", "edp/rcOutput.idp"]  # then by name
+         "edp/run/rcRun.idp", "edp/run/rcRunState.idp", "edp/cases/rcCaseOptions.idp", "edp/cases/rcCase.idp",
+         "plugins/options.cpp", "edp/cases/rcOutput.idp"]  # then by name
 FILES = ("history.csv", "events.csv", "surface.csv", "tools.csv", "fields.vtu", "surface.vtp", "tools.vtp", "supports.vtp", "summary.json", "event")
 
 
@@ -121,7 +121,7 @@ def add_entry(reference, by_name, entry, path):
 def read_reference(top=TOP):
     calls, named = sources.read_callables((top / "edp/manual/reference/callables.txt").read_text(encoding="utf-8"))
     declared = sources.read_declarations(top)
-    common = sources.options_of(sources.uncommented((top / "edp/rcCaseOptions.idp").read_text(encoding="utf-8")))
+    common = sources.options_of(sources.uncommented((top / "edp/cases/rcCaseOptions.idp").read_text(encoding="utf-8")))
     cases, own = sources.read_case_options(top)
     settings = {one.name: one for one in declared if one.kind == "setting"}
     found = heads.read_heads(top)

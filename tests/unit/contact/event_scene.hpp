@@ -16,7 +16,7 @@ struct EventScene {
   BodyView<2> body;
   ContactState<2> start, end;
   Eigen::VectorXd u0, u1, R0, R1;
-  EventTolerance tolerance{1e-6, 1e-6, 1e-3};
+  EventSearch tolerance{{1e-6, 1e-6, 1e-6}, 1e-3};
 
   EventScene() {
     model.first = {0};

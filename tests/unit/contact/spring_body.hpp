@@ -1,5 +1,6 @@
 #pragma once
 // An artificial body with an exactly known symmetric tangent, touched by tools: what the condensation sees.
+#include "cad/occ/cad_curve.hpp"
 #include "contact/condensation.hpp"
 #include "geometry/arc_chain.hpp"
 #include "geometry/circle.hpp"
@@ -7,7 +8,6 @@
 #include "kinematics/cartesian.hpp"
 #include "kinematics/formula_coordinates.hpp"
 #include "kinematics/polar.hpp"
-#include "occ/cad_curve.hpp"
 #include "solver/sparse_view.hpp"
 #include "support/profile_tool.hpp"
 #include <random>

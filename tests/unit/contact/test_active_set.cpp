@@ -30,12 +30,15 @@ struct Springs : EventScene {
     problem.u = &u0;
     problem.R = &R0;
     problem.entry = &entry;
-    problem.options.tolerance.force = problem.options.gap = 1e-9;
-    problem.options.tolerance.slip = 1e-10;
+    problem.model = &model;
+    problem.body = &body;
+    problem.prescribed = &prescribed;
+    problem.start = &start;
+    problem.tolerances = {1e-9, 1e-9, 1e-10};
   }
   Springs(const Springs&) = delete; // the problem points into it
   void enter_at(int i, double s) { place_at(entry.nodes[i], place_of(*model.tools[0], s)); }
-  WindowSolution<2> solve() const { return solve_window(model, body, prescribed, start, problem); }
+  WindowSolution<2> solve() const { return solve_window(problem); }
   static double pressure(const WindowSolution<2>& solution, int i) { return -solution.F[2 * i + 1]; }
 };
 
@@ -72,11 +75,11 @@ TEST(ActiveSet, StickingNodeSlidesBeforeItIsReleased) {
   Springs springs(0.3, 0.1);
   springs.touch(2, NodeState::STICKING, 0);
   springs.touch(3, NodeState::SLIDING, 1);
-  springs.problem.options.max_passes = 2;
+  springs.problem.max_passes = 2;
   auto solution = springs.solve();
   EXPECT_STREQ(name_of(solution.state.nodes[2].state), "sliding");
   EXPECT_STREQ(name_of(solution.state.nodes[3].state), "free");
-  springs.problem.options.max_passes = 12;
+  springs.problem.max_passes = 12;
   solution = springs.solve();
   EXPECT_STREQ(name_of(solution.state.nodes[2].state), "free");
   EXPECT_TRUE(solution.state.nodes[2].slip_direction.isZero());
@@ -161,14 +164,14 @@ struct NeutralPoint : Springs {
 TEST(ActiveSet, FloatingBodySticksAtTheNeutralPoint) {
   for (const bool floating : {true, false}) {
     NeutralPoint springs(Eigen::VectorXd::Zero(floating ? 12 : 0));
-    springs.problem.options.max_passes = 1;
+    springs.problem.max_passes = 1;
     const auto solution = springs.solve();
     for (int i = 1; i < 5; ++i)
       EXPECT_STREQ(name_of(solution.state.nodes[i].state), floating && i == 2 ? "sticking" : "sliding");
   }
   NeutralPoint springs(Eigen::VectorXd::Zero(12)); // all slide the same way: nothing to choose
   for (int i = 3; i < 5; ++i) springs.start.nodes[i].slip_direction *= -1;
-  springs.problem.options.max_passes = 1;
+  springs.problem.max_passes = 1;
   EXPECT_STREQ(name_of(springs.solve().state.nodes[2].state), "sliding");
 }
 

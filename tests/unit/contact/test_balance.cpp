@@ -17,7 +17,7 @@ struct Scene {
   ContactState<2> state;
   PrescribedValues prescribed{{1, 1, 1}, Eigen::VectorXd::Zero(3)};
   Eigen::VectorXd u = Eigen::VectorXd::Zero(8), R = u;
-  BalanceTolerance tolerance{1e-6, 1e-3, 1e-3};
+  Tolerances tolerance{1e-6, 1e-3, 1e-3, 1e-3};
 
   explicit Scene(double mu) {
     model.candidates = {0, 1, 2, 3};

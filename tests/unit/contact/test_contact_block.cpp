@@ -232,21 +232,3 @@ TEST(ContactBlock, AddedStiffnessLeavesNoTrace) {
     }
   }
 }
-
-// Its symmetric part: the same block without friction, another solution with it; motions are as given.
-TEST(ContactBlock, SymmetricPart) {
-  for (const double mu : {0., 0.3}) {
-    Scene scene(mu);
-    const auto whole = scene.solve_block();
-    scene.input.symmetric_part = true;
-    const auto part = scene.solve_block();
-    ASSERT_FALSE(part.singular);
-    const double change = (part.F - whole.F).norm() / whole.F.norm();
-    if (mu > 0) {
-      EXPECT_GE(change, 1e-3);
-    } else {
-      EXPECT_LE(change, 1e-12);
-    }
-    EXPECT_NEAR(part.dq[1], 0.02, 1e-15);
-  }
-}

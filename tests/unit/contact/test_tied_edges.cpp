@@ -127,11 +127,9 @@ TEST(TiedEdges, SymmetricWithoutFriction) {
   TiedSample rough(0.3);
   const Eigen::MatrixXd k = rough.tangent();
   EXPECT_GE((k - k.transpose()).norm(), 1e-2 * k.norm());
-  for (const auto friction : {FrictionTangent::SYMMETRIC, FrictionTangent::LAGGED}) {
-    const Eigen::MatrixXd S = rough.tangent(false, friction);
-    EXPECT_LE((S - S.transpose()).norm(), 1e-14 * S.norm());
-    EXPECT_LE((S - rough.tangent(true, friction)).norm(), 1e-14 * S.norm());
-  }
+  const Eigen::MatrixXd S = rough.tangent(false, FrictionTangent::LAGGED);
+  EXPECT_LE((S - S.transpose()).norm(), 1e-14 * S.norm());
+  EXPECT_LE((S - rough.tangent(true, FrictionTangent::LAGGED)).norm(), 1e-14 * S.norm());
 }
 
 TEST(TiedEdges, MadeWhereAnEndSticks) {

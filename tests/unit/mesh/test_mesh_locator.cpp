@@ -1,5 +1,5 @@
 // The walk from a node to the element that contains a point.
-#include "stepping/predictor.hpp"
+#include "iteration/predictor.hpp"
 #include "support/structured_mesh.hpp"
 #include "unit/finite_difference.hpp"
 

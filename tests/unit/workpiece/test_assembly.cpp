@@ -30,8 +30,7 @@ Eigen::MatrixXd measured_tangent(Workpiece<2> body, double step) {
   Eigen::MatrixXd K(u.size(), u.size());
   for (int c = 0; c < u.size(); ++c) {
     const auto force = [&](double t) {
-      body.update(u + t * Eigen::VectorXd::Unit(u.size(), c), body.state().dt,
-                  body.options().freeze_iteration);
+      body.update(u + t * Eigen::VectorXd::Unit(u.size(), c), body.state().dt, FREEZE_ITERATION);
       return body.internal_force();
     };
     K.col(c) = finite_difference(force, 0, step);

@@ -1,5 +1,5 @@
 // Events that damage and heal their points: rules, order, runs of a body, errors.
-#include "stepping/run_body.hpp"
+#include "run/run_body.hpp"
 #include "unit/finite_difference.hpp"
 #include "unit/workpiece/event_element.hpp"
 #include "workpiece/healing.hpp"

@@ -93,12 +93,12 @@ BURNISH_AVX2 int choose_substeps(const Batch& batch, const Trial& trial, Packet 
   alignas(Packet) double wanted[WIDTH];
   const UpdateOptions& options = batch.options;
   const Packet q = root(product(trial.elastic_increment, trial.elastic_increment));
-  _mm256_store_pd(wanted, _mm256_ceil_pd(q / (packet(options.substep_strain) * yield)));
+  _mm256_store_pd(wanted, _mm256_ceil_pd(q / (packet(SUBSTEP_STRAIN) * yield)));
   int largest = 0;
   for (int k = 0; k < WIDTH; ++k) {
     points[k].used = 0;
     if ((!plastic_old[k] && (inside >> k & 1)) || std::isnan(wanted[k])) continue;
-    const bool may_grow = batch.iteration < options.freeze_iteration || points[k].substeps == 0;
+    const bool may_grow = batch.iteration < FREEZE_ITERATION || points[k].substeps == 0;
     const double needed = std::clamp<double>(wanted[k], options.min_substeps,
                                              std::max(options.min_substeps, options.max_substeps));
     if (may_grow) points[k].substeps = std::max(points[k].substeps, static_cast<int>(needed));

@@ -66,7 +66,7 @@ struct AnyLawPoint {
     PiolaTangent<2> measured;
     for (int c = 0; c < 5; ++c)
       measured.col(c) = finite_difference(
-          [&](double t) { return piola(F + t * Gradient<2>::Unit(c), options.freeze_iteration); }, 0, 1e-6);
+          [&](double t) { return piola(F + t * Gradient<2>::Unit(c), FREEZE_ITERATION); }, 0, 1e-6);
     const PiolaTangent<2> A = law->tangent(TangentKind::CONSISTENT, step(F), trial, now.view());
     return (A - measured).norm() / measured.norm();
   }

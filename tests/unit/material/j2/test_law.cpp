@@ -76,7 +76,7 @@ TEST(J2Law, ConsistentTangentAgainstFiniteDifferences) {
       point.options.update = update;
       point.old = point.at(START);
       const Point now = point.at(END);
-      const int frozen = point.options.freeze_iteration;
+      const int frozen = FREEZE_ITERATION;
       PiolaTangent<2> measured;
       for (int c = 0; c < 5; ++c)
         measured.col(c) = finite_difference(
@@ -123,7 +123,7 @@ TEST(J2Law, SubstepsGrowThenFreeze) {
   point.at(near, 0);
   const int few = point.trial.used;
   EXPECT_GE(few, point.options.min_substeps);
-  point.at(END, point.options.freeze_iteration);
+  point.at(END, FREEZE_ITERATION);
   EXPECT_EQ(point.trial.used, few);
   point.at(END, 1);
   const int many = point.trial.used;

@@ -148,8 +148,7 @@ TEST(SubsteppedReturn, NumberOfSubsteps) {
   EXPECT_EQ(needed(1, 1e9, 0.1, false), 20);   // at most twenty
   EXPECT_EQ(needed(1, 1e300, 0.1, false), 20); // q^2 overflows, the number does not
   options.max_substeps = 7;
-  options.substep_strain = 0.1;
-  EXPECT_EQ(needed(1, 0.65, 0.1, false), 7);
+  EXPECT_EQ(needed(1, 2.11, 0.1, false), 7); // ceil(2.11/0.3) is 8
 }
 
 TEST(UpdatedPoint, ObjectiveUnderASuperposedRotation) {

@@ -1,0 +1,68 @@
+#include "cad/geo_mesh.hpp"
+#include "base/error.hpp"
+#include "cad/cad_text.hpp"
+#include "cad/gmsh_library.hpp"
+#include <filesystem>
+#include <fstream>
+
+namespace burnish {
+
+namespace {
+
+constexpr const char* MESH_GEO = "mesh_geo";
+
+void make_folder_of(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  std::error_code code;
+  if (!folder.empty()) std::filesystem::create_directories(folder, code);
+  if (code) fail(MESH_GEO, "folder \"" + folder.string() + "\" cannot be made: " + code.message());
+}
+
+void check_text(const std::string& file, const GeoNumbers& numbers) {
+  if (std::filesystem::exists(file) && file_extension(file) != ".geo")
+    fail(MESH_GEO, "\"" + file + "\" ends in \"" + file_extension(file) + "\", expected .geo");
+  check_cad_text(file, numbers);
+}
+
+// In this format a line of $Elements is: number, type (1 edge, 2 triangle), how many tags, the first of which
+// is the physical group, nodes.
+void check_elements(const std::string& file, const std::string& mesh) {
+  bool inside = false, triangles = false, labels = false;
+  std::ifstream stream(mesh);
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind("$", 0) == 0) inside = line.rfind("$Elements", 0) == 0;
+    long number = 0, type = 0, tags = 0, group = 0;
+    if (!inside || !(std::istringstream(line) >> number >> type >> tags >> group)) continue;
+    triangles = triangles || type == 2;
+    labels = labels || (type == 1 && group > 0);
+  }
+  if (!triangles)
+    fail(MESH_GEO, "no triangles in the mesh of \"" + file +
+                       "\"; with physical curves the surface needs Physical Surface(1) = {1};");
+  if (!labels)
+    fail(MESH_GEO,
+         "\"" + file + "\" has no physical curves; they become the labels: Physical Curve(3) = {1, 2};");
+}
+
+} // namespace
+
+void mesh_geo(const std::string& file, const std::string& numbers, const std::string& result) {
+  const GeoNumbers parsed = parse_numbers(MESH_GEO, numbers);
+  check_text(file, parsed);
+  make_folder_of(result);
+  const std::string mesh = result + ".msh";
+  std::error_code code;
+  std::filesystem::remove(mesh, code);
+  try {
+    const std::string said = gmsh_mesh(file, parsed, mesh, result + ".log");
+    if (!said.empty())
+      fail(MESH_GEO,
+           "gmsh failed on \"" + file + "\"" + (said[0] == '\n' ? ", its last lines:" : ": ") + said);
+    check_elements(file, mesh);
+  } catch (...) {
+    std::filesystem::remove(mesh, code);
+    throw;
+  }
+}
+
+} // namespace burnish

@@ -1,0 +1,140 @@
+#include "contact/contact_setup.hpp"
+#include "base/error.hpp"
+#include "contact/coupling.hpp"
+#include "contact/surface_curve.hpp"
+#include "mesh/simplex.hpp"
+#include <algorithm>
+
+namespace burnish {
+namespace {
+
+constexpr double SPACING_OF_TOOL =
+    1e-2; // spacing of a single candidate, over the length scale of the first tool
+
+// See ContactModel::edge_ends.
+template <int Dim>
+std::vector<std::array<int, 2>> ends_of_edges(const std::vector<Facet<Dim>>& surface,
+                                              const std::vector<int>& candidate) {
+  std::vector<std::array<int, 2>> ends;
+  for (const Facet<Dim>& facet : surface) {
+    if (Dim != 2 || facet.middle[0] < 0) continue;
+    const int a = candidate[facet.vertex[0]], b = candidate[facet.vertex[1]], m = candidate[facet.middle[0]];
+    if (ends.empty())
+      ends.assign(static_cast<std::size_t>(
+                      std::count_if(candidate.begin(), candidate.end(), [](int i) { return i >= 0; })),
+                  {-1, -1});
+    if (a >= 0 && b >= 0 && m >= 0) ends[m] = {a, b};
+  }
+  return ends;
+}
+
+// See ContactModel::neighbors. Vertices of quadratic facets have their mid nodes between them.
+template <int Dim>
+std::vector<std::vector<int>> neighbors_along(const std::vector<Facet<Dim>>& surface,
+                                              const std::vector<int>& candidate, std::size_t candidates) {
+  std::vector<std::vector<int>> neighbors(candidates);
+  const auto join = [&](int a, int b) {
+    const int i = candidate[a], j = candidate[b];
+    if (i < 0 || j < 0 || std::count(neighbors[i].begin(), neighbors[i].end(), j) > 0) return;
+    neighbors[i].push_back(j);
+    neighbors[j].push_back(i);
+  };
+  for (const Facet<Dim>& facet : surface)
+    for (std::size_t e = 0; e < facet.middle.size(); ++e) {
+      const auto& ends = SimplexEdges<Dim - 1>::ends[e];
+      const int a = facet.vertex[ends[0]], b = facet.vertex[ends[1]], middle = facet.middle[e];
+      if (middle < 0) {
+        join(a, b);
+      } else {
+        join(a, middle);
+        join(middle, b);
+      }
+    }
+  return neighbors;
+}
+
+} // namespace
+
+template <int Dim>
+ContactSetup<Dim>::ContactSetup(Mesh<Dim> mesh, std::vector<Facet<Dim>> surface, std::vector<char> fixed,
+                                std::shared_ptr<const FacetMeasure<Dim>> measure)
+    : m_mesh(std::move(mesh)), m_surface(std::move(surface)) {
+  require_valid(m_mesh, "contact");
+  require(static_cast<int>(fixed.size()) == m_mesh.num_dofs(), "contact", "number of fixed flags",
+          fixed.size(), "one per degree of freedom");
+  if (!measure) fail("contact", "no measure of the surface");
+  for (const int node : nodes_along(m_surface)) {
+    ConstrainedComponents<Dim> constrained;
+    bool all = true;
+    for (int c = 0; c < Dim; ++c) {
+      constrained[c] = fixed[Dim * node + c];
+      all = all && constrained[c];
+    }
+    if (all) continue;
+    m_model.candidates.push_back(node);
+    m_model.constrained.push_back(constrained);
+  }
+  require(!m_model.candidates.empty(), "contact", "number of candidate nodes", 0,
+          "at least one node on the labels that is not fixed");
+  const std::vector<int> candidate = m_model.candidate_of_node(m_mesh.num_nodes);
+  m_model.neighbors = neighbors_along(m_surface, candidate, m_model.candidates.size());
+  m_model.edge_ends = ends_of_edges(m_surface, candidate);
+  m_body.X = places_on_curve(m_mesh, m_surface);
+  m_body.fixed = std::move(fixed);
+  m_body.measure = std::move(measure);
+  m_model.first.assign(1, 0);
+}
+
+template <int Dim> void ContactSetup<Dim>::place_surface(const Eigen::VectorXd& places) {
+  if (m_closed) fail("contact", "places of the surface must be given before the first step");
+  m_body.X = places_given(m_mesh, m_surface, places);
+}
+
+template <int Dim>
+void ContactSetup<Dim>::add_tool(std::shared_ptr<DrivenTool<Dim>> tool,
+                                 std::shared_ptr<const FrictionLaw> friction,
+                                 const std::vector<Facet<Dim>>& reach) {
+  if (m_closed) fail("contact.add", "tools must be added before the first step");
+  tool->tool(); // throws without coordinates
+  for (const auto& other : m_tools)
+    if (other->name() == tool->name()) fail("contact.add", "tool \"" + tool->name() + "\" is already there");
+  m_model.tools.push_back(tool->shared_tool());
+  m_model.first.push_back(m_model.first.back() + static_cast<int>(tool->q().size()));
+  m_tools.push_back(std::move(tool));
+  m_model.laws.emplace_back(std::move(friction));
+  m_model.reach.emplace_back();
+  if (reach.empty()) return;
+  std::vector<char> reached(m_mesh.num_nodes, 0);
+  for (const Facet<Dim>& facet : reach)
+    for (const int node : nodes_of(facet)) reached[node] = 1;
+  for (const int candidate : m_model.candidates) m_model.reach.back().push_back(reached[candidate]);
+}
+
+template <int Dim> void ContactSetup<Dim>::couple(const std::string& dependent, const std::string& text) {
+  if (m_closed) fail("contact.couple", "relations must be given before the first step and approach");
+  Coupling coupling = make_coupling(m_model, dependent, text);
+  const int tool = m_model.tool_of(coupling.dependent), k = coupling.dependent - m_model.first[tool];
+  Prescription& prescription = m_tools[static_cast<std::size_t>(tool)]->prescription();
+  prescription.follow(prescription.names()[static_cast<std::size_t>(k)], text);
+  m_model.couplings.push_back(std::move(coupling));
+}
+
+template <int Dim> void ContactSetup<Dim>::close() {
+  if (m_closed) return;
+  require(!m_tools.empty(), "contact", "number of tools", 0, "at least one tool");
+  m_body.spacing = candidate_spacing<Dim>(m_body.X, m_model.candidates);
+  if (m_body.spacing == 0) m_body.spacing = m_model.tools[0]->surface().length_scale() * SPACING_OF_TOOL;
+  m_closed = true;
+}
+
+template <int Dim> Eigen::VectorXd ContactSetup<Dim>::placed() const {
+  Eigen::VectorXd q(m_model.num_coordinates());
+  for (std::size_t t = 0; t < m_tools.size(); ++t)
+    q.segment(m_model.first[t], m_tools[t]->q().size()) = m_tools[t]->q();
+  return q;
+}
+
+template class ContactSetup<2>;
+template class ContactSetup<3>;
+
+} // namespace burnish

@@ -1,0 +1,89 @@
+#include "contact/node_test.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr double ENTRY_SLIP =
+    10; // of the tolerance of gaps: a node that enters with more has moved along the tool
+
+} // namespace
+
+template <int Dim>
+bool NodeTest<Dim>::test_contact(int candidate, const ContactNode<Dim>& solved, const Vector<Dim>& F,
+                                 const DecidingForce<Dim>& deciding, ContactNode<Dim>& node) const {
+  const TangentialLaw<Dim>& law = m_model.law(candidate, node.tool);
+  const ContactPoint<Dim> at = contact_point(m_model, m_poses, solved);
+  const double N = nodal_force(m_model, candidate, at.surface, F).part.N;
+  const ContactTolerance tolerance = m_tolerances.of(node.tool);
+  if (node.tied) {
+    if (N < -tolerance.force) make_free(node);
+    return !in_contact(node.state);
+  }
+  const SurfaceForce<Dim>& force = deciding.force;
+  switch (law.test(node.state, N, force, slip_of(m_model, solved), at.m, deciding.area, tolerance)) {
+  case Change::NONE:
+    return false;
+  case Change::RELEASE:
+    make_free(node);
+    return true;
+  case Change::STICK:
+    make_stick(node);
+    return true;
+  case Change::SLIDE: // friction opposes slip: the tangential force tells its direction
+    make_slide(node, in_tool_frame(m_poses[node.tool], at.surface, law.slip_against(force.T)));
+    return true;
+  }
+  return false;
+}
+
+// A free node that would penetrate comes into contact.
+template <int Dim>
+bool NodeTest<Dim>::test_free(int candidate, const Vector<Dim>& x, ContactNode<Dim>& node) const {
+  const ContactNode<Dim>& entry = m_entry.nodes[candidate];
+  const auto nearest = nearest_tool(m_model, m_poses, x, entry, candidate);
+  if (!(nearest.foot.gap < -m_tolerances.gap)) return false;
+  const auto foot = m_model.tools[nearest.tool]->point(m_poses[nearest.tool], nearest.foot.place);
+  if (admissible_normal(m_model, candidate, foot.n).isZero()) return false; // the supports block it
+  node.tool = nearest.tool;
+  enter(candidate, nearest.foot, node);
+  return true;
+}
+
+// Where it would have touched, sticking; or, if it has moved along the tool since then, at its foot, sliding on (METHOD.md 5.4).
+// One that always sticks and could not stay there (released twice in this step) sticks where it is now.
+template <int Dim>
+void NodeTest<Dim>::enter(int candidate, const SurfaceFoot<Dim>& foot, ContactNode<Dim>& node) const {
+  const ContactNode<Dim>& entry = m_entry.nodes[candidate];
+  const int releases = m_entry.releases[candidate];
+  const TangentialLaw<Dim>& law = m_model.law(candidate, node.tool);
+  const bool sticks_always = law.friction().sticks_always(), known = entry.tool == node.tool;
+  node.slip_origin = known && !(releases > 1 && sticks_always) ? entry.slip_origin : foot.place;
+  node.place = foot.place;
+  if (law.frictionless()) return make_slide<Dim>(node, Vector<Dim>::Zero());
+  if (!sticks_always && releases > 0 && !entry.slip_direction.isZero())
+    return make_slide(node, entry.slip_direction);
+  const Param<Dim> slip = slip_of(m_model, node);
+  if (!sticks_always && known && slip.norm() > ENTRY_SLIP * m_tolerances.gap) {
+    const auto point = m_model.tools[node.tool]->point(m_poses[node.tool], foot.place);
+    return make_slide(node, in_tool_frame(m_poses[node.tool], point, Param<Dim>(slip.normalized())));
+  }
+  make_stick(node);
+}
+
+template <int Dim>
+bool NodeTest<Dim>::operator()(int candidate, const ContactNode<Dim>& solved, const Vector<Dim>& F,
+                               const DecidingForce<Dim>& deciding, const Vector<Dim>& x,
+                               ContactNode<Dim>& node) const {
+  if (!in_contact(node.state)) return test_free(candidate, x, node);
+  const Vector<Dim> direction = node.slip_direction;
+  const bool changed = test_contact(candidate, solved, F, deciding, node);
+  if (in_contact(node.state)) return changed;
+  ++m_entry.releases[candidate];
+  if (!direction.isZero()) m_entry.nodes[candidate].slip_direction = direction;
+  return changed;
+}
+
+template class NodeTest<2>;
+template class NodeTest<3>;
+
+} // namespace burnish

@@ -1,0 +1,161 @@
+#include "contact/window_solver.hpp"
+#include "contact/coupling.hpp"
+
+namespace burnish {
+namespace {
+
+// Their free components, as places in the block and in the window.
+struct FreeComponents {
+  std::vector<int> in_block, in_window;
+};
+template <int Dim>
+FreeComponents free_components(const ContactModel<Dim>& model, const std::vector<int>& window,
+                               const std::vector<int>& active) {
+  FreeComponents free;
+  for (std::size_t a = 0; a < active.size(); ++a)
+    for (int c = 0; c < Dim; ++c) {
+      if (!model.constrained.empty() && model.constrained[window[active[a]]][c]) continue;
+      free.in_block.push_back(Dim * static_cast<int>(a) + c);
+      free.in_window.push_back(Dim * active[a] + c);
+    }
+  return free;
+}
+
+template <int Dim> Eigen::VectorXd of_nodes(const Eigen::VectorXd& window, const std::vector<int>& active) {
+  Eigen::VectorXd part(Dim * static_cast<Eigen::Index>(active.size()));
+  for (std::size_t a = 0; a < active.size(); ++a)
+    part.template segment<Dim>(Dim * a) = window.template segment<Dim>(Dim * active[a]);
+  return part;
+}
+
+} // namespace
+
+template <int Dim>
+WindowSolver<Dim>::WindowSolver(const WindowProblem<Dim>& problem)
+    : m_problem(problem), m_model(*problem.model), m_body(*problem.body), m_window(*problem.window) {}
+
+// The window's nodes that the block is made of: in contact, or with added stiffness.
+template <int Dim>
+std::vector<int> WindowSolver<Dim>::active_positions(const ContactState<Dim>& trial) const {
+  const Eigen::VectorXd& added = m_problem.added_stiffness;
+  std::vector<int> active;
+  for (std::size_t w = 0; w < m_window.size(); ++w)
+    if (in_contact(trial.nodes[m_window[w]].state) ||
+        (added.size() > 0 && (added.template segment<Dim>(Dim * w).array() != 0).any()))
+      active.push_back(static_cast<int>(w));
+  return active;
+}
+
+// Deciding forces of the window's active nodes under the forces on them.
+template <int Dim>
+template <class Force>
+std::vector<DecidingForce<Dim>>
+WindowSolver<Dim>::deciding_at(const ContactState<Dim>& state, const std::vector<Pose<Dim>>& poses,
+                               const std::vector<int>& active, const Force& force) const {
+  std::vector<SurfaceForce<Dim>> own(state.nodes.size());
+  for (const int w : active) {
+    const ContactNode<Dim>& node = state.nodes[m_window[w]];
+    if (!in_contact(node.state)) continue;
+    const auto p = m_model.tools[node.tool]->point(poses[node.tool], node.place);
+    own[m_window[w]] = nodal_force(m_model, m_window[w], p, force(m_window[w])).part;
+  }
+  return deciding_forces(m_model, state, own);
+}
+
+// Linearizations of the active nodes at the start of the iteration, in the states of the trial.
+template <int Dim>
+std::vector<NodeLinearization<Dim>> WindowSolver<Dim>::linearize(const ContactState<Dim>& trial,
+                                                                 const std::vector<int>& active,
+                                                                 Eigen::VectorXd& offset) const {
+  const auto poses = m_model.poses(m_problem.start->q);
+  const auto force = [&](int candidate) { // a node that touches now carried no force yet
+    if (!in_contact(m_problem.start->nodes[candidate].state)) return Vector<Dim>(Vector<Dim>::Zero());
+    return Vector<Dim>(m_problem.R->template segment<Dim>(Dim * m_model.candidates[candidate]));
+  };
+  const std::vector<DecidingForce<Dim>> deciding = deciding_at(trial, poses, active, force);
+  std::vector<NodeLinearization<Dim>> nodes;
+  offset = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(active.size()));
+  for (std::size_t a = 0; a < active.size(); ++a) {
+    const int candidate = m_window[active[a]], mesh_node = m_model.candidates[candidate];
+    nodes.emplace_back();
+    nodes.back().in_contact = in_contact(trial.nodes[candidate].state);
+    if (!nodes.back().in_contact) continue;
+    const NodeCones<Dim> cones =
+        cones_of(m_model, trial, poses, deciding, candidate, m_problem.friction_tangent);
+    nodes.back() = linearize_node(m_model, trial.nodes[candidate], candidate, poses, force(candidate),
+                                  m_problem.terms, &cones);
+    if (!m_model.couplings.empty())
+      eliminate_followers(m_model, m_problem.start->q, m_problem.terms, nodes.back());
+    offset.template segment<Dim>(Dim * a) =
+        offset_to(m_model, candidate, nodes.back().point, m_body.position(*m_problem.u, mesh_node));
+  }
+  return nodes;
+}
+
+template <int Dim>
+bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim>& out) const {
+  const std::vector<int> active = active_positions(trial);
+  const FreeComponents free = free_components(m_model, m_window, active);
+  out.weakest_coordinate = -1;
+  out.singular = !m_problem.flexibility->select(free.in_window);
+  if (out.singular) return false;
+  ContactBlockInput<Dim> input;
+  const auto nodes = linearize(trial, active, input.offset);
+  input.nodes = &nodes;
+  input.free = &free.in_block;
+  input.flexibility = m_problem.flexibility;
+  input.free_increment = of_nodes<Dim>(m_problem.free_increment, active);
+  if (m_problem.added_stiffness.size() > 0)
+    input.added_stiffness = of_nodes<Dim>(m_problem.added_stiffness, active);
+  input.test_stability = m_problem.test_stability;
+  const auto block = solve_contact_block(m_model, *m_problem.prescribed, m_problem.start->q, input);
+  out.unstable = block.unstable;
+  out.singular = block.singular;
+  out.weakest_coordinate = block.weakest_coordinate;
+  if (block.singular) return false;
+  out.state = trial;
+  out.state.q = m_problem.start->q + block.dq;
+  follow(m_model, out.state.q);
+  out.F = out.load = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(m_window.size()));
+  for (std::size_t a = 0; a < active.size(); ++a) {
+    ContactNode<Dim>& node = out.state.nodes[m_window[active[a]]];
+    if (nodes[a].sliding)
+      node.place =
+          m_model.tools[node.tool]->surface().moved(node.place, block.slip.col(static_cast<Eigen::Index>(a)));
+    out.F.template segment<Dim>(Dim * active[a]) = block.F.template segment<Dim>(Dim * a);
+    out.load.template segment<Dim>(Dim * active[a]) = block.load.template segment<Dim>(Dim * a);
+  }
+  follow_ends(m_model, out.state);
+  return true;
+}
+
+template <int Dim>
+int WindowSolver<Dim>::test(const WindowSolution<Dim>& solution, ContactState<Dim>& trial,
+                            std::vector<double>& severity) const {
+  const auto poses = m_model.poses(solution.state.q);
+  const Eigen::VectorXd du = m_problem.free_increment + m_problem.flexibility->matrix() * solution.load;
+  std::vector<int> all(m_window.size()), place(solution.state.nodes.size(), -1);
+  for (std::size_t w = 0; w < m_window.size(); ++w) place[m_window[w]] = all[w] = static_cast<int>(w);
+  const std::vector<DecidingForce<Dim>> deciding = deciding_at(solution.state, poses, all, [&](int i) {
+    return Vector<Dim>(solution.F.template segment<Dim>(Eigen::Index{Dim} * place[i]));
+  });
+  const NodeTest<Dim> test(m_model, poses, m_problem.tolerances, *m_problem.entry);
+  int changes = 0;
+  for (std::size_t w = 0; w < m_window.size(); ++w) {
+    const int i = m_window[w];
+    const Vector<Dim> x =
+        m_body.position(*m_problem.u, m_model.candidates[i]) + du.template segment<Dim>(Dim * w);
+    const Vector<Dim> F = solution.F.template segment<Dim>(Dim * w);
+    const ContactNode<Dim>& solved = solution.state.nodes[i];
+    severity[i] = in_contact(solved.state)
+                      ? -F.dot(m_model.tools[solved.tool]->point(poses[solved.tool], solved.place).n)
+                      : -nearest_tool(m_model, poses, x, m_problem.entry->nodes[i], i).foot.gap;
+    changes += test(i, solution.state.nodes[i], F, deciding[i], x, trial.nodes[i]);
+  }
+  return changes;
+}
+
+template class WindowSolver<2>;
+template class WindowSolver<3>;
+
+} // namespace burnish

@@ -1,0 +1,29 @@
+// A soft hold that tools and supports do not relieve.
+#include "base/sentence.hpp"
+#include "diagnosis/observers.hpp"
+
+namespace burnish {
+namespace {
+
+constexpr Bounds CARRIES{1e-3,
+                         0.05}; // what the hold carries at the end, or carried when it ended, over the load
+
+template <int Dim> class HoldCarries final : public ObserverOf<HoldCarries<Dim>, Dim> {
+public:
+  void look(const AcceptedStep<Dim>& step, FindingList& findings) override {
+    findings.withdraw("hold", ""); // it may hand over its load yet
+    Finding* finding = findings.beyond("hold", "", step.held, CARRIES, step.t);
+    if (!finding) return;
+    const bool acts = step.hold.size() > 0;
+    finding->text =
+        sentence(acts ? "the hold, which ends at t = " : "when the hold ended at t = ", step.hold_until,
+                 acts ? ", carries " : " it still carried ", step.held,
+                 " of the load: tools and supports do not hold the workpiece alone");
+  }
+};
+
+} // namespace
+
+BURNISH_OBSERVER(hold_carries, HoldCarries)
+
+} // namespace burnish

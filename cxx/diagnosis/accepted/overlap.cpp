@@ -1,0 +1,150 @@
+// Tools in the workpiece: between the nodes of an edge, and at edges that no label lets them touch (ALGORITHMS.md 16.3).
+#include "base/sentence.hpp"
+#include "diagnosis/accepted/boundary_edges.hpp"
+#include "diagnosis/accepted/tool_depth.hpp"
+#include "diagnosis/observers.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+constexpr Bounds EDGE_DEPTH{0.1, 0.5}; // depth of a tool between two contact nodes over their distance
+constexpr double OVERLAP =
+    0.05; // depth of a tool in an edge that it does not touch, over the edge: untrusted
+
+// Of the plane; in space nothing is checked.
+template <int Dim> class OverlapCheck final : public ObserverOf<OverlapCheck<Dim>, Dim> {
+public:
+  void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
+
+private:
+  // A node that is far from a tool is not asked again before both could have met.
+  struct Distance {
+    double known = -1; // when it was asked last; < 0: never [length]
+    Vector<2> x = Vector<2>::Zero();
+    double moved = 0; // of the tool until then
+    Param<2> hint = Param<2>::Zero();
+  };
+  struct Watched {
+    Vector<2> origin;
+    Tensor<2> R;
+    double reach = 0;               // largest distance of its points from its origin [length]
+    double moved = 0;               // way that no point of it has exceeded so far [length]
+    std::vector<Distance> distance; // per node of the boundary
+  };
+  void start(const AcceptedStep<2>& step);
+  void move(const AcceptedStep<2>& step, int tool);
+  double distance(const AcceptedStep<2>& step, int tool, int node);
+  void look_at_tool(const AcceptedStep<2>& step, FindingList& findings, int tool);
+
+  std::vector<BoundaryEdge> m_edges;
+  std::vector<int> m_place;     // of a node among those of the boundary
+  std::vector<int> m_candidate; // of a node, -1: none
+  std::vector<Watched> m_tools;
+};
+
+// Worst of the edges of one kind.
+struct Worst {
+  double ratio = 0, depth = 0;
+  ToolDepth at;
+};
+
+void report(const AcceptedStep<2>& step, const std::string& check, int tool, Severity severity, double bound,
+            const Worst& worst, const std::string& what, FindingList& findings) {
+  Finding* finding = findings.report(check, step.tool_name(tool), severity, worst.ratio, step.t);
+  if (!finding) return;
+  finding->value = worst.ratio;
+  finding->bound = bound;
+  finding->place = step.place_of(worst.at.x);
+  finding->text = sentence("tool \"", step.tool_name(tool), "\" ", what, " by ", worst.depth, ", ",
+                           worst.ratio, " of the edge there", step.at(worst.at.x));
+}
+
+template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<2>& step) {
+  constexpr int samples = 64;
+  m_edges = boundary_edges(step.mesh());
+  m_place.assign(static_cast<std::size_t>(step.mesh().num_nodes), -1);
+  int places = 0;
+  for (const BoundaryEdge& edge : m_edges)
+    for (const int node : {edge.a, edge.b})
+      if (m_place[node] < 0) m_place[node] = places++;
+  m_candidate = step.model().candidate_of_node(step.mesh().num_nodes);
+  for (std::size_t tool = 0; tool < step.model().tools.size(); ++tool) {
+    Watched watched;
+    watched.origin = step.poses[tool].origin;
+    watched.R = step.poses[tool].R;
+    for (const SurfacePlace<2>& place : step.model().tools[tool]->surface().samples(samples))
+      watched.reach = std::max(watched.reach, place.y.norm());
+    watched.distance.resize(static_cast<std::size_t>(places));
+    m_tools.push_back(std::move(watched));
+  }
+}
+
+template <int Dim> void OverlapCheck<Dim>::move(const AcceptedStep<2>& step, int tool) {
+  Watched& watched = m_tools[tool];
+  const Pose<2>& pose = step.poses[tool];
+  watched.moved += (pose.origin - watched.origin).norm() + (pose.R - watched.R).norm() * watched.reach;
+  watched.origin = pose.origin;
+  watched.R = pose.R;
+}
+
+// Of a node from a tool's surface, or less.
+template <int Dim> double OverlapCheck<Dim>::distance(const AcceptedStep<2>& step, int tool, int node) {
+  Watched& watched = m_tools[tool];
+  Distance& last = watched.distance[m_place[node]];
+  const Vector<2> x = step.body().position(step.u, node);
+  if (last.known >= 0) {
+    const double left = last.known - (x - last.x).norm() - (watched.moved - last.moved);
+    if (left > 0.5 * last.known) return left;
+  }
+  const SurfaceFoot<2> foot = step.model().tools[tool]->foot(step.poses[tool], x, last.hint);
+  last = {std::abs(foot.gap), x, watched.moved, foot.place.hint};
+  return last.known;
+}
+
+template <int Dim>
+void OverlapCheck<Dim>::look_at_tool(const AcceptedStep<2>& step, FindingList& findings, int tool) {
+  Worst between, overlap;
+  for (const BoundaryEdge& edge : m_edges) {
+    const Vector<2> a = step.body().position(step.u, edge.a), b = step.body().position(step.u, edge.b);
+    const double length = (b - a).norm();
+    if (std::min(distance(step, tool, edge.a), distance(step, tool, edge.b)) > length) continue;
+    const ToolDepth depth = tool_depth(*step.model().tools[tool], step.poses[tool], a, b,
+                                       m_tools[tool].distance[m_place[edge.a]].hint);
+    const Vector<2> outward(b[1] - a[1], a[0] - b[0]);
+    // a face of the body behind an open tool, or beyond its end, is no overlap
+    if (!(depth.depth > 0) || depth.on_end || depth.n.dot(outward) >= 0) continue;
+    const int i = m_candidate[edge.a], j = m_candidate[edge.b];
+    const bool may = i >= 0 && j >= 0 && step.model().may_touch(i, tool) && step.model().may_touch(j, tool);
+    Worst& worst = may ? between : overlap;
+    if (depth.depth / length > worst.ratio) worst = {depth.depth / length, depth.depth, depth};
+  }
+  findings.largest("edge depth", between.ratio);
+  findings.largest("overlap", overlap.ratio);
+  if (between.ratio > EDGE_DEPTH.noted) {
+    const bool far = between.ratio > EDGE_DEPTH.far;
+    report(step, "edge depth", tool, far ? Severity::UNTRUSTED : Severity::WARNING,
+           far ? EDGE_DEPTH.far : EDGE_DEPTH.noted, between,
+           "reaches into the workpiece between two contact nodes", findings);
+  }
+  if (overlap.ratio > OVERLAP)
+    report(step, "overlap", tool, Severity::UNTRUSTED, OVERLAP, overlap,
+           "overlaps the workpiece where it may not touch it (no contact label, or held nodes)", findings);
+}
+
+template <int Dim> void OverlapCheck<Dim>::look(const AcceptedStep<Dim>& step, FindingList& findings) {
+  if constexpr (Dim == 2) {
+    if (m_tools.empty()) start(step);
+    for (int tool = 0; tool < static_cast<int>(m_tools.size()); ++tool) {
+      move(step, tool);
+      look_at_tool(step, findings, tool);
+    }
+  }
+}
+
+} // namespace
+
+BURNISH_OBSERVER(overlap_check, OverlapCheck)
+
+} // namespace burnish

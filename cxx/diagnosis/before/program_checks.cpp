@@ -1,0 +1,197 @@
+#include "diagnosis/before/program_checks.hpp"
+#include "base/error.hpp"
+#include "base/sentence.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+constexpr int SAMPLES = 32; // of a closed tool's surface, to tell whether it lies in the body
+constexpr double INSIDE =
+    1e-3; // penetration at the start that does not count, over the spacing of candidates
+constexpr double UNRESISTED = 1e-9; // motion along the normal over the motion: below, nothing resists
+constexpr double DEPENDENT = 1e-9;  // pivot of the QR of the motions, over the largest one
+
+template <int Dim> std::string coordinate(const DrivenTool<Dim>& tool, Eigen::Index k) {
+  const std::string& name = tool.tool().coordinates().names()[static_cast<std::size_t>(k)];
+  return "coordinate \"" + name + "\" of tool \"" + tool.name() + "\"";
+}
+
+// Whether a closed tool lies between the nodes altogether, at the reference place of the workpiece.
+template <int Dim>
+bool within_body(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& locator,
+                 const ContactState<Dim>& state, int tool) {
+  const auto& surface = setup.model().tools[tool]->surface();
+  if (!surface.closed()) return false;
+  const auto pose = setup.model().tools[tool]->coordinates().pose(setup.model().tool_q(state.q, tool));
+  for (const auto& place : surface.samples(SAMPLES))
+    if (locator.find(setup.model().tools[tool]->position(pose, place), setup.candidates()[0], 0) < 0)
+      return false;
+  return true;
+}
+
+} // namespace
+
+template <int Dim> PrescribedValues prescribed_values(const ContactSetup<Dim>& setup, double t) {
+  PrescribedValues prescribed;
+  prescribed.t = t;
+  const auto nq = static_cast<std::size_t>(setup.model().num_coordinates());
+  prescribed.value.resize(setup.model().num_coordinates());
+  for (std::size_t tool = 0; tool < setup.tools().size(); ++tool) {
+    const Prescription& prescription = setup.tools()[tool]->prescription();
+    prescription.check_complete();
+    for (int k = 0; k < prescription.size(); ++k) {
+      const int at = setup.model().first[tool] + k;
+      prescribed.is_motion.push_back(prescription.is_motion(k));
+      prescribed.value[at] = prescription.value(k);
+      if (!prescription.formula(k)) continue;
+      prescribed.formula.resize(nq);
+      prescribed.formula[static_cast<std::size_t>(at)] = prescription.formula(k);
+    }
+  }
+  return prescribed;
+}
+
+template <int Dim> void check_not_placed(const ContactSetup<Dim>& setup, const ContactState<Dim>& state) {
+  const Eigen::VectorXd placed = setup.placed();
+  for (Eigen::Index at = 0; at < placed.size(); ++at) {
+    if (placed[at] == state.q[at]) continue;
+    std::ostringstream text;
+    text << setup.model().coordinate(static_cast<int>(at)) << " was placed at " << placed[at]
+         << " during the run, where it is " << state.q[at] << "; only move and force change it now";
+    fail("contact.begin", text.str());
+  }
+}
+
+template <int Dim>
+void check_not_inside(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& locator,
+                      const ContactState<Dim>& state, const Eigen::VectorXd& u) {
+  for (std::size_t t = 0; t < setup.tools().size(); ++t)
+    if (within_body(setup, locator, state, static_cast<int>(t)))
+      fail("contact.begin", "tool \"" + setup.tools()[t]->name() +
+                                "\" lies within the workpiece, which has no node " +
+                                "inside it; place the tool outside and call approach");
+  const auto poses = setup.model().poses(state.q);
+  const auto& body = setup.body();
+  double deepest = -INSIDE * body.spacing;
+  int node = -1, tool = -1;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    const Vector<Dim> x = body.position(u, setup.candidates()[i]);
+    const auto nearest = nearest_tool(setup.model(), poses, x, state.nodes[i], static_cast<int>(i));
+    if (nearest.foot.gap >= deepest) continue;
+    deepest = nearest.foot.gap;
+    node = setup.candidates()[i];
+    tool = nearest.tool;
+  }
+  if (node < 0) return;
+  std::ostringstream text;
+  text << "tool \"" << setup.tools()[tool]->name() << "\" starts inside the workpiece: node " << node
+       << " at " << place_text(body.position(u, node)) << " penetrates by " << -deepest
+       << "; place the tool outside and call approach, or, if its profile has the body on the wrong "
+       << "side, turn it: inside=true, or the points in the other order";
+  fail("contact.begin", text.str());
+}
+
+template <int Dim>
+std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                                              PrescribedValues& prescribed) {
+  std::vector<std::string> left_out;
+  const auto& model = setup.model();
+  const DrivingForce drive = driving_force(model, prescribed, state.q);
+  const auto poses = model.poses(state.q);
+  for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
+    if (!model.laws[t].frictionless()) continue;
+    Eigen::VectorXd normal, size;
+    for (const auto& node : state.nodes) {
+      if (node.tool != t && node.tool >= 0) continue;
+      const auto p = model.tools[t]->point(poses[t], node.place);
+      const Eigen::VectorXd a = (p.x_q.transpose() * p.n).cwiseAbs(), b = p.x_q.colwise().norm();
+      normal = normal.size() ? Eigen::VectorXd(normal.cwiseMax(a)) : a;
+      size = size.size() ? Eigen::VectorXd(size.cwiseMax(b)) : b;
+    }
+    for (Eigen::Index k = 0; k < normal.size(); ++k) {
+      const int q = model.first[t] + static_cast<int>(k);
+      if (prescribed.is_motion[q] || normal[k] > UNRESISTED * size[k]) continue;
+      if (prescribed.is_held(q) || model.coupling_of(q) || !model.followers(q).empty()) continue;
+      if (drive.value[q] != 0)
+        fail("contact.begin", coordinate(*setup.tools()[t], k) +
+                                  " has a force but without friction nothing " +
+                                  "resists it; give it a motion or friction");
+      prescribed.is_motion[q] = 1;
+      prescribed.value[q] = state.q[q];
+      left_out.push_back(coordinate(*setup.tools()[t], k));
+    }
+  }
+  return left_out;
+}
+
+template <int Dim>
+void check_support(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                   const PrescribedValues& prescribed) {
+  const auto& model = setup.model();
+  const auto touches = [&](int tool) {
+    return std::any_of(state.nodes.begin(), state.nodes.end(),
+                       [tool](const auto& node) { return in_contact(node.state) && node.tool == tool; });
+  };
+  const auto supported = [&](int k) {
+    const std::vector<int> followers = model.followers(k);
+    return prescribed.is_motion[k] || prescribed.is_held(k) || model.coupling_of(k) ||
+           std::any_of(followers.begin(), followers.end(),
+                       [&](int follower) { return touches(model.tool_of(follower)); });
+  };
+  for (int t = 0; t < static_cast<int>(setup.tools().size()); ++t) {
+    if (touches(t)) continue;
+    for (int k = 0; k < setup.tools()[t]->q().size(); ++k)
+      if (!supported(model.first[t] + k))
+        fail("contact.begin",
+             coordinate(*setup.tools()[t], k) +
+                 " is under force but the tool touches nothing, so it has no support; bring the tool "
+                 "into contact by motion or with approach first, or give the coordinate a motion");
+  }
+}
+
+template <int Dim>
+void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                       const PrescribedValues& prescribed) {
+  const auto poses = setup.model().poses(state.q);
+  const double lever = setup.body().spacing;
+  for (std::size_t t = 0; t < setup.tools().size(); ++t) {
+    std::string names;
+    std::vector<Eigen::VectorXd> motions;
+    for (int k = 0; k < setup.tools()[t]->q().size(); ++k) {
+      const int at = setup.model().first[t] + k;
+      if (prescribed.is_motion[at] || prescribed.is_held(at) || setup.model().coupling_of(at)) continue;
+      Eigen::VectorXd motion(Dim + Dim * Dim);
+      motion << poses[t].origin_q[k],
+          lever * Eigen::Map<const Eigen::VectorXd>(poses[t].R_q[k].data(), Dim * Dim);
+      if (motion.norm() == 0) continue;
+      motions.push_back(motion.normalized());
+      names += (names.empty() ? "\"" : ", \"") + setup.tools()[t]->tool().coordinates().names()[k] + "\"";
+    }
+    Eigen::MatrixXd columns(Dim + Dim * Dim, motions.size());
+    for (std::size_t i = 0; i < motions.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = motions[i];
+    if (motions.size() < 2 ||
+        Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(columns).setThreshold(DEPENDENT).rank() == columns.cols())
+      continue;
+    fail("contact.begin", "coordinates " + names + " of tool \"" + setup.tools()[t]->name() +
+                              "\" are under force, but one of them moves the tool as the others do; give one "
+                              "of them a motion");
+  }
+}
+
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template PrescribedValues prescribed_values<Dim>(const ContactSetup<Dim>&, double);                        \
+  template void check_not_placed<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&);                   \
+  template void check_not_inside<Dim>(const ContactSetup<Dim>&, const MeshLocator<Dim>&,                     \
+                                      const ContactState<Dim>&, const Eigen::VectorXd&);                     \
+  template std::vector<std::string> leave_out_unresisted<Dim>(const ContactSetup<Dim>&,                      \
+                                                              const ContactState<Dim>&, PrescribedValues&);  \
+  template void check_support<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,                       \
+                                   const PrescribedValues&);                                                 \
+  template void check_independent<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,                   \
+                                       const PrescribedValues&);
+BURNISH_INSTANTIATE(2)
+BURNISH_INSTANTIATE(3)
+
+} // namespace burnish

@@ -1,0 +1,38 @@
+#pragma once
+// What is checked of a program and of the tools' places before a step.
+#include "contact/contact_setup.hpp"
+#include "contact/driving_force.hpp"
+#include "mesh/mesh_locator.hpp"
+
+namespace burnish {
+
+/// Values that the tools' prescriptions hold for the end of a step at t. @throws std::invalid_argument naming a coordinate without any
+template <int Dim> PrescribedValues prescribed_values(const ContactSetup<Dim>& setup, double t);
+
+/// Between steps a tool moves by its program only. @throws std::invalid_argument for one that was placed
+template <int Dim> void check_not_placed(const ContactSetup<Dim>& setup, const ContactState<Dim>& state);
+
+/// @throws std::invalid_argument for a tool inside the workpiece at the start of a run
+template <int Dim>
+void check_not_inside(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& locator,
+                      const ContactState<Dim>& state, const Eigen::VectorXd& u);
+
+/// A coordinate under zero force that moves no contact point along the normal of a frictionless tool is fixed where it
+/// is. @returns their names, for reports. @throws std::invalid_argument for one under a force
+template <int Dim>
+std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                                              PrescribedValues& prescribed);
+
+/// @throws std::invalid_argument for a coordinate under force of a tool that touches nothing, unless the force itself
+/// holds it (a spring) or the tool of a coordinate that follows it touches
+template <int Dim>
+void check_support(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                   const PrescribedValues& prescribed);
+
+/// Coordinates under force that move their tool alike share a force in no certain way.
+/// @throws std::invalid_argument for such coordinates
+template <int Dim>
+void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                       const PrescribedValues& prescribed);
+
+} // namespace burnish

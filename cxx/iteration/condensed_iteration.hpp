@@ -1,0 +1,30 @@
+#pragma once
+// Moves the iterate of a step by solutions of the condensed system, whosever solver has found them (ALGORITHMS.md 5.8).
+#include "contact/condensation.hpp"
+#include "iteration/iteration.hpp"
+
+namespace burnish {
+
+template <int Dim> class CondensedIteration {
+public:
+  /// @param iteration must outlive it
+  explicit CondensedIteration(Iteration<Dim>& iteration) : m_iteration(iteration) {}
+  void begin(); ///< a step
+  /// Before a condensed system is made: a tool that only friction supports gets a sticking node.
+  void prepare();
+  /// One iteration by the solution of the condensed system. The states of the candidates are tested with the forces that the
+  /// solution predicts, unless they are fixed: where some change, nothing moves and again() is true until the system has been
+  /// condensed and solved anew, at the same u and R. Else u and the state move.
+  void advance(const typename Condensation<Dim>::Expansion& increment, Eigen::VectorXd& u);
+  bool again() const { return m_again; }
+
+private:
+  bool change_states(const typename Condensation<Dim>::Expansion& increment, const Eigen::VectorXd& u);
+
+  Iteration<Dim>& m_iteration;
+  bool m_again = false;
+  int m_passes = 0;            // changes of states since u has moved
+  std::vector<char> m_refused; // nodes that could not stick since then
+};
+
+} // namespace burnish

@@ -1,0 +1,196 @@
+#include "iteration/corrector.hpp"
+#include "base/cpu_time.hpp"
+#include "base/error.hpp"
+#include "iteration/contact_window.hpp"
+#include "solver/schur_factor.hpp"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace burnish {
+namespace {
+
+constexpr double WINDOW_COVER = 0.3; // part of the window's margin that must be left, else it is chosen anew
+
+// What rounding leaves of the nodal forces in balance: that of places, times the stiffness [force]. Residuals of
+// a light load on a large body come no lower.
+template <int Dim> double rounding_of_forces(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& X) {
+  constexpr double roundings = 4; // of a place and of the sums that it enters
+  double stiffness = 0;
+  for (int node = 0; node < K.num_nodes; ++node) {
+    const double* block = K.block(K.find(node, node));
+    for (int c = 0; c < Dim; ++c) stiffness = std::max(stiffness, std::abs(block[c * Dim + c]));
+  }
+  return roundings * std::numeric_limits<double>::epsilon() * stiffness * X.cwiseAbs().maxCoeff();
+}
+
+} // namespace
+
+template <int Dim>
+Corrector<Dim>::Corrector(Iteration<Dim>& iteration)
+    : m_iteration(iteration), m_floating(!constrains_rigid_motions(iteration.body())),
+      m_mixer(iteration.options().anderson_memory) {}
+
+template <int Dim> void Corrector<Dim>::begin(bool keep_factor) {
+  m_keep_factor = keep_factor;
+  m_mixer = AndersonMixer(m_iteration.options().anderson_memory);
+  if (m_has_factor) m_flexibility.set(m_tangent->flexibility); // nothing of the last step but its state
+}
+
+template <int Dim> void Corrector<Dim>::restore(const FactorMemory<Dim>& memory) {
+  m_window = memory.window;
+  m_has_factor = memory.tangent != nullptr;
+  if (m_has_factor) m_tangent = memory.tangent;
+  m_age = memory.age;
+}
+
+template <int Dim> bool Corrector<Dim>::serves(const Eigen::VectorXd& u) const {
+  if (!m_has_factor || (m_iteration.number() == 0 && !m_keep_factor)) return false;
+  const Iteration<Dim>& it = m_iteration;
+  const std::vector<int> needed =
+      near_contact(it.model(), it.body(), it.state(), u, WINDOW_COVER, it.options());
+  return std::includes(m_window.begin(), m_window.end(), needed.begin(), needed.end());
+}
+
+template <int Dim>
+FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
+  Iteration<Dim>& it = m_iteration;
+  require(K.size() == it.body().X.size(), "contact.factorize", "size of K", K.size(), "number of dofs");
+  const std::vector<int> needed =
+      near_contact(it.model(), it.body(), it.state(), u, WINDOW_COVER, it.options());
+  if (m_window.empty() || !std::includes(m_window.begin(), m_window.end(), needed.begin(), needed.end()))
+    m_window = near_contact(it.model(), it.body(), it.state(), u, 1, it.options());
+  it.balance().memory().rounding = rounding_of_forces(K, it.body().X);
+  m_age = 0;
+  forget_mixing();
+  if (!m_tangent || m_tangent.use_count() > 1) { // a saved state keeps its factor
+    m_tangent = std::make_shared<FactoredTangent<Dim>>();
+    m_tangent->solver = std::make_unique<SchurFactor<Dim>>();
+  }
+  m_tangent->window = m_window;
+  IterationCounts& counts = it.counts();
+  {
+    const CpuTimer timer(counts.factorization_seconds);
+    const int analyses = m_tangent->solver->analyses();
+    m_has_factor = m_tangent->factorize(it.model(), it.body(), it.state(), K, m_floating) == FactorStatus::OK;
+    if (!m_has_factor && !m_floating && it.policy().desperate())
+      m_has_factor = factorize_held(K, u) == FactorStatus::OK;
+    counts.analyses += m_tangent->solver->analyses() - analyses;
+  }
+  ++counts.factorizations;
+  counts.factor_entries = static_cast<long>(m_tangent->solver->factor_entries());
+  it.policy().factored(m_has_factor);
+  if (!m_has_factor) {
+    if (it.policy().blend_exhausted()) it.give_up(Cause::UNSTABLE);
+    return FactorStatus::NOT_POSITIVE_DEFINITE;
+  }
+  if (!m_tangent->flexibility || m_tangent->added_stiffness.size() == 0 || m_floating) {
+    const CpuTimer timer(counts.condensation_seconds);
+    m_tangent->condense();
+    m_flexibility.set(m_tangent->flexibility);
+  }
+  return FactorStatus::OK;
+}
+
+// A body that is not stable alone may be so between its tools: the factor is one of the body held at its contact nodes,
+// and the dense block, which lets go of them again, tells (METHOD.md 5.6).
+template <int Dim>
+FactorStatus Corrector<Dim>::factorize_held(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
+  WindowProblem<Dim> states;
+  m_iteration.state_problem(states);
+  const Eigen::VectorXd& R = *states.R;
+  if (R.size() != u.size()) return FactorStatus::NOT_POSITIVE_DEFINITE;
+  const FactorStatus status =
+      m_tangent->factorize(m_iteration.model(), m_iteration.body(), m_iteration.state(), K, true);
+  if (status != FactorStatus::OK) return status;
+  m_tangent->condense();
+  m_flexibility.set(m_tangent->flexibility);
+  WindowProblem<Dim> problem = window_problem(u, R, m_tangent->solver->sweep(-R));
+  problem.adapt = false;
+  return solve_window(problem).unstable ? FactorStatus::NOT_POSITIVE_DEFINITE : FactorStatus::OK;
+}
+
+template <int Dim> double Corrector<Dim>::compliance() const {
+  if (!m_has_factor || !m_tangent->flexibility) return 0;
+  return m_tangent->flexibility->diagonal().maxCoeff();
+}
+
+template <int Dim>
+WindowProblem<Dim> Corrector<Dim>::window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
+                                                  const SweptLoad& load) {
+  WindowProblem<Dim> problem;
+  m_iteration.state_problem(problem);
+  problem.R = &R;
+  problem.u = &u;
+  problem.window = &m_tangent->window;
+  problem.flexibility = &m_flexibility;
+  problem.added_stiffness = m_tangent->added_stiffness;
+  problem.free_increment = m_tangent->solver->candidate_displacement(load);
+  problem.terms = m_iteration.options().terms;
+  problem.test_stability = !m_floating && m_tangent->added_stiffness.size() > 0;
+  if (!problem.test_stability) // stability needs the derivative
+    problem.friction_tangent = m_iteration.options().friction_tangent;
+  return problem;
+}
+
+template <int Dim> SweptLoad Corrector<Dim>::sweep(const Eigen::VectorXd& b) {
+  const CpuTimer timer(m_iteration.counts().solve_seconds);
+  return m_tangent->solver->sweep(b);
+}
+
+template <int Dim>
+Eigen::VectorXd Corrector<Dim>::displacement(const SweptLoad& load, const Eigen::VectorXd& p) {
+  const CpuTimer timer(m_iteration.counts().solve_seconds);
+  ++m_iteration.counts().solves;
+  return m_tangent->solver->displacement(load, p);
+}
+
+// With the tools at rest it would be so only for want of supports.
+template <int Dim>
+Failure Corrector<Dim>::singular(const WindowSolution<Dim>& solution, const WindowProblem<Dim>& problem) {
+  PrescribedValues resting = m_iteration.prescribed();
+  resting.is_motion.assign(resting.is_motion.size(), 1);
+  resting.value = m_iteration.state().q;
+  WindowProblem<Dim> at_rest = problem;
+  at_rest.prescribed = &resting;
+  const bool floats = solve_window(at_rest).singular;
+  if (floats && m_floating) return Cause::NOT_HELD;
+  if (!floats && solution.weakest_coordinate < 0) return Cause::TIPS_OVER;
+  Failure failure(solution.weakest_coordinate >= 0 ? Cause::UNRESISTED : Cause::SINGULAR);
+  failure.coordinate = solution.weakest_coordinate;
+  failure.flag = m_floating;
+  return failure;
+}
+
+template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+  if (!m_has_factor) fail("contact.correct", "no factor: call factorize first");
+  const SweptLoad load = sweep(-R);
+  WindowSolution<Dim> solution;
+  {
+    const CpuTimer timer(m_iteration.counts().condensation_seconds);
+    const WindowProblem<Dim> problem = window_problem(u, R, load);
+    solution = solve_window(problem);
+    if (solution.singular) return m_iteration.give_up(singular(solution, problem));
+  }
+  if (solution.unstable) return m_iteration.give_up(Cause::UNSTABLE);
+  const Eigen::VectorXd b =
+      scatter_window(m_iteration.model(), m_tangent->window, solution.load, R.size()) - R;
+  const Eigen::VectorXd du = displacement(load, solution.load);
+  ContactState<Dim>& state = m_iteration.state();
+  const Eigen::Index n = u.size(), nq = state.q.size();
+  Eigen::VectorXd z(n + nq), g(n + nq);
+  z << u, state.q;
+  g << du, solution.state.q - state.q;
+  m_iteration.leave(u, g.tail(nq));
+  const Eigen::VectorXd step = m_mixer.mix(z, g, b);
+  state.nodes = std::move(solution.state.nodes);
+  u += step.head(n);
+  state.q += step.tail(nq);
+  m_iteration.arrive(u);
+  return StepStatus::ITERATE;
+}
+
+template class Corrector<2>;
+template class Corrector<3>;
+
+} // namespace burnish

@@ -1,0 +1,47 @@
+#include "iteration/factored_tangent.hpp"
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+// Stiffness as large as its own for the diagonal of some nodes, Dim*window.
+template <int Dim>
+Eigen::VectorXd stiffness_of_contact(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                     const ContactState<Dim>& state, const std::vector<int>& window,
+                                     const NodeBlockMatrix<Dim>& K) {
+  Eigen::VectorXd added = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(window.size()));
+  for (std::size_t w = 0; w < window.size(); ++w) {
+    const bool end = w == 0 || w + 1 == window.size();
+    if (!end && !in_contact(state.nodes[window[w]].state)) continue;
+    const int node = model.candidates[window[w]];
+    const double* block = K.block(K.find(node, node));
+    for (int c = 0; c < Dim; ++c) {
+      if (body.fixed[Dim * node + c]) continue;
+      added[Dim * static_cast<Eigen::Index>(w) + c] = std::abs(block[c * Dim + c]);
+    }
+  }
+  return added;
+}
+
+} // namespace
+
+template <int Dim>
+FactorStatus FactoredTangent<Dim>::factorize(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                             const ContactState<Dim>& state, const NodeBlockMatrix<Dim>& K,
+                                             bool stiffen) {
+  std::vector<int> nodes;
+  for (const int i : window) nodes.push_back(model.candidates[i]);
+  solver->analyze(K, body.fixed, nodes);
+  added_stiffness.resize(0);
+  if (stiffen) added_stiffness = stiffness_of_contact(model, body, state, window, K);
+  return solver->factorize(K, added_stiffness);
+}
+
+template <int Dim> void FactoredTangent<Dim>::condense() {
+  flexibility = std::make_shared<const Eigen::MatrixXd>(solver->candidate_flexibility());
+}
+
+template struct FactoredTangent<2>;
+template struct FactoredTangent<3>;
+
+} // namespace burnish

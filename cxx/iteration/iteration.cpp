@@ -1,0 +1,132 @@
+#include "iteration/iteration.hpp"
+#include "base/error.hpp"
+#include "contact/coupling.hpp"
+#include "iteration/not_converged.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+constexpr int MAX_BACKTRACKS = 3; // steps back half way per step (ALGORITHMS.md 5.6)
+
+// Iterations that a tolerance takes, over those of the default one.
+double more_digits(double tolerance) {
+  return std::max(1., std::log(tolerance) / std::log(IterationOptions().tolerance));
+}
+
+} // namespace
+
+template <int Dim>
+Iteration<Dim>::Iteration(const ContactModel<Dim>& model, const BodyView<Dim>& body, IterationOptions options)
+    : m_model(model), m_body(body), m_options(options), m_balance(model, body, m_options) {
+  require(!m_model.candidates.empty(), "contact", "number of candidate nodes", 0,
+          "at least one node on the label");
+  require(!m_model.tools.empty(), "contact", "number of tools", 0, "at least one tool");
+  m_state.nodes.resize(m_model.candidates.size());
+  m_state.q = Eigen::VectorXd::Zero(m_model.num_coordinates());
+}
+
+template <int Dim>
+void Iteration<Dim>::begin(const PrescribedValues& prescribed, const ContactState<Dim>& predicted,
+                           std::vector<ContactNode<Dim>> entry, bool adapt) {
+  m_prescribed = prescribed;
+  m_state = predicted;
+  m_entry = {std::move(entry), std::vector<int>(m_state.nodes.size(), 0)};
+  m_adapt = adapt;
+  m_number = m_backtracks = 0;
+  m_first_dq.resize(0);
+  m_R.resize(0);
+  m_policy.begin();
+  m_failure = {};
+}
+
+template <int Dim> StepStatus Iteration<Dim>::give_up(const Failure& why) {
+  m_failure = why;
+  return StepStatus::FAILED;
+}
+
+template <int Dim> StepStatus Iteration<Dim>::check(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+  require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(),
+          "number of dofs");
+  if (!R.allFinite()) fail("contact.check", "the force array contains NaN or Inf");
+  m_balance.look(m_state, m_prescribed, u, R);
+  const double residual = m_balance.last().residual, allowed = m_balance.allowed();
+  if (!std::isfinite(residual)) return give_up(Cause::INFINITE);
+  const bool consistent = !m_adapt || m_balance.last().inconsistent == 0;
+  if (m_number > 0 && residual <= allowed && consistent) {
+    m_balance.remember();
+    return StepStatus::CONVERGED;
+  }
+  m_policy.look(residual, allowed);
+  const double bound = more_digits(m_options.tolerance) * m_options.max_iterations;
+  if (m_number >= 2 * bound || (m_number >= bound && m_policy.lags())) return give_up(not_converged());
+  if (m_policy.grows() && m_number >= 2 && m_backtracks < MAX_BACKTRACKS && m_u_before.size() == u.size())
+    return backtrack(u);
+  m_policy.go_on(residual);
+  m_R = R;
+  const bool renew = (m_policy.grows() && residual > allowed) || m_policy.lags();
+  return renew ? StepStatus::REFACTORIZE : StepStatus::ITERATE;
+}
+
+template <int Dim> Failure Iteration<Dim>::not_converged() const {
+  const bool moved = m_q_before.size() == m_state.q.size();
+  return burnish::not_converged<Dim>({m_model, m_body, m_state, m_prescribed, m_balance, m_options, m_number,
+                                      m_policy.last(), moved ? m_state.q - m_q_before : Eigen::VectorXd(),
+                                      m_first_dq, m_u_before, m_R});
+}
+
+template <int Dim> void Iteration<Dim>::state_problem(WindowProblem<Dim>& problem) {
+  problem.model = &m_model;
+  problem.body = &m_body;
+  problem.prescribed = &m_prescribed;
+  problem.start = &m_state;
+  problem.R = &m_R;
+  problem.entry = &m_entry;
+  problem.adapt = m_adapt;
+  problem.tolerances = m_balance.state_tolerances();
+}
+
+template <int Dim> void Iteration<Dim>::leave(const Eigen::VectorXd& u, const Eigen::VectorXd& dq) {
+  if (++m_number == 1) m_first_dq = dq;
+  ++m_counts.iterations;
+  m_u_before = u;
+  m_q_before = m_state.q;
+}
+
+template <int Dim> void Iteration<Dim>::arrive(const Eigen::VectorXd& u) {
+  follow(m_model, m_state.q);
+  find_places(u);
+}
+
+// The iterate goes half way back to the one before.
+template <int Dim> StepStatus Iteration<Dim>::backtrack(Eigen::VectorXd& u) {
+  ++m_backtracks;
+  ++m_counts.backtracks;
+  u = 0.5 * (u + m_u_before);
+  m_state.q = 0.5 * (m_state.q + m_q_before);
+  follow(m_model, m_state.q);
+  find_places(u);
+  m_u_before.resize(0);
+  return StepStatus::BACKTRACKED;
+}
+
+// Places of the contact nodes: sliding ones at the foot, sticking ones where they stick. The nodes themselves stay where they are:
+// what they are off their tools the next iteration closes, by the whole body (ALGORITHMS.md 5.6).
+template <int Dim> void Iteration<Dim>::find_places(const Eigen::VectorXd& u) {
+  const auto poses = m_model.poses(m_state.q);
+  for (std::size_t i = 0; i < m_state.nodes.size(); ++i) {
+    ContactNode<Dim>& node = m_state.nodes[i];
+    if (!in_contact(node.state) || node.tied) continue;
+    const Vector<Dim> x = m_body.position(u, m_model.candidates[i]);
+    const auto& tool = *m_model.tools[node.tool];
+    node.place =
+        sticks(node.state) ? node.slip_origin : tool.foot(poses[node.tool], x, node.place.hint).place;
+  }
+  follow_ends(m_model, m_state);
+}
+
+template class Iteration<2>;
+template class Iteration<3>;
+
+} // namespace burnish

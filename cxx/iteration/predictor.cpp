@@ -1,0 +1,273 @@
+#include "iteration/predictor.hpp"
+#include "contact/coupling.hpp"
+#include "contact/tied_edges.hpp"
+#include <cmath>
+#include <cstdlib>
+
+namespace burnish {
+namespace {
+
+constexpr double CARRY =
+    1.5; // a state is carried from a candidate that stood this many spacings away at most
+
+// Coordinates under motion go to their target, those under force continue at their last rate.
+template <int Dim>
+Eigen::VectorXd predict_coordinates(const PrescribedValues& prescribed, const Eigen::VectorXd& q,
+                                    const StepHistory<Dim>& history, double ratio) {
+  Eigen::VectorXd result = q;
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    if (prescribed.is_motion[k])
+      result[k] = prescribed.value[k];
+    else if (history.dq.size() == q.size())
+      result[k] += ratio * history.dq[k];
+  }
+  return result;
+}
+
+// The rotation of G = R U, and the part of its angle.
+Tensor<2> part_of_rotation(const Tensor<2>& G, double part) {
+  return Eigen::Rotation2D<double>(part * std::atan2(G(1, 0) - G(0, 1), G(0, 0) + G(1, 1)))
+      .toRotationMatrix();
+}
+Tensor<3> part_of_rotation(const Tensor<3>& G, double part) {
+  const Eigen::JacobiSVD<Tensor<3>> svd(G, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::AngleAxisd turn(Tensor<3>(svd.matrixU() * svd.matrixV().transpose()));
+  return Eigen::AngleAxisd(part * turn.angle(), turn.axis()).toRotationMatrix();
+}
+
+// Per node the mean of its elements: deformation gradient, and that of the last increment, both of straight edges.
+template <int Dim> struct NodalGradients { std::vector<Tensor<Dim>> F, step; };
+template <int Dim>
+NodalGradients<Dim> nodal_gradients(const Mesh<Dim>& mesh, const BodyView<Dim>& body,
+                                    const Eigen::VectorXd& u, const Eigen::VectorXd& du) {
+  const auto nodes = static_cast<std::size_t>(mesh.num_nodes);
+  NodalGradients<Dim> sum{std::vector<Tensor<Dim>>(nodes, Tensor<Dim>::Zero()),
+                          std::vector<Tensor<Dim>>(nodes, Tensor<Dim>::Zero())};
+  std::vector<int> elements(nodes, 0);
+  for (int e = 0; e < mesh.num_elements; ++e) {
+    const int* n = mesh.element(e);
+    Tensor<Dim> now, old, reference;
+    for (int c = 0; c < Dim; ++c) {
+      now.col(c) = body.position(u, n[c + 1]) - body.position(u, n[0]);
+      old.col(c) = now.col(c) - (du.segment<Dim>(Dim * n[c + 1]) - du.segment<Dim>(Dim * n[0]));
+      reference.col(c) = mesh.node(n[c + 1]) - mesh.node(n[0]);
+    }
+    const Tensor<Dim> F = now * reference.inverse(), step = now * old.inverse();
+    for (int a = 0; a < mesh.nodes_per_element; ++a) {
+      sum.F[n[a]] += F;
+      sum.step[n[a]] += step;
+      ++elements[n[a]];
+    }
+  }
+  for (std::size_t a = 0; a < nodes; ++a)
+    if (elements[a] > 0) {
+      sum.F[a] /= elements[a];
+      sum.step[a] /= elements[a];
+    } else {
+      sum.F[a] = sum.step[a] = Tensor<Dim>::Identity();
+    }
+  return sum;
+}
+
+template <int Dim>
+std::vector<Vector<Dim>> reference_places(const ContactModel<Dim>& model, const BodyView<Dim>& body) {
+  std::vector<Vector<Dim>> places;
+  for (const int node : model.candidates) places.push_back(body.X.template segment<Dim>(Dim * node));
+  return places;
+}
+
+} // namespace
+
+// The carrier's motion in the present step, and its mean with the last one's, for each tool.
+template <int Dim> struct Predictor<Dim>::CarrierMotion {
+  RigidMotion<Dim> now, mean_inverse;
+  Tensor<Dim> turn;
+};
+
+template <int Dim>
+Predictor<Dim>::Predictor(const Mesh<Dim>& mesh, const ContactModel<Dim>& model, const BodyView<Dim>& body)
+    : m_mesh(mesh), m_model(model), m_body(body), m_locator(mesh),
+      m_candidates(reference_places(model, body)) {}
+
+template <int Dim>
+typename Predictor<Dim>::CarrierMotion
+Predictor<Dim>::carrier_motion(int tool, const Eigen::VectorXd& q_older, const Eigen::VectorXd& q_old,
+                               const Eigen::VectorXd& q_new) const {
+  const auto& coordinates = m_model.tools[tool]->coordinates();
+  const auto last = coordinates.carrier(m_model.tool_q(q_older, tool), m_model.tool_q(q_old, tool));
+  CarrierMotion motion;
+  motion.now = coordinates.carrier(m_model.tool_q(q_old, tool), m_model.tool_q(q_new, tool));
+  const RigidMotion<Dim> a = motion.now.inverse(), b = last.inverse();
+  motion.mean_inverse = {0.5 * (a.R + b.R), 0.5 * (a.d + b.d)};
+  motion.turn = 0.5 * (motion.now.R + last.R);
+  for (int c = 0; c < Dim; ++c) motion.turn.col(c).normalize();
+  return motion;
+}
+
+// u + ratio * turned last increment, taken from where the material stood, seen from the tool, one step ago: what the carrier does
+// against the material is pulled back into the reference configuration.
+template <int Dim>
+Eigen::VectorXd Predictor<Dim>::carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                                                const StepHistory<Dim>& history,
+                                                const std::vector<CarrierMotion>& motions,
+                                                double ratio) const {
+  Eigen::VectorXd result = u;
+  const auto poses = m_model.poses(state.q);
+  const NodalGradients<Dim> gradients = nodal_gradients(m_mesh, m_body, u, history.du);
+  std::vector<double> N(static_cast<std::size_t>(m_mesh.nodes_per_element));
+  for (int a = 0; a < m_mesh.num_nodes; ++a) {
+    const Vector<Dim> x = m_body.position(u, a), own = history.du.template segment<Dim>(Dim * a);
+    int tool = 0;
+    if (motions.size() > 1) tool = nearest_tool(m_model, poses, x, ContactNode<Dim>{}, -1).tool;
+    const CarrierMotion& motion = motions[tool];
+    const Vector<Dim> relative = motion.now(x) - x - ratio * own;
+    const Vector<Dim> P = m_mesh.node(a) - gradients.F[a].inverse() * relative;
+    static const int mode = std::getenv("RCP") ? std::atoi(std::getenv("RCP")) : 0;
+    const int element = mode == 1 ? -1 : m_locator.find(mode == 2 ? motion.mean_inverse(m_mesh.node(a)) : P, a);
+    Vector<Dim> increment = Vector<Dim>::Zero();
+    if (element >= 0) {
+      m_locator.shape(element, P, N.data());
+      for (int b = 0; b < m_mesh.nodes_per_element; ++b)
+        increment += N[b] * history.du.template segment<Dim>(Dim * m_mesh.element(element)[b]);
+      increment = motion.turn * increment;
+    } else {
+      increment = own;
+    }
+    // from the middle of the last step to the middle of this one
+    if (mode != 3 || element < 0) increment = part_of_rotation(gradients.step[a], 0.5 * (1 + ratio)) * increment;
+    for (int c = 0; c < Dim; ++c)
+      if (!m_body.fixed[Dim * a + c]) result[Dim * a + c] += ratio * increment[c];
+  }
+  return result;
+}
+
+// Where each candidate would stick if it touched in this step: contact nodes at their place, free ones at the
+// projection at the start of the step.
+template <int Dim>
+std::vector<ContactNode<Dim>> Predictor<Dim>::entry_nodes(const ContactState<Dim>& state,
+                                                          const Eigen::VectorXd& u) const {
+  std::vector<ContactNode<Dim>> entry = state.nodes;
+  const auto poses = m_model.poses(state.q);
+  for (std::size_t i = 0; i < entry.size(); ++i) {
+    if (!in_contact(entry[i].state)) {
+      const Vector<Dim> x = m_body.position(u, m_model.candidates[i]);
+      const auto nearest = nearest_tool(m_model, poses, x, entry[i], static_cast<int>(i));
+      entry[i].tool = nearest.tool;
+      entry[i].place = nearest.foot.place;
+    }
+    place_at(entry[i], entry[i].place);
+  }
+  return entry;
+}
+
+// State of the candidate that stood where this one stands now, seen from the tool.
+template <int Dim>
+void Predictor<Dim>::carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions,
+                                  ContactState<Dim>& state) const {
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    ContactNode<Dim>& node = state.nodes[i];
+    make_free(node);
+    const Vector<Dim> X = m_body.X.template segment<Dim>(Dim * m_model.candidates[i]);
+    for (int t = 0; t < static_cast<int>(motions.size()); ++t) {
+      const auto stood = m_candidates.nearest(motions[t].now.inverse()(X));
+      if (stood.index < 0 || !(stood.squared_distance < std::pow(CARRY * m_body.spacing, 2))) continue;
+      const ContactNode<Dim>& from = old.nodes[stood.index];
+      if (!in_contact(from.state) || from.tool != t) continue;
+      const bool slides = m_model.law(static_cast<int>(i), t).frictionless();
+      node.state = slides ? NodeState::SLIDING : from.state;
+      node.tied = from.tied;
+      if (!slides) node.slip_direction = from.slip_direction;
+      if (node.tool != t) place_at(node, from.place);
+      node.tool = t;
+      break;
+    }
+  }
+}
+
+// Place of a contact node that is not tied: foot of its predicted place, or where it sticks.
+template <int Dim>
+void Predictor<Dim>::place_contact_node(const std::vector<Pose<Dim>>& poses, int candidate, bool may_stick,
+                                        ContactState<Dim>& state, const Eigen::VectorXd& u) const {
+  ContactNode<Dim>& node = state.nodes[candidate];
+  if (node.state == NodeState::SLIDING) {
+    const Vector<Dim> x = m_body.position(u, m_model.candidates[candidate]);
+    node.place = m_model.tools[node.tool]->foot(poses[node.tool], x, node.slip_origin.hint).place;
+    const Param<Dim> m = contact_point(m_model, poses, node).m;
+    if (may_stick && !m_model.law(candidate, node.tool).frictionless() &&
+        TangentialLaw<Dim>::slips_back(slip_of(m_model, node), m, 0))
+      node.state = NodeState::STICKING;
+  }
+  if (!sticks(node.state)) return;
+  const NodeState kept = node.state;
+  make_stick(node);
+  node.state = kept;
+}
+
+// Places of the contact nodes at the predicted coordinates: first of the corners, which decide over the ties. The nodes stay where
+// they are predicted: the first iteration brings them to their tools by the whole body.
+template <int Dim>
+void Predictor<Dim>::place_contact_nodes(bool carry, bool tied, ContactState<Dim>& state,
+                                         const Eigen::VectorXd& u) const {
+  const auto poses = m_model.poses(state.q);
+  const int n = static_cast<int>(state.nodes.size());
+  const auto place = [&](bool middles) {
+    for (int i = 0; i < n; ++i)
+      if (in_contact(state.nodes[i].state) && !state.nodes[i].tied && m_model.is_middle(i) == middles)
+        place_contact_node(poses, i, carry, state, u);
+  };
+  for (auto& node : state.nodes) node.tied = node.tied && tied;
+  place(false);
+  if (tied) carry ? tie_edges(m_model, state) : keep_ties(m_model, state);
+  place(true);
+  follow_ends(m_model, state);
+}
+
+template <int Dim>
+Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, const ContactState<Dim>& state,
+                                        const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt,
+                                        bool carry, bool tied) const {
+  Prediction<Dim> result;
+  const bool known = history.dt > 0 && history.du.size() == u.size();
+  const double ratio = known ? dt / history.dt : 0;
+  result.u = u;
+  result.entry = entry_nodes(state, u);
+  result.state.nodes = result.entry;
+  result.state.q = predict_coordinates(prescribed, state.q, history, ratio);
+  follow(m_model, result.state.q);
+  for (auto& node : result.state.nodes)
+    if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
+  if (known && carry) {
+    std::vector<CarrierMotion> motions;
+    for (std::size_t t = 0; t < m_model.tools.size(); ++t)
+      motions.push_back(carrier_motion(static_cast<int>(t), history.q_old, state.q, result.state.q));
+    result.u = carry_increment(state, u, history, motions, ratio);
+    carry_states(state, motions, result.state);
+  } else if (known) {
+    for (Eigen::Index d = 0; d < u.size(); ++d)
+      if (!m_body.fixed[d]) result.u[d] += ratio * history.du[d];
+  }
+  // Without a step before, the nodes stay where they are: the first iteration brings them to the tool by an
+  // offset.
+  if (known)
+    place_contact_nodes(carry, tied, result.state, result.u);
+  else if (tied)
+    tie_edges(m_model, result.state);
+  return result;
+}
+
+template <int Dim>
+Prediction<Dim> Predictor<Dim>::rest(const ContactState<Dim>& state, const Eigen::VectorXd& u) const {
+  Prediction<Dim> start{u, state, {}};
+  for (auto& node : start.state.nodes) {
+    if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
+    node.tied = false;
+    node.slip_origin = node.place;
+  }
+  start.entry = start.state.nodes;
+  return start;
+}
+
+template class Predictor<2>;
+template class Predictor<3>;
+
+} // namespace burnish

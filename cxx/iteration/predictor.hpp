@@ -1,0 +1,61 @@
+#pragma once
+// Predicted state of a step: the last step's increment and contact states carried along with the tools
+// (ALGORITHMS.md 3).
+#include "contact/body_view.hpp"
+#include "contact/contact_model.hpp"
+#include "mesh/mesh_locator.hpp"
+#include "mesh/point_tree.hpp"
+
+namespace burnish {
+
+/// The step before: what the predictor carries on. Plain data.
+template <int Dim> struct StepHistory {
+  Eigen::VectorXd du;    ///< displacement increment of the last step, empty before the first
+  Eigen::VectorXd dq;    ///< increment of the coordinates
+  Eigen::VectorXd q_old; ///< coordinates at its start
+  double dt = 0;
+};
+
+template <int Dim> struct Prediction {
+  Eigen::VectorXd u;
+  ContactState<Dim> state;
+  std::vector<ContactNode<Dim>> entry; ///< per candidate, where a node touching in this step would stick
+};
+
+template <int Dim> class Predictor {
+public:
+  /// @param mesh, model, body must outlive it
+  Predictor(const Mesh<Dim>& mesh, const ContactModel<Dim>& model, const BodyView<Dim>& body);
+  const MeshLocator<Dim>& locator() const { return m_locator; }
+
+  /// @param state, u accepted state at the start of the step; slips are counted from here
+  /// @param carry also carry the contact states along (false: states stay, event stepping)
+  /// @param tied  ties edges in contact by the states that come of it (contact/tied_edges.hpp)
+  Prediction<Dim> predict(const PrescribedValues& prescribed, const ContactState<Dim>& state,
+                          const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt, bool carry,
+                          bool tied = true) const;
+  /// The accepted state as it is: the start of a step of pure rates.
+  Prediction<Dim> rest(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
+
+private:
+  struct CarrierMotion;
+  CarrierMotion carrier_motion(int tool, const Eigen::VectorXd& q_older, const Eigen::VectorXd& q_old,
+                               const Eigen::VectorXd& q_new) const;
+  Eigen::VectorXd carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                                  const StepHistory<Dim>& history, const std::vector<CarrierMotion>& motions,
+                                  double ratio) const;
+  std::vector<ContactNode<Dim>> entry_nodes(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
+  void carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions,
+                    ContactState<Dim>& state) const;
+  void place_contact_nodes(bool carry, bool tied, ContactState<Dim>& state, const Eigen::VectorXd& u) const;
+  void place_contact_node(const std::vector<Pose<Dim>>& poses, int candidate, bool may_stick,
+                          ContactState<Dim>& state, const Eigen::VectorXd& u) const;
+
+  const Mesh<Dim>& m_mesh;
+  const ContactModel<Dim>& m_model;
+  const BodyView<Dim>& m_body;
+  MeshLocator<Dim> m_locator;
+  PointTree<Dim> m_candidates; // in the reference configuration
+};
+
+} // namespace burnish

@@ -1,0 +1,158 @@
+#include "run/approach.hpp"
+#include "base/error.hpp"
+#include "base/sentence.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+constexpr int ITERATIONS = 1000;  // bound; a far tool advances by half its gap or more each time
+constexpr double TOUCH = 1e-9;    // gap that counts as touch, over the spacing of candidates
+constexpr double SAME_GAP = 1e-9; // nodes whose gaps differ by less touch together, same scale
+constexpr double NO_SLOPE =
+    1e-9; // change of the gap over the motion: below, the coordinate does not close it
+constexpr double GAP_SHARE =
+    1.5; // no point of the tool moves further than this part of the gap in an iteration ...
+constexpr double LEAST_WAY = 0.05;  // ... or this part of the spacing
+constexpr double FROM_INSIDE = 0.5; // cosine between the tool's normal and the body's outward normal
+
+struct SmallestGap {
+  double gap = 0, slope = 0, lever = 0; // gap, its change with the coordinate, motion of the foot with it
+  double fastest = 0, second_order = 0; // largest |X_,k| and |X_,kk|/2 of all candidates' feet
+  std::vector<std::size_t> nodes;       // candidates that have it
+};
+
+// Smallest gap of a tool, and its change with coordinate k; places the candidates' feet in the state.
+template <int Dim>
+SmallestGap smallest_gap(const ContactSetup<Dim>& setup, ContactState<Dim>& state, const Eigen::VectorXd& u,
+                         int tool, int k) {
+  const auto& model = setup.model();
+  const auto pose = model.tools[tool]->coordinates().pose(model.tool_q(state.q, tool));
+  const double same = SAME_GAP * setup.body().spacing;
+  SmallestGap result;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    if (!model.may_touch(static_cast<int>(i), tool)) continue;
+    auto& node = state.nodes[i];
+    const auto foot =
+        model.tools[tool]->foot(pose, setup.body().position(u, model.candidates[i]), node.place.hint);
+    const auto p = model.tools[tool]->point(pose, foot.place);
+    result.fastest = std::max(result.fastest, p.x_q.col(k).norm());
+    result.second_order =
+        std::max(result.second_order, 0.5 * p.x_qq[static_cast<std::size_t>(k)].col(k).norm());
+    if (!result.nodes.empty() && foot.gap >= result.gap + same) continue;
+    if (result.nodes.empty() || foot.gap < result.gap - same) result.nodes.clear();
+    result.gap = result.nodes.empty() ? foot.gap : std::min(result.gap, foot.gap);
+    result.slope = -p.n.dot(p.x_q.col(k));
+    result.lever = p.x_q.col(k).norm();
+    result.nodes.push_back(i);
+    if (node.tool == tool || !in_contact(node.state))
+      node.place = foot.place; // not where another tool touches
+  }
+  return result;
+}
+
+// Mean normal out of the workpiece of the facets at a node; zero if there is none.
+template <int Dim> Vector<Dim> outward(const ContactSetup<Dim>& setup, int node, const Eigen::VectorXd& u) {
+  Vector<Dim> sum = Vector<Dim>::Zero();
+  const auto& mesh = setup.mesh();
+  for (const Facet<Dim>& facet : setup.surface()) {
+    const std::vector<int> nodes = nodes_of(facet);
+    if (facet.element < 0 || std::find(nodes.begin(), nodes.end(), node) == nodes.end()) continue;
+    const auto& vertex = facet.vertex;
+    const int* corner = mesh.element(facet.element);
+    const int opposite = *std::find_if(corner, corner + Dim + 1, [&](int v) {
+      return std::find(vertex.begin(), vertex.end(), v) == vertex.end();
+    });
+    const Vector<Dim> a = setup.body().position(u, vertex[0]);
+    Tangents<Dim> along;
+    for (int v = 1; v < Dim; ++v) along.col(v - 1) = setup.body().position(u, vertex[v]) - a;
+    const Vector<Dim> away = a - setup.body().position(u, opposite);
+    sum += (away - along * along.colPivHouseholderQr().solve(away)).normalized();
+  }
+  return sum.stableNormalized();
+}
+
+// A tool inside the workpiece has nodes at a positive gap, too, and reaches the surface from within.
+template <int Dim>
+void check_from_outside(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                        const Eigen::VectorXd& u, int tool, const std::vector<std::size_t>& touching) {
+  const auto& model = setup.model();
+  const auto pose = model.tools[tool]->coordinates().pose(model.tool_q(state.q, tool));
+  for (const std::size_t i : touching) {
+    const int node = model.candidates[i];
+    const Vector<Dim> n = pose.R * model.tools[tool]->surface().frame(state.nodes[i].place).n;
+    if (n.dot(outward(setup, node, u)) < FROM_INSIDE) continue;
+    std::ostringstream text;
+    text << "tool \"" << setup.tools()[tool]->name()
+         << "\" comes to the surface from inside the workpiece, at node " << node << " at "
+         << place_text(setup.body().position(u, node))
+         << "; place it outside first, or, if its profile has the body on the wrong side, turn it: "
+         << "inside=true, or the points in the other order";
+    fail("contact.approach", text.str());
+  }
+}
+
+// A coordinate that follows others cannot move alone, nor one that another of the same tool follows.
+template <int Dim> void check_independent_approach(const ContactSetup<Dim>& setup, int q) {
+  const auto& model = setup.model();
+  if (const Coupling* coupling = model.coupling_of(q))
+    fail("contact.approach", model.coordinate(q) + " follows \"" + coupling->formula->text() +
+                                 "\"; approach along " + model.coordinate(coupling->formula->arguments()[0]));
+  for (const int follower : model.followers(q))
+    if (model.tool_of(follower) == model.tool_of(q))
+      fail("contact.approach", model.coordinate(follower) + " follows " + model.coordinate(q) +
+                                   ", which cannot approach alone; place it by hand");
+}
+
+template <int Dim> [[noreturn]] void fail_approach(const ContactSetup<Dim>& setup, int tool, int k) {
+  const double h = setup.body().spacing, radius = setup.model().tools[tool]->surface().tightest_radius();
+  std::ostringstream small;
+  if (radius < h)
+    small << " (its tightest radius, " << radius << ", is smaller than the distance of the contact nodes, "
+          << h << ": it may pass between them)";
+  fail("contact.approach",
+       setup.model().coordinate(setup.model().first[tool] + k) + " alone does not bring it to the body" +
+           small.str() +
+           "; place the tool opposite the contact surface first (the body lies on the left of an "
+           "open profile: reverse one that faces away)");
+}
+
+} // namespace
+
+template <int Dim>
+ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> state,
+                             const Eigen::VectorXd& u, int tool, int k) {
+  check_independent_approach(setup, setup.model().first[tool] + k);
+  double& q = state.q[setup.model().first[tool] + k];
+  const double spacing = setup.body().spacing;
+  for (int iteration = 0; iteration < ITERATIONS; ++iteration) {
+    const SmallestGap least = smallest_gap(setup, state, u, tool, k);
+    if (std::abs(least.gap) < TOUCH * spacing) {
+      check_from_outside(setup, state, u, tool, least.nodes);
+      for (const std::size_t i : least.nodes) {
+        auto& node = state.nodes[i];
+        node.tool = tool;
+        place_at(node, node.place);
+        const bool slides = setup.model().law(static_cast<int>(i), tool).frictionless();
+        node.state = slides ? NodeState::SLIDING : NodeState::STICKING;
+      }
+      return state;
+    }
+    if (std::abs(least.slope) < NO_SLOPE * least.lever) break;
+    // no point of the tool moves much further than the gap, to second order, lest a leap past a dead center
+    // or through the body ends at another touch than the first one
+    const double way = std::max(GAP_SHARE * std::abs(least.gap), LEAST_WAY * spacing);
+    const double most =
+        2 * way / (least.fastest + std::sqrt(least.fastest * least.fastest + 4 * least.second_order * way));
+    q -= std::clamp(least.gap / least.slope, -most, most);
+  }
+  fail_approach(setup, tool, k);
+}
+
+template ContactState<2> approached<2>(const ContactSetup<2>&, ContactState<2>, const Eigen::VectorXd&, int,
+                                       int);
+template ContactState<3> approached<3>(const ContactSetup<3>&, ContactState<3>, const Eigen::VectorXd&, int,
+                                       int);
+
+} // namespace burnish

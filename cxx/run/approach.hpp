@@ -1,0 +1,16 @@
+#pragma once
+// A tool is moved along one of its coordinates until it just touches the body.
+#include "contact/contact_setup.hpp"
+
+namespace burnish {
+
+/// Newton's method on the smallest gap as a function of coordinate k of the tool.
+/// @param state before: all tools at state.q; @param u displacement of the body
+/// @returns the state with the tool moved and the touching nodes in contact
+/// @throws std::invalid_argument if it cannot touch by this coordinate alone, would touch from inside, if it
+/// follows others, or another coordinate of the tool follows it
+template <int Dim>
+ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> state,
+                             const Eigen::VectorXd& u, int tool, int k);
+
+} // namespace burnish

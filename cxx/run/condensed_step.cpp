@@ -1,0 +1,70 @@
+#include "run/condensed_step.hpp"
+#include "base/error.hpp"
+#include "contact/slip_motion.hpp"
+
+namespace burnish {
+
+template <int Dim> void StepUnderWay<Dim>::require_begun(const char* where) const {
+  if (stage == Stage::NONE) fail(where, "no step is under way, call begin first");
+}
+template <int Dim> void StepUnderWay<Dim>::require_checked(const char* where) const {
+  require_begun(where);
+  if (stage != Stage::CHECKED) fail(where, "this step has not been checked, call check first");
+}
+
+template <int Dim>
+CondensedStep<Dim>::CondensedStep(Iteration<Dim>& iteration, BodyLoads<Dim>& loads, StepUnderWay<Dim>& step,
+                                  const ContactState<Dim>& start)
+    : m_iteration(iteration), m_loads(loads), m_step(step), m_start(start), m_way(iteration),
+      m_condensation(iteration.model(), iteration.body()) {}
+
+template <int Dim>
+const CondensedSystem& CondensedStep<Dim>::condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u,
+                                                    const Eigen::VectorXd& R, GeometricTerms terms,
+                                                    RightHandSide right, bool half) {
+  m_step.require_begun("contact.condense");
+  const Eigen::Index dofs = m_iteration.body().X.size();
+  require(u.size() == dofs && R.size() == dofs, "contact.condense", "size of the arrays", R.size(),
+          "number of dofs");
+  if (!R.allFinite()) fail("contact.condense", "the force array contains NaN or Inf");
+  ++m_iteration.counts().condensations;
+  m_way.prepare();
+  return m_condensation.condense(
+      m_loads.with_hold(K, m_step.end()), m_iteration.state(), {&m_step.prescribed, &m_step.prescribed_start},
+      u, m_loads.residual(u, m_step.end(), R), terms, right, half, m_iteration.options().friction_tangent);
+}
+
+template <int Dim> double CondensedStep<Dim>::expand(const Eigen::VectorXd& z, Eigen::VectorXd& u) {
+  m_step.require_begun("contact.expand");
+  require(u.size() == m_iteration.body().X.size(), "contact.expand", "size of u", u.size(), "number of dofs");
+  const auto increment = m_condensation.expand(z);
+  if (m_step.stepping == Stepping::RATES) {
+    u += increment.du;
+    move_by(m_iteration.model(), increment, m_iteration.state());
+  } else {
+    m_way.advance(increment, u);
+  }
+  return increment.du.cwiseAbs().maxCoeff();
+}
+
+template <int Dim> void CondensedStep<Dim>::cut(Eigen::VectorXd& u, double fraction) {
+  const char* where = "contact.cut";
+  m_step.require_begun(where);
+  if (m_step.stepping != Stepping::RATES)
+    fail(where, "only a step of pure rates is linear: begin it with rates=true");
+  require(fraction > 0 && fraction <= 1, where, "fraction", fraction, "0 < fraction <= 1");
+  require(u.size() == m_step.u_start.size(), where, "size of u", u.size(), "number of dofs");
+  u = (m_step.u_start + fraction * (u - m_step.u_start)).eval();
+  shorten(m_iteration.model(), m_start, fraction, m_iteration.state());
+  const Eigen::VectorXd& start = m_step.prescribed_start.value;
+  m_step.prescribed.t = m_step.t + fraction * m_step.dt;
+  m_step.prescribed.value = (start + fraction * (m_step.prescribed.value - start)).eval();
+  m_step.dt *= fraction;
+}
+
+template struct StepUnderWay<2>;
+template struct StepUnderWay<3>;
+template class CondensedStep<2>;
+template class CondensedStep<3>;
+
+} // namespace burnish

@@ -1,0 +1,291 @@
+#include "run/stepper.hpp"
+#include "base/error.hpp"
+#include "base/sentence.hpp"
+#include "run/contact_motion.hpp"
+#include "run/seen_step.hpp"
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace burnish {
+namespace {
+
+constexpr double WARNED_ERROR = 0.08; // estimated error of the steps that is reported as a warning
+// An event step that failed so often is taken with the states inside the iteration.
+constexpr int MAX_TRIES = 5;
+// So many steps after one that events have solved are tried by events first.
+constexpr int FALLBACK_STEPS = 10;
+
+} // namespace
+
+template <int Dim>
+Stepper<Dim>::Stepper(ContactRun<Dim>& contact, RunBody<Dim>& body, Diagnosis<Dim>& diagnosis,
+                      StepControl control, StepperOptions options)
+    : m_contact(contact), m_body(body), m_diagnosis(diagnosis), m_control(std::move(control)),
+      m_options(options), m_implicit(contact, body, m_options.events, m_counts.scheme),
+      m_event(contact, body, m_options.events, m_counts.scheme),
+      m_article(contact, body, m_options.events, m_counts.scheme), m_scheme(&m_implicit) {
+  m_diagnosis.restart();
+  m_body.start();
+}
+
+template <int Dim> Task Stepper<Dim>::ask(Task task, Phase phase) {
+  m_phase = phase;
+  return task;
+}
+
+template <int Dim> Task Stepper<Dim>::next(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  if (m_stopped) return end(u, R);
+  const bool done = !m_refused;
+  switch (m_phase) {
+  case Phase::STEP:
+    if (m_body.take_change() == StateChange::ACCEPTED) return ask(Task::ACCEPT_LAW, Phase::STEP);
+    return begin_step();
+  case Phase::RECORD:
+    return begin_step();
+  case Phase::PROGRAM:
+    return done ? begin_solve(u, R) : solved(false, u, R);
+  case Phase::SOLVE:
+  case Phase::LAW:
+    return done ? ask_forces() : solved(false, u, R);
+  case Phase::FORCES:
+    return done ? check(u, R) : solved(false, u, R);
+  case Phase::TANGENT:
+    return done ? correct(u, R) : solved(false, u, R);
+  case Phase::ENDED:
+    break;
+  }
+  return m_control.finished() ? Task::FINISHED : Task::STOPPED;
+}
+
+template <int Dim> void Stepper<Dim>::refuse(const std::string& reason) {
+  m_refused = true;
+  m_refusal = reason;
+}
+
+template <int Dim> void Stepper<Dim>::stop(const std::string& reason) {
+  m_stopped = true;
+  m_reason = reason;
+}
+
+template <int Dim> Task Stepper<Dim>::begin_step() {
+  if (m_control.finished()) {
+    warn_of_error();
+    return ask(Task::FINISHED, Phase::ENDED);
+  }
+  m_diagnosis.begin(seen());
+  const double narrow = m_options.width_steps * m_options.nodes_per_step * m_contact.setup().body().spacing;
+  m_control.stop_at(m_contact.loads().hold.state().until);
+  m_control.propose(std::max(contact_width(m_contact), narrow), contact_speed(m_contact));
+  if (m_options.scheme == Scheme::ARTICLE && m_body.has_damage())
+    fail("Stepper",
+         "scheme article with damage, expected implicit or event: pure rates never take off the force that a "
+         "damaged point has lost");
+  m_body.set_step_length(m_control.dt());
+  m_tries = 0;
+  m_disagreed = false;
+  return try_step();
+}
+
+// Whether the present try is by events. States that never agree inside the iteration may agree one after another, and
+// the other way round.
+template <int Dim> bool Stepper<Dim>::by_events() const {
+  if (m_options.scheme == Scheme::EVENT) return m_tries < MAX_TRIES;
+  if (m_options.scheme != Scheme::IMPLICIT || m_options.fallback == 0 || m_options.condensed) return false;
+  if (m_tries == 0) return m_counts.by_events > 0;
+  return m_disagreed && m_tries >= m_options.fallback && (m_tries - m_options.fallback) % 2 == 0;
+}
+
+template <int Dim> Task Stepper<Dim>::try_step() {
+  m_scheme = &m_implicit;
+  if (by_events()) m_scheme = &m_event;
+  if (m_options.scheme == Scheme::ARTICLE) m_scheme = &m_article;
+  m_scheme->start(m_control.time(), m_control.dt());
+  return ask(Task::PROGRAM, Phase::PROGRAM);
+}
+
+// A law of the caller's follows what became of the last step first.
+template <int Dim> Task Stepper<Dim>::ask_forces() {
+  const StateChange change = m_body.take_change();
+  if (change == StateChange::ACCEPTED) return ask(Task::ACCEPT_LAW, Phase::LAW);
+  if (change == StateChange::REVERTED) return ask(Task::REVERT_LAW, Phase::LAW);
+  return ask(Task::FORCES, Phase::FORCES);
+}
+
+template <int Dim> Task Stepper<Dim>::begin_solve(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  const Solve& solve = m_scheme->solve();
+  if (solve.stepping == Stepping::IMPLICIT && m_contact.iteration().options().steps_per_factor > 1 &&
+      m_control.is_last())
+    m_contact.corrector().drop_factor(); // so that no loss of stability is left unseen
+  try {
+    m_contact.begin(u, solve.from, solve.dt, solve.stepping);
+  } catch (const std::exception&) {
+    if (!falls_back()) throw;
+    return rejected(u, R); // a piece has ended where there is no way on, e.g. off the body
+  }
+  m_iteration = 0;
+  return solve.stepping == Stepping::RATES ? ask(Task::SOLVE, Phase::SOLVE) : ask_forces();
+}
+
+template <int Dim> Task Stepper<Dim>::check(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  if (m_scheme->solve().stepping == Stepping::RATES)
+    return solved(m_contact.check(u, R) == StepStatus::CONVERGED, u, R);
+  ++m_iteration;
+  switch (m_contact.check(u, R)) {
+  case StepStatus::CONVERGED:
+    return solved(true, u, R);
+  case StepStatus::FAILED:
+    return solved(false, u, R);
+  case StepStatus::BACKTRACKED:
+    return ask_forces();
+  case StepStatus::REFACTORIZE:
+    return m_options.condensed ? ask(Task::SOLVE, Phase::SOLVE) : ask(Task::TANGENT, Phase::TANGENT);
+  case StepStatus::ITERATE:
+    break;
+  }
+  return m_options.condensed ? ask(Task::SOLVE, Phase::SOLVE) : correct(u, R);
+}
+
+template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  if (m_contact.correct(u, R) == StepStatus::FAILED) return solved(false, u, R);
+  return ask_forces();
+}
+
+template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  if (!converged && !falls_back()) { // a try by events has no reason of its own
+    m_disagreed =
+        m_disagreed || (m_refusal.empty() && m_contact.iteration().balance().last().inconsistent > 0);
+    m_last_rejection = burnish::reason(m_contact, m_diagnosis, m_body.checked(), m_refusal);
+  }
+  m_refused = false;
+  m_refusal.clear();
+  switch (m_scheme->solved(converged, u, R)) {
+  case SchemeTask::SOLVE:
+    return ask(Task::PROGRAM, Phase::PROGRAM);
+  case SchemeTask::FORCES:
+    return ask_forces();
+  case SchemeTask::ACCEPTED:
+    return accepted();
+  case SchemeTask::REJECTED:
+    break;
+  }
+  return rejected(u, R);
+}
+
+// How far the contact has rolled, and what the length of the step has cost.
+template <int Dim> void Stepper<Dim>::measure_step() {
+  constexpr double rolls = 1e-3; // spacings a step: less is no rolling
+  const double nodes =
+      contact_speed(m_contact) * m_contact.accepted().history.dt / m_contact.setup().body().spacing;
+  if (nodes > rolls) {
+    ++m_counts.rolling;
+    m_counts.travel += nodes;
+  }
+  m_control.steer(StepErrorState::STEP_ERROR_PER_ETA * m_body.step_error().last);
+}
+
+template <int Dim> void Stepper<Dim>::warn_of_error() {
+  if (!(error() > WARNED_ERROR)) return;
+  Finding* finding =
+      m_diagnosis.findings().report("contact", "steps", Severity::WARNING, 0, m_control.time());
+  if (!finding) return;
+  finding->text =
+      sentence("the steps are long: about ", std::lround(100 * error()), " % error of the plastic strain");
+  if (m_counts.nodes_per_step() > 1)
+    finding->text +=
+        sentence(", ", std::setprecision(2), m_counts.nodes_per_step(), " nodes of rolling a step");
+  finding->text += "; take more steps, or state an accuracy";
+}
+
+template <int Dim> Task Stepper<Dim>::accepted() {
+  const double t = m_control.time(), dt = m_control.dt(), part = m_scheme->reached() - t;
+  if (part < dt - SHORTEST_REST * dt) m_control.cut(part / dt); // the rest of the step failed
+  m_control.accepted();
+  measure_step();
+  m_counts.scheme.pileups += m_options.scheme == Scheme::EVENT && m_tries >= MAX_TRIES;
+  ++m_counts.steps;
+  if (m_options.scheme == Scheme::IMPLICIT) {
+    m_counts.fallbacks += falls_back();
+    m_counts.by_events =
+        falls_back() && m_tries >= m_options.fallback ? FALLBACK_STEPS : std::max(0, m_counts.by_events - 1);
+  }
+  m_body.set_step_length(0);
+  look(m_control.time() - t);
+  return ask(Task::RECORD, Phase::RECORD);
+}
+
+template <int Dim> AcceptedStep<Dim> Stepper<Dim>::seen() const {
+  AcceptedStep<Dim> step = accepted_step(m_contact, m_body.checked());
+  step.t = m_control.time();
+  step.last = m_control.finished();
+  return step;
+}
+
+// The diagnosis of the accepted state; the run may end with it, once it is recorded.
+template <int Dim> void Stepper<Dim>::look(double dt) {
+  AcceptedStep<Dim> step = seen();
+  step.dt = dt;
+  const std::string why = m_diagnosis.look(std::move(step));
+  if (why.empty()) return;
+  m_halted = true;
+  stop(why);
+}
+
+template <int Dim> std::vector<Statement> Stepper<Dim>::report() const {
+  StepAccuracy accuracy;
+  accuracy.given = m_control.options().accuracy > 0;
+  accuracy.asked = accuracy.given ? m_control.options().accuracy : WARNED_ERROR;
+  if (error() >= 0) accuracy.error = error();
+  accuracy.longest = 0.5 * static_cast<double>(m_counts.steps) * m_control.options().dt_max <=
+                     m_control.time() - m_control.start();
+  return m_diagnosis.report(seen(), accuracy);
+}
+
+template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  ++m_counts.rejected;
+  ++m_tries;
+  m_rejected_dt = m_control.dt();
+  m_body.revert();
+  m_contact.revert();
+  u = m_contact.accepted().u;
+  R = m_contact.accepted().R;
+  if (m_control.rejected()) return try_step();
+  m_at_floor = true;
+  stop(m_last_rejection);
+  return end(u, R);
+}
+
+template <int Dim> Task Stepper<Dim>::end(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  m_body.set_step_length(0);
+  warn_of_error();
+  if (m_phase != Phase::ENDED && m_phase != Phase::STEP) {
+    m_body.revert();
+    m_contact.revert();
+    u = m_contact.accepted().u;
+    R = m_contact.accepted().R;
+  }
+  return ask(Task::STOPPED, Phase::ENDED);
+}
+
+template <int Dim> RunState<Dim> Stepper<Dim>::state() const {
+  return {m_body.state(), m_contact.state(), m_control.state(), m_counts, m_diagnosis};
+}
+
+template <int Dim>
+void Stepper<Dim>::set_state(const RunState<Dim>& state, Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  m_body.set_state(state.body);
+  m_contact.set_state(state.contact);
+  m_control.set_state(state.control);
+  m_counts = state.counts;
+  m_diagnosis = state.diagnosis;
+  u = state.contact.u;
+  R = state.contact.R;
+  m_phase = Phase::STEP;
+  m_stopped = m_refused = false;
+}
+
+template class Stepper<2>;
+template class Stepper<3>;
+
+} // namespace burnish

@@ -1,0 +1,140 @@
+#pragma once
+// The loop over the steps of a run, turned inside out: it says what has to be done next, and its caller, a script or a
+// test, does it. One loop for all; every decision about steps is here, in StepControl and in the schemes.
+#include "diagnosis/diagnosis.hpp"
+#include "run/step_control.hpp"
+#include "run/step_scheme.hpp"
+
+namespace burnish {
+
+/// What the caller of a run does next.
+enum class Task {
+  PROGRAM,    ///< set motion or force of every coordinate for the instant target()
+  ACCEPT_LAW, ///< the caller's law, if it has a state of its own: the end of the last step is its start now
+  REVERT_LAW, ///< the same: back to the start of the step
+  FORCES, ///< update the stress at u for a step of length dt(), iteration(); its internal nodal forces into R; refuse() if
+          ///< the material cannot follow
+  TANGENT, ///< factorize a tangent at u (ContactRun::factorize); refuse() if there is none
+  SOLVE, ///< tangent, condense, solve, expand into u (pure rates, or StepperOptions::condensed); refuse() if that fails
+  RECORD,   ///< a step has been accepted: u and time() hold it
+  FINISHED, ///< the end of the program has been reached
+  STOPPED,  ///< the run has ended before: reason() tells why; u holds the last accepted state
+};
+
+enum class Scheme { IMPLICIT, EVENT, ARTICLE };
+
+struct StepperOptions {
+  Scheme scheme = Scheme::IMPLICIT;
+  SchemeOptions events;
+  double nodes_per_step = 1; ///< a rolling step is at least this many node spacings long
+  double width_steps =
+      14; ///< as StepControlOptions::steps_per_width: the contact counts as that many spacings wide
+  bool condensed = false; ///< every iteration is a SOLVE: the caller's solver takes the condensed matrix
+  /// An implicit step that has failed so often, once or more with contact states that contradict the forces, is tried by
+  /// events every second time; 0: never.
+  int fallback = 0;
+};
+
+struct StepperCounts {
+  long steps = 0, rejected = 0;
+  long rolling = 0;   ///< steps in which the contact moved along the body
+  double travel = 0;  ///< of the contact in them, node spacings
+  long fallbacks = 0; ///< implicit steps that events have solved
+  int by_events = 0;  ///< steps to come that are tried by events first
+  /// Node spacings that the contact rolls in a step, mean [-]; 0: it does not roll.
+  double nodes_per_step() const { return rolling > 0 ? travel / rolling : 0; }
+  SchemeCounts scheme;
+};
+
+/// All that a run needs to go on after an accepted step. Plain data; a copy goes on to the same bits.
+template <int Dim> struct RunState {
+  BodyState<Dim> body;
+  ContactRunState<Dim> contact;
+  StepControlState control;
+  StepperCounts counts;
+  Diagnosis<Dim> diagnosis;
+};
+
+template <int Dim> class Stepper {
+public:
+  /// @param contact, body, diagnosis must outlive it; the diagnosis starts anew
+  Stepper(ContactRun<Dim>& contact, RunBody<Dim>& body, Diagnosis<Dim>& diagnosis, StepControl control,
+          StepperOptions options);
+
+  /// Does what follows from the last task, up to the next one. u, R belong to the caller: the first call takes u as the
+  /// displacement at the start.
+  Task next(Eigen::VectorXd& u, Eigen::VectorXd& R);
+  /// Instead of the last task: it cannot be done. The step is rejected and tried shorter.
+  void refuse(const std::string& reason);
+  /// Ends the run at the last accepted state: the next task is STOPPED. An accepted step is recorded before.
+  void stop(const std::string& reason);
+
+  /// The way through the steps from the next one on.
+  void set_scheme(Scheme scheme) { m_options.scheme = scheme; }
+
+  /// Whose solver takes the iterations from the next one on, see StepperOptions::condensed.
+  void set_condensed(bool condensed) { m_options.condensed = condensed; }
+
+  /// What is said of the scene so far; nothing without the checks.
+  std::vector<Statement> report() const;
+  bool halted() const { return m_halted; } ///< a self-check has ended the run
+
+  double target() const { return m_scheme->solve().from + m_scheme->solve().dt; } ///< PROGRAM
+  double dt() const { return m_scheme->solve().dt; } ///< FORCES: length of the piece
+  Stepping stepping() const { return m_scheme->solve().stepping; }
+  int iteration() const { return m_iteration; } ///< FORCES: 0, 1, 2, ... in this equilibrium
+  double time() const { return m_control.time(); }
+  const StepControl& control() const { return m_control; }
+  const StepperCounts& counts() const { return m_counts; }
+  /// Estimated relative error that the length of the steps has made in the plastic strain increments [-]; < 0: none, see
+  /// StepErrorState::estimate.
+  double error() const { return m_body.step_error().estimate(); }
+  const std::string& reason() const { return m_reason; } ///< STOPPED
+  bool at_floor() const { return m_at_floor; }           ///< STOPPED: no step is short enough
+  /// Why the last step was rejected, and its length; "" before the first.
+  const std::string& last_rejection() const { return m_last_rejection; }
+  double rejected_dt() const { return m_rejected_dt; }
+
+  RunState<Dim> state() const;
+  /// Goes on from another run's state. @throws std::invalid_argument if it is that of another body, contact or set of tools
+  void set_state(const RunState<Dim>& state, Eigen::VectorXd& u, Eigen::VectorXd& R);
+
+private:
+  enum class Phase { STEP, PROGRAM, LAW, FORCES, TANGENT, SOLVE, RECORD, ENDED };
+  Task begin_step();
+  void measure_step();
+  void warn_of_error();
+  Task ask(Task task, Phase phase);
+  bool by_events() const;
+  bool falls_back() const { return m_scheme == &m_event && m_options.scheme == Scheme::IMPLICIT; }
+  Task try_step();
+  Task ask_forces();
+  Task begin_solve(Eigen::VectorXd& u, Eigen::VectorXd& R);
+  Task check(Eigen::VectorXd& u, Eigen::VectorXd& R);
+  Task correct(Eigen::VectorXd& u, Eigen::VectorXd& R);
+  Task solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R);
+  Task accepted();
+  AcceptedStep<Dim> seen() const;
+  void look(double dt);
+  Task rejected(Eigen::VectorXd& u, Eigen::VectorXd& R);
+  Task end(Eigen::VectorXd& u, Eigen::VectorXd& R);
+
+  ContactRun<Dim>& m_contact;
+  RunBody<Dim>& m_body;
+  Diagnosis<Dim>& m_diagnosis;
+  StepControl m_control;
+  StepperOptions m_options;
+  StepperCounts m_counts;
+  ImplicitScheme<Dim> m_implicit;
+  EventScheme<Dim> m_event;
+  ArticleScheme<Dim> m_article;
+  StepScheme<Dim>* m_scheme; // of the present try
+  Phase m_phase = Phase::STEP;
+  int m_tries = 0, m_iteration = 0;
+  bool m_disagreed = false; // a try of the present step ended with contact states that contradict the forces
+  bool m_refused = false, m_stopped = false, m_at_floor = false, m_halted = false;
+  std::string m_refusal, m_reason, m_last_rejection;
+  double m_rejected_dt = 0;
+};
+
+} // namespace burnish

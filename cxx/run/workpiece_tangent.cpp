@@ -1,0 +1,27 @@
+#include "run/workpiece_tangent.hpp"
+#include "base/error.hpp"
+
+namespace burnish {
+
+template <int Dim>
+bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece, const Eigen::VectorXd& u) {
+  const Mesh<Dim>& mesh = contact.setup().mesh();
+  const int size = workpiece.discretization().num_dofs();
+  require(size == mesh.num_dofs(), "contact.factorize", "degrees of freedom of the material", size,
+          (std::to_string(mesh.num_dofs()) + " as the contact's space").c_str());
+  if (workpiece.discretization().axisymmetric != mesh.axisymmetric)
+    fail("contact.factorize",
+         "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
+  contact.corrector().forget_mixing();
+  NodeBlockMatrix<Dim> K = workpiece.pattern();
+  do {
+    workpiece.tangent(K, TangentKind::CONSISTENT, contact.iteration().policy().elastic_blend());
+    if (contact.factorize(K, u) == FactorStatus::OK) return true;
+  } while (!contact.iteration().policy().blend_exhausted());
+  return false;
+}
+
+template bool factorize_tangent<2>(ContactRun<2>&, const Workpiece<2>&, const Eigen::VectorXd&);
+template bool factorize_tangent<3>(ContactRun<3>&, const Workpiece<3>&, const Eigen::VectorXd&);
+
+} // namespace burnish
