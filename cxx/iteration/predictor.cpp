@@ -123,7 +123,8 @@ Eigen::VectorXd Predictor<Dim>::carry_increment(const ContactState<Dim>& state, 
     const Vector<Dim> relative = motion.now(x) - x - ratio * own;
     const Vector<Dim> P = m_mesh.node(a) - gradients.F[a].inverse() * relative;
     static const int mode = std::getenv("RCP") ? std::atoi(std::getenv("RCP")) : 0;
-    const int element = mode == 1 ? -1 : m_locator.find(mode == 2 ? motion.mean_inverse(m_mesh.node(a)) : P, a);
+    const int element =
+        mode == 1 ? -1 : m_locator.find(mode == 2 ? motion.mean_inverse(m_mesh.node(a)) : P, a);
     Vector<Dim> increment = Vector<Dim>::Zero();
     if (element >= 0) {
       m_locator.shape(element, P, N.data());
@@ -134,7 +135,8 @@ Eigen::VectorXd Predictor<Dim>::carry_increment(const ContactState<Dim>& state, 
       increment = own;
     }
     // from the middle of the last step to the middle of this one
-    if (mode != 3 || element < 0) increment = part_of_rotation(gradients.step[a], 0.5 * (1 + ratio)) * increment;
+    if (mode != 3 || element < 0)
+      increment = part_of_rotation(gradients.step[a], 0.5 * (1 + ratio)) * increment;
     for (int c = 0; c < Dim; ++c)
       if (!m_body.fixed[Dim * a + c]) result[Dim * a + c] += ratio * increment[c];
   }
