@@ -81,6 +81,7 @@ std::vector<Vector<Dim>> reference_places(const ContactModel<Dim>& model, const 
 template <int Dim> struct Predictor<Dim>::CarrierMotion {
   RigidMotion<Dim> now;
   Tensor<Dim> turn;
+  bool turns;
 };
 
 template <int Dim>
@@ -98,6 +99,7 @@ Predictor<Dim>::carrier_motion(int tool, const Eigen::VectorXd& q_older, const E
   motion.now = coordinates.carrier(m_model.tool_q(q_old, tool), m_model.tool_q(q_new, tool));
   motion.turn = 0.5 * (motion.now.R + last.R);
   for (int c = 0; c < Dim; ++c) motion.turn.col(c).normalize();
+  motion.turns = !motion.turn.isIdentity(1e-14);
   return motion;
 }
 
@@ -119,20 +121,19 @@ PredictedWays Predictor<Dim>::carry_increment(const ContactState<Dim>& state, co
     const Vector<Dim> relative = x - motion.now.inverse()(x + ratio * own);
     const Vector<Dim> P = m_mesh.node(a) - gradients.F[a].inverse() * relative;
     const int element = m_locator.find(P, a);
-    Vector<Dim> increment = Vector<Dim>::Zero();
+    // from the middle of the last step to the middle of this one
+    const Tensor<Dim> turn = part_of_rotation(gradients.step[a], 0.5 * (1 + ratio));
+    Vector<Dim> increment = turn * own;
     if (element >= 0) {
+      increment.setZero();
       m_locator.shape(element, P, N.data());
       for (int b = 0; b < m_mesh.nodes_per_element; ++b)
         increment += N[b] * history.du.template segment<Dim>(Dim * m_mesh.element(element)[b]);
-      increment = motion.turn * increment;
-    } else {
-      increment = own;
+      increment = (motion.turns ? motion.turn : turn) * increment;
     }
-    // from the middle of the last step to the middle of this one
-    const Tensor<Dim> turn = part_of_rotation(gradients.step[a], 0.5 * (1 + ratio));
     for (int c = 0; c < Dim; ++c) {
       if (m_body.fixed[Dim * a + c]) continue;
-      result.carried[Dim * a + c] += ratio * turn.row(c).dot(increment);
+      result.carried[Dim * a + c] += ratio * increment[c];
       result.own[Dim * a + c] += ratio * turn.row(c).dot(own);
     }
   }
@@ -255,7 +256,7 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
 }
 
 bool PredictedWays::own_nearer(const Eigen::VectorXd& u, bool before) const {
-  constexpr double better = 0.9;
+  constexpr double better = 0.5;
   if (own.size() != u.size()) return before;
   const double a = (u - own).norm(), b = (u - carried).norm();
   return before ? !(b < better * a) : a < better * b;
