@@ -23,7 +23,7 @@ struct SmallestGap {
   std::vector<std::size_t> nodes;       // candidates that have it
 };
 
-// Smallest gap of a tool, and its change with coordinate k; places the candidates' feet in the state.
+// Smallest gap of a tool, of the nodes that it does not pass by, and its change with coordinate k; places the candidates' feet in the state.
 template <int Dim>
 SmallestGap smallest_gap(const ContactSetup<Dim>& setup, ContactState<Dim>& state, const Eigen::VectorXd& u,
                          int tool, int k) {
@@ -40,11 +40,13 @@ SmallestGap smallest_gap(const ContactSetup<Dim>& setup, ContactState<Dim>& stat
     result.fastest = std::max(result.fastest, p.x_q.col(k).norm());
     result.second_order =
         std::max(result.second_order, 0.5 * p.x_qq[static_cast<std::size_t>(k)].col(k).norm());
+    const double slope = -p.n.dot(p.x_q.col(k)), lever = p.x_q.col(k).norm();
+    if (foot.gap > TOUCH * setup.body().spacing && std::abs(slope) < NO_SLOPE * lever) continue; // passes by
     if (!result.nodes.empty() && foot.gap >= result.gap + same) continue;
     if (result.nodes.empty() || foot.gap < result.gap - same) result.nodes.clear();
     result.gap = result.nodes.empty() ? foot.gap : std::min(result.gap, foot.gap);
-    result.slope = -p.n.dot(p.x_q.col(k));
-    result.lever = p.x_q.col(k).norm();
+    result.slope = slope;
+    result.lever = lever;
     result.nodes.push_back(i);
     if (node.tool == tool || !in_contact(node.state))
       node.place = foot.place; // not where another tool touches
@@ -128,7 +130,7 @@ ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> s
   const double spacing = setup.body().spacing;
   for (int iteration = 0; iteration < ITERATIONS; ++iteration) {
     const SmallestGap least = smallest_gap(setup, state, u, tool, k);
-    if (std::abs(least.gap) < TOUCH * spacing) {
+    if (!least.nodes.empty() && std::abs(least.gap) < TOUCH * spacing) {
       check_from_outside(setup, state, u, tool, least.nodes);
       for (const std::size_t i : least.nodes) {
         auto& node = state.nodes[i];
@@ -139,7 +141,7 @@ ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> s
       }
       return state;
     }
-    if (std::abs(least.slope) < NO_SLOPE * least.lever) break;
+    if (least.nodes.empty() || std::abs(least.slope) < NO_SLOPE * least.lever) break;
     // no point of the tool moves much further than the gap, to second order, lest a leap past a dead center
     // or through the body ends at another touch than the first one
     const double way = std::max(GAP_SHARE * std::abs(least.gap), LEAST_WAY * spacing);
