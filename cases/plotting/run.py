@@ -113,11 +113,8 @@ class Run:
 
     @cached_property
     def frames(self):
-        """[(t, {"workpiece": path, "tools": path, "contact surface": path})] of the series, that of the start first; none of an
-        earlier run if this one was to write none."""
+        """[(t, {"workpiece": path, "tools": path, "contact surface": path})] of the series, that of the start first."""
         path = self.path("fields.pvd")
-        if self.has("summary.json") and option(self.summary, "series") == 0:
-            return []
         return read_frames(path) if os.path.isfile(path) else []
 
     @cached_property
