@@ -50,13 +50,17 @@ void free_residual(const ContactModel<Dim>& model, const BodyView<Dim>& body, co
   for (std::size_t i = 0; i < state.nodes.size(); ++i)
     if (in_contact(state.nodes[i].state))
       for (int c = 0; c < Dim; ++c) skip[Dim * model.candidates[i] + c] = 1;
-  for (Eigen::Index d = 0; d < R.size(); ++d)
-    if (!skip[d]) {
-      const double r = std::abs(R[d]) * (weights.empty() ? 1 : weights[static_cast<std::size_t>(d / Dim)]);
-      if (!worse(r, result)) continue;
-      result.residual = r;
-      result.worst_dof = static_cast<int>(d);
-    }
+  for (Eigen::Index a = 0; a < R.size() / Dim; ++a) { // of a node the norm: the same in turned axes
+    Vector<Dim> force = R.template segment<Dim>(Dim * a);
+    for (int c = 0; c < Dim; ++c)
+      if (skip[Dim * a + c]) force[c] = 0;
+    const double r = force.norm() * (weights.empty() ? 1 : weights[static_cast<std::size_t>(a)]);
+    if (!worse(r, result)) continue;
+    int component = 0;
+    force.cwiseAbs().maxCoeff(&component);
+    result.residual = r;
+    result.worst_dof = static_cast<int>(Dim * a) + component;
+  }
 }
 
 // Sum of the forces of the supports, less what they share with tools.

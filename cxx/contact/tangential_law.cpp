@@ -19,7 +19,10 @@ Change TangentialLaw<Dim>::test(NodeState state, double N, const SurfaceForce<Di
     if (tension) return Change::RELEASE;
     return !frictionless() && slips_back(slip, m, tolerance.slip) ? Change::STICK : Change::NONE;
   }
-  if (tension) return m_friction->sticks_always() ? Change::RELEASE : Change::SLIDE;
+  if (tension) { // without friction to take off, the direction of sliding would be one of rounding
+    const bool held = force.T.norm() > tolerance.force;
+    return m_friction->sticks_always() || !held ? Change::RELEASE : Change::SLIDE;
+  }
   return force.T.norm() > capacity(force.N, area) + tolerance.force ? Change::SLIDE : Change::NONE;
 }
 
