@@ -75,6 +75,7 @@ static void init() {
   register_files();
   register_pictures();
   register_step_control();
+  register_summary();
   register_callables();
 }
 

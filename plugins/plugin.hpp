@@ -152,6 +152,7 @@ void register_geo_mesh();
 void register_tools_of_the_trade();
 void register_options();
 void register_files();
+void register_summary();
 void register_pictures();
 void register_step_control();
 

@@ -14,9 +14,7 @@
 #include "step_control.hpp"
 
 namespace burnish {
-namespace {
 
-// Made when they are read for the first time after a step.
 const std::vector<Statement>& statements_of(StepControlHandle* h) {
   ControlObject& object = h->get();
   if (!object.stepper) return object.statements;
@@ -26,6 +24,9 @@ const std::vector<Statement>& statements_of(StepControlHandle* h) {
   object.statements_at = steps;
   return object.statements;
 }
+
+namespace {
+
 const Statement& statement(StepControlHandle* h, long i) {
   const auto& list = statements_of(h);
   require(i >= 0 && i < static_cast<long>(list.size()), "stepcontrol.statement", "index", i,

@@ -39,4 +39,7 @@ using StepControlHandle = Handle<ControlObject>;
 void register_step_data();
 void register_scene_report();
 
+/// The report, made when it is read for the first time after a step.
+const std::vector<Statement>& statements_of(StepControlHandle* h);
+
 } // namespace burnish

@@ -34,9 +34,9 @@
 //   rcOwe(status)   the exit status if the script ends by itself; 0 takes it back
 //     status    exit status | -
 //   internal: rcNoMore
-#include "base/version.hpp"
 #include "leave.hpp"
 #include "named.hpp"
+#include "output/summary.hpp"
 #include "solver/blas_info.hpp"
 #include <chrono>
 #include <csignal>
@@ -115,15 +115,8 @@ bool release_interrupt(const long&) {
 }
 bool was_interrupted(const long&) { return interrupted != 0; }
 string* blas(Stack stack, const long&) { return new_string(stack, blas_name()); }
-// JSON object of the versions in use. FreeFEM's is a script's global.
-string* versions(Stack stack, const long&) {
-  std::ostringstream text;
-  text << "{\"burnish\": \"" << BURNISH_VERSION << "\", \"eigen\": \"" << EIGEN_WORLD_VERSION << "."
-       << EIGEN_MAJOR_VERSION << "." << EIGEN_MINOR_VERSION << "\", \"sparse\": \""
-       << sparse_solver_versions() << "\", \"blas\": \"" << blas_name() << "\", \"compiler\": \""
-       << __VERSION__ << "\"}";
-  return new_string(stack, text.str());
-}
+// FreeFEM's own version is a script's global.
+string* versions_text(Stack stack, const long&) { return new_string(stack, versions().dump(1)); }
 bool reference_blas(const long&) { return is_reference_blas(); }
 bool leave_script(const long& status) { leave(static_cast<int>(status)); }
 bool owe_status(const long& status) {
@@ -148,7 +141,7 @@ void register_tools_of_the_trade() {
   Global.Add("rcReleaseInterrupt", "(", new OneOperator1_<bool, long>(release_interrupt));
   Global.Add("rcInterrupted", "(", new OneOperator1_<bool, long>(was_interrupted));
   Global.Add("rcBlas", "(", new OneOperator1s_<string*, long>(blas));
-  Global.Add("rcVersions", "(", new OneOperator1s_<string*, long>(versions));
+  Global.Add("rcVersions", "(", new OneOperator1s_<string*, long>(versions_text));
   Global.Add("rcReferenceBlas", "(", new OneOperator1_<bool, long>(reference_blas));
   Global.Add("rcLeave", "(", new OneOperator1_<bool, long>(leave_script));
   Global.Add("rcOwe", "(", new OneOperator1_<bool, long>(owe_status));

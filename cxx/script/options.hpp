@@ -8,6 +8,12 @@ namespace burnish {
 
 class ScriptOptions {
 public:
+  /// One that was asked for, as used. json: the value in JSON; number: of one that was read as a number.
+  struct Option {
+    std::string name, value, json, unit, meaning;
+    std::optional<double> number = {};
+  };
+
   /// @param words all words of the command line; those after the first that ends in ".edp" are the script's
   explicit ScriptOptions(const std::vector<std::string>& words);
   const std::string& script() const { return m_script; } ///< path of the script, "" if there is none
@@ -38,15 +44,12 @@ public:
   std::string help() const;
   /// The values used: "name": value, ... without braces.
   std::string json() const;
+  const std::vector<Option>& options() const { return m_options; }
 
 private:
   struct Given {
     std::string name;
     std::optional<std::string> value; // none after the last word
-  };
-  struct Option {
-    std::string name, value, json, unit, meaning;
-    std::optional<double> number = {};
   };
   const std::string* find(const std::string& name) const;
   Option& note(const std::string& name, const std::string& value, const std::string& json,

@@ -177,7 +177,8 @@ class Checker:
 
     def check_summary(self, folders):
         keys = {key for folder in folders for key in flat(json.loads(read(folder / "summary.json")))}
-        writer = (read(TOP / "edp/cases/rcSummary.idp") + read(TOP / "edp/cases/rcCase.idp")).replace("\\", "")
+        writers = ("edp/cases/rcSummary.idp", "edp/cases/rcCase.idp", "cxx/output/summary.cpp", "plugins/summary.cpp")
+        writer = "".join(read(TOP / file) for file in writers)
         for name in self.compare("summary.json", sorted(keys)):
             last = re.split(r"\.|\[\]", name)[-1]
             if "<" not in last and last and f'"{last}"' not in writer:

@@ -69,7 +69,7 @@ echo 'rcSummaryWrite(C, M, S, "overlap.json"); cout << "went on" << endl;' >>"$S
 (cd "$SCRATCH" && exec "$BURNISH" overlap.edp >overlap.log 2>&1 </dev/null)
 status=$?
 judge overlap 4 'burnish: finished, not to be trusted: overlap: tool "roller" overlaps the workpiece|went on'
-for word in '"status": "finished, not to be trusted"' '{"check": "overlap", "severity": "untrusted"' '"measured": {"' '"checks": '; do
+for word in '"status": "finished, not to be trusted"' '{"check":"overlap","severity":"untrusted"' '"measured": {"' '"checks": '; do
   grep -qF "$word" "$SCRATCH/overlap.json" || report "overlap: the summary lacks $word"
 done
 "$PYTHON" -m json.tool "$SCRATCH/overlap.json" >/dev/null || report "overlap: the summary is no JSON"
