@@ -2,8 +2,9 @@
 //   > { ofstream f(rcNewName(file)); f << ...; rcReplaced(f, file); }    a new content takes the place of the file's
 //   > savevtk(rcNewName(file), ...); rcReplacedVtu(file);                the same of a .vtu file
 //   > { ofstream f(file, append); f << ...; rcAppended(f, file); }       whole lines at the end of a file
-//   rcMakeFolder(path)   makes the folder and checks that it can be written
+//   rcMakeFolder(path)   makes the folder, checks that it can be written, and keeps other runs out of it until the script ends
 //     path      of the folder
+//     ! is in use: another run writes to it
 //   rcNewName(file)   name that its new content is written under
 //     file      path
 //   rcReplaced(f, file)   closes f; the new content takes the place of the file's
@@ -22,6 +23,8 @@
 //     file      path
 //   C.savesupports(file)   .vtp file: nodes whose displacement is given
 //     file      path
+//   internal: rcRemoveResults
+#include "base/run_folder.hpp"
 #include "base/whole_file.hpp"
 #include "output/contact_files.hpp"
 #include "output/workpiece_file.hpp"
@@ -33,7 +36,10 @@ namespace burnish {
 namespace {
 
 bool make_folder(string* const& path) {
-  return guarded([&] { return make_writable_folder(*path, "rcMakeFolder"), true; });
+  return guarded([&] { return make_run_folder(*path, "rcMakeFolder"), true; });
+}
+bool remove_older(string* const& folder) {
+  return guarded([&] { return remove_results(*folder), true; });
 }
 string* name_of_new(Stack stack, string* const& path) { return new_string(stack, new_name(*path)); }
 
@@ -80,6 +86,7 @@ bool save_tools_of(const Method<ContactHandle, ToolsTag>& m, string* const& path
 void register_files() {
   std::signal(SIGXFSZ, SIG_IGN); // a file at the limit of its size is an error of writing it
   Global.Add("rcMakeFolder", "(", new OneOperator1_<bool, string*>(make_folder));
+  Global.Add("rcRemoveResults", "(", new OneOperator1_<bool, string*>(remove_older));
   Global.Add("rcNewName", "(", new OneOperator1s_<string*, string*>(name_of_new));
   Global.Add("rcReplaced", "(", new OneOperator2_<bool, std::ostream**, string*>(replaced));
   Global.Add("rcAppended", "(", new OneOperator2_<bool, std::ostream**, string*>(appended));

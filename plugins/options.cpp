@@ -30,7 +30,7 @@
 //     ! the script does not use it
 //   rcOptionsJson(dummy)   the values used, "R": 0.015, ...
 //     dummy     not read
-//   rcScriptFolder(dummy)   folder of the script
+//   rcScriptFolder(dummy)   folder of the script with its slash, "cases/rolling/"
 //     dummy     not read
 //   rcNumber(name, text)   the text as a number
 //     name      of the option, for the message

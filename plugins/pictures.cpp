@@ -25,7 +25,7 @@ std::string environment(const char* name, const std::string& otherwise) {
 
 std::string scene_program() { return environment("BURNISH_TOP", ".") + "/cases/plotting/scene.py"; }
 std::string plot_program() {
-  const std::string beside = script_options().folder() + "/plot.py";
+  const std::string beside = script_options().folder() + "plot.py";
   return std::filesystem::exists(beside) ? beside : scene_program();
 }
 

@@ -17,8 +17,7 @@
 //     eventnoise=   stress that the residual's tolerance leaves, over the yield stress (event steps) | - | 1e-4 | finite > 0
 //     nodesperstep=   a rolling step is at least this many node spacings long | - | 1 | finite > 0
 //     widthsteps=   as stepsperwidth, for narrow contacts: the contact counts as that many spacings wide | - | 14 | finite > 0
-//     fallback=   implicit: a step that fails so often because contact states contradict the forces is tried by events, too, and
-//       so are the ten steps after it; 0: never | - | 0 | >= 0
+//     fallback=   of older scripts: without effect, implicit steps do without it now | - | 0 | 0
 //     maxpieces=   article: pieces of a step between events | - | 100 | 1 to 999999
 //     maxretries=   article: changes of state at one instant | - | 4 | 1 to 999999
 //     ! , expected implicit, event or article
@@ -117,8 +116,8 @@ struct MakeStepControl {
     options.events.event_noise = positive(a, "eventnoise", options.events.event_noise);
     options.nodes_per_step = positive(a, "nodesperstep", options.nodes_per_step);
     options.width_steps = positive(a, "widthsteps", options.width_steps);
-    options.fallback = static_cast<int>(a.integer("fallback", options.fallback));
-    require(options.fallback >= 0, "stepcontrol", "fallback", options.fallback, ">= 0");
+    require(a.integer("fallback", 0) == 0, "stepcontrol", "fallback", a.integer("fallback", 0),
+            "0: implicit steps do without it now");
     options.events.max_pieces = count(a, "maxpieces", options.events.max_pieces);
     options.events.max_retries = count(a, "maxretries", options.events.max_retries);
     object->control = control_of(control);

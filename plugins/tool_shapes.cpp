@@ -7,7 +7,8 @@
 //     chain=    [x0, y0, r0, x1, y1, r1, ...]: lines from corner to corner, each with the radius of its fillet | length | |
 //       r >= 0
 //     closed=   chain: true: back to the first corner, body outside | | false
-//     cad=      curves of a .geo, .step or .brep file, exact, without facets | | | a path
+//     cad=      curves of a .geo, .step or .brep file, exact, without facets; without a folder: here, else beside
+//       the script | | | a path
 //     scale=    cad: unit of length of the script over that of the file (STEP: over a mm) | - | 1 | > 0
 //     curves=   cad: numbers of the curves in the file that make the profile | - | all
 //     geo=      cad: numbers for a .geo file, "R=3; H=8" | | ""
@@ -39,6 +40,7 @@
 #include "base/error.hpp"
 #include "kinematics/outline.hpp"
 #include "kinematics/tool_foot.hpp"
+#include "script_options.hpp"
 #include "types.hpp"
 
 namespace burnish {
@@ -123,8 +125,11 @@ std::vector<basicAC_F0::name_and_type> shape_names(const std::vector<basicAC_F0:
 }
 
 std::shared_ptr<const Profile<2>> shape_of(const Named& named) {
-  const Arguments arguments = arguments_of(named, parameters());
-  return called("tool", [&] { return make_shape(arguments); });
+  Arguments arguments = arguments_of(named, parameters());
+  return called("tool", [&] {
+    if (arguments.has("cad")) arguments.texts["cad"] = script_options().found(arguments.text("cad"));
+    return make_shape(arguments);
+  });
 }
 
 void register_tool_shapes() {

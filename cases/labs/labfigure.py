@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from plotting.case import DEFAULT, draw_all
-from plotting.figure import Image, apply_style, plt
+from plotting.figure import MARK, Image, apply_style, plt
 from plotting.inputs import InputError, MissingInput, read_summary
 from plotting.run import Run
 
@@ -25,7 +25,7 @@ def save(figure, file):
     figure.savefig(drawn, format="png", dpi=110)
     plt.close(figure)
     with Image.open(drawn) as picture:
-        picture.convert("RGB").quantize(256, dither=Image.Dither.NONE).save(file, optimize=True)
+        picture.convert("RGB").quantize(256, dither=Image.Dither.NONE).save(file, optimize=True, pnginfo=MARK)
     print(file, flush=True)
 
 

@@ -8,12 +8,15 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from matplotlib.transforms import ScaledTranslation  # noqa: E402
-from PIL import Image  # noqa: E402  (matplotlib needs it too)
+from PIL import Image, PngImagePlugin  # noqa: E402  (matplotlib needs it too)
 
 # Okabe and Ito; told apart by colorblind readers
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY, GRAY = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9",
                                                "#777777")
 MM, MICRON, MPA = 1e3, 1e6, 1e-6  # from SI
+
+MARK = PngImagePlugin.PngInfo()  # a run removes pictures of an older one that bear it, cxx/base/run_folder.cpp
+MARK.add_text("Software", "Burnish")
 
 STYLE = {
     "font.size": 11, "axes.titlesize": 12, "axes.labelsize": 11, "legend.fontsize": 10,
@@ -40,7 +43,7 @@ def save(figure, folder, name):
                    pil_kwargs={"compress_level": 1})
     plt.close(figure)
     with Image.open(drawn) as picture:
-        picture.convert("RGB").quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
+        picture.convert("RGB").quantize(256, dither=Image.Dither.NONE).save(path, optimize=True, pnginfo=MARK)
     return path
 
 

@@ -92,17 +92,13 @@ class Run:
 
     @cached_property
     def mirrors(self):
-        """Signs of x and y for the parts that symmetry leaves out: (-1, 1) where the left half is. A line of symmetry is x = 0 or
-        y = 0 with the workpiece on one side, whose nodes are all held across it and not all along it."""
-        (places, fixed), size = self.supports, 1e-9 * np.ptp(self.field.points, axis=0).max()
-        half = []
-        for axis in (0, 1):
-            line = np.abs(self.field.points[:, axis]) < size
-            held = (np.abs(places[:, axis]) < size) & fixed[:, axis]
-            inside = (self.field.points[:, axis] > -size).all() or (self.field.points[:, axis] < size).all()
-            half.append(inside and held.sum() > 2 and held.sum() == line.sum() and not fixed[held, 1 - axis].all())
-        if self.axisymmetric:
-            half[0] = True
+        """Signs of x and y for the parts that symmetry leaves out: (-1, 1) where the left half is. The script says which lines are
+        lines of symmetry (rcSymmetry); the axis of a ring is one."""
+        try:
+            lines = str(self.summary.get("symmetry", ""))
+        except InputError:
+            lines = ""
+        half = [self.axisymmetric or "x" in lines, "y" in lines]
         signs = [(-1, 1)] * half[0] + [(1, -1)] * half[1]
         return signs + [(-1, -1)] * (len(signs) == 2)
 
@@ -113,11 +109,8 @@ class Run:
 
     @cached_property
     def frames(self):
-        """[(t, {"workpiece": path, "tools": path, "contact surface": path})] of the series, that of the start first; none of an
-        earlier run if this one was to write none."""
+        """[(t, {"workpiece": path, "tools": path, "contact surface": path})] of the series, that of the start first."""
         path = self.path("fields.pvd")
-        if self.has("summary.json") and option(self.summary, "series") == 0:
-            return []
         return read_frames(path) if os.path.isfile(path) else []
 
     @cached_property

@@ -12,9 +12,10 @@ from grid import case_name, read_text
 
 
 def read_summary(folder):
+    """{} of a run that left none, or was killed."""
     try:
         summary = json.loads(read_text(os.path.join(folder, "summary.json")))
-        return summary if isinstance(summary, dict) else {}
+        return summary if isinstance(summary, dict) and summary.get("status") != "running" else {}
     except ValueError:
         return {}
 

@@ -1,12 +1,10 @@
 #include "base/whole_file.hpp"
-#include "base/error.hpp"
 #include "base/file_error.hpp"
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <stdlib.h>
-#include <unistd.h>
+#include <sstream>
 
 namespace burnish {
 
@@ -14,7 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* MARK = ".new.";
 constexpr std::uintmax_t PART = 4096; // bytes looked at from the end
 
 std::string last_bytes(const std::string& path, std::uintmax_t from) {
@@ -41,7 +38,7 @@ std::string reason_of(const std::string& path) {
 
 std::string new_name(const std::string& path) {
   const fs::path whole(path);
-  return (whole.parent_path() / (MARK + whole.filename().string())).string();
+  return (whole.parent_path() / (NEW_MARK + whole.filename().string())).string();
 }
 
 void replace_file(const std::string& path, bool ok) {
@@ -88,20 +85,6 @@ bool ends_with(const std::string& path, const std::string& text) {
   std::string last = last_bytes(path, size - std::min(size, PART));
   last.erase(last.find_last_not_of(" \t\r\n") + 1);
   return last.size() >= text.size() && last.compare(last.size() - text.size(), text.size(), text) == 0;
-}
-
-void make_writable_folder(const std::string& path, const char* where) {
-  const std::string begin = "the output folder \"" + path + "\" cannot be written: ";
-  std::error_code code;
-  fs::create_directories(path, code);
-  if (code && !fs::is_directory(path)) fail(where, begin + code.message());
-  std::string probe = path + "/.writableXXXXXX";
-  const int handle = mkstemp(probe.data());
-  if (handle < 0) fail(where, begin + std::strerror(errno));
-  close(handle);
-  unlink(probe.c_str());
-  for (const auto& entry : fs::directory_iterator(path, code))
-    if (entry.path().filename().string().rfind(MARK, 0) == 0) fs::remove(entry.path(), code);
 }
 
 } // namespace burnish

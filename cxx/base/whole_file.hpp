@@ -4,6 +4,8 @@
 
 namespace burnish {
 
+/// What the name of a file begins with while it is written.
+constexpr const char* NEW_MARK = ".new.";
 /// Where the new content of a file is written: "folder/.new.name".
 std::string new_name(const std::string& path);
 /// Makes text the content of a file. @throws FileError
@@ -16,8 +18,5 @@ void replace_file(const std::string& path, bool ok);
 void keep_whole_lines(const std::string& path, bool ok);
 /// Whether a file ends with this text, blanks after it.
 bool ends_with(const std::string& path, const std::string& text);
-/// Makes a folder and what it is in, checks that files can be made there, and removes new_names that an earlier run left.
-/// Follows no link and touches no other file. @throws std::invalid_argument "where: ..." naming the reason
-void make_writable_folder(const std::string& path, const char* where);
 
 } // namespace burnish

@@ -42,9 +42,6 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
     solution = std::move(best);
   }
   if (solution.singular) solution.state = trial;
-  solution.fresh.assign(state.nodes.size(), 0);
-  for (std::size_t i = 0; i < state.nodes.size(); ++i)
-    solution.fresh[i] = in_contact(solution.state.nodes[i].state) && !in_contact(state.nodes[i].state);
   return solution;
 }
 

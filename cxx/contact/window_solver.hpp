@@ -34,7 +34,6 @@ template <int Dim> struct WindowSolution {
   int passes = 0;
   int left = 0; ///< states that contradict the forces in the last pass; 0: it is a solution of the window
   ContactState<Dim> state; ///< states, places moved by the slips, q + dq
-  std::vector<char> fresh; ///< per candidate: came into contact in this call
   Eigen::VectorXd F;       ///< contact force on the window, Dim*window [force]
   Eigen::VectorXd load;    ///< F plus what the added stiffness carries, the load of the factor [force]
 };

@@ -173,6 +173,7 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
     if (solution.singular) return m_iteration.give_up(singular(solution, problem));
   }
   if (solution.unstable) return m_iteration.give_up(Cause::UNSTABLE);
+  if (m_iteration.solved(solution.left) == StepStatus::FAILED) return StepStatus::FAILED;
   const Eigen::VectorXd b =
       scatter_window(m_iteration.model(), m_tangent->window, solution.load, R.size()) - R;
   const Eigen::VectorXd du = displacement(load, solution.load);

@@ -9,6 +9,7 @@ namespace burnish {
 namespace {
 
 constexpr int MAX_BACKTRACKS = 3; // steps back half way per step (ALGORITHMS.md 5.6)
+constexpr int MAX_UNSOLVED = 3;   // iterations in a row whose window has no solution
 
 // Iterations that a tolerance takes, over those of the default one.
 double more_digits(double tolerance) {
@@ -34,7 +35,7 @@ void Iteration<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
   m_state = predicted;
   m_entry = {std::move(entry), std::vector<int>(m_state.nodes.size(), 0)};
   m_adapt = adapt;
-  m_number = m_backtracks = 0;
+  m_number = m_backtracks = m_unsolved = 0;
   m_first_dq.resize(0);
   m_R.resize(0);
   m_policy.begin();
@@ -92,6 +93,11 @@ template <int Dim> void Iteration<Dim>::leave(const Eigen::VectorXd& u, const Ei
   ++m_counts.iterations;
   m_u_before = u;
   m_q_before = m_state.q;
+}
+
+template <int Dim> StepStatus Iteration<Dim>::solved(int contradictions) {
+  m_unsolved = contradictions > 0 ? m_unsolved + 1 : 0;
+  return m_unsolved < MAX_UNSOLVED ? StepStatus::ITERATE : give_up(not_converged());
 }
 
 template <int Dim> void Iteration<Dim>::arrive(const Eigen::VectorXd& u) {

@@ -34,6 +34,9 @@ public:
   /// (BACKTRACKED). @returns REFACTORIZE where the convergence asks for a new tangent
   /// @throws std::invalid_argument for wrong sizes or NaN in R
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
+  /// A window has been solved. @param contradictions states that contradict the forces of its solution
+  /// @returns FAILED after three windows in a row without a solution: such iterates lead nowhere
+  StepStatus solved(int contradictions);
   /// An iteration begins to move u and the state. @param dq increment of the coordinates that it has found
   void leave(const Eigen::VectorXd& u, const Eigen::VectorXd& dq);
   /// It has moved them: contact nodes find their places on the tools.
@@ -72,7 +75,7 @@ private:
   TangentPolicy m_policy;
   IterationCounts m_counts;
   Failure m_failure;
-  int m_number = 0, m_backtracks = 0;
+  int m_number = 0, m_backtracks = 0, m_unsolved = 0;
   Eigen::VectorXd m_u_before, m_q_before; // iterate before the last iteration, for backtracking
   Eigen::VectorXd m_first_dq, m_R;        // m_R: of the last check
 };

@@ -2,7 +2,6 @@
 #include "contact/coupling.hpp"
 #include "contact/tied_edges.hpp"
 #include <cmath>
-#include <cstdlib>
 
 namespace burnish {
 namespace {
@@ -78,10 +77,11 @@ std::vector<Vector<Dim>> reference_places(const ContactModel<Dim>& model, const 
 
 } // namespace
 
-// The carrier's motion in the present step, and its mean with the last one's, for each tool.
+// The carrier's motion in the present step, and its turn in the mean with the last one's, for each tool.
 template <int Dim> struct Predictor<Dim>::CarrierMotion {
-  RigidMotion<Dim> now, mean_inverse;
+  RigidMotion<Dim> now;
   Tensor<Dim> turn;
+  bool turns;
 };
 
 template <int Dim>
@@ -97,21 +97,19 @@ Predictor<Dim>::carrier_motion(int tool, const Eigen::VectorXd& q_older, const E
   const auto last = coordinates.carrier(m_model.tool_q(q_older, tool), m_model.tool_q(q_old, tool));
   CarrierMotion motion;
   motion.now = coordinates.carrier(m_model.tool_q(q_old, tool), m_model.tool_q(q_new, tool));
-  const RigidMotion<Dim> a = motion.now.inverse(), b = last.inverse();
-  motion.mean_inverse = {0.5 * (a.R + b.R), 0.5 * (a.d + b.d)};
   motion.turn = 0.5 * (motion.now.R + last.R);
   for (int c = 0; c < Dim; ++c) motion.turn.col(c).normalize();
+  motion.turns = !motion.turn.isIdentity(1e-14);
   return motion;
 }
 
 // u + ratio * turned last increment, taken from where the material stood, seen from the tool, one step ago: what the carrier does
 // against the material is pulled back into the reference configuration.
 template <int Dim>
-Eigen::VectorXd Predictor<Dim>::carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                                                const StepHistory<Dim>& history,
-                                                const std::vector<CarrierMotion>& motions,
-                                                double ratio) const {
-  Eigen::VectorXd result = u;
+PredictedWays Predictor<Dim>::carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                                              const StepHistory<Dim>& history,
+                                              const std::vector<CarrierMotion>& motions, double ratio) const {
+  PredictedWays result{u, u};
   const auto poses = m_model.poses(state.q);
   const NodalGradients<Dim> gradients = nodal_gradients(m_mesh, m_body, u, history.du);
   std::vector<double> N(static_cast<std::size_t>(m_mesh.nodes_per_element));
@@ -120,23 +118,24 @@ Eigen::VectorXd Predictor<Dim>::carry_increment(const ContactState<Dim>& state, 
     int tool = 0;
     if (motions.size() > 1) tool = nearest_tool(m_model, poses, x, ContactNode<Dim>{}, -1).tool;
     const CarrierMotion& motion = motions[tool];
-    const Vector<Dim> relative = motion.now(x) - x - ratio * own;
+    const Vector<Dim> relative = x - motion.now.inverse()(x + ratio * own);
     const Vector<Dim> P = m_mesh.node(a) - gradients.F[a].inverse() * relative;
-    static const int mode = std::getenv("RCP") ? std::atoi(std::getenv("RCP")) : 0;
-    const int element = mode == 1 ? -1 : m_locator.find(mode == 2 ? motion.mean_inverse(m_mesh.node(a)) : P, a);
-    Vector<Dim> increment = Vector<Dim>::Zero();
+    const int element = m_locator.find(P, a);
+    // from the middle of the last step to the middle of this one
+    const Tensor<Dim> turn = part_of_rotation(gradients.step[a], 0.5 * (1 + ratio));
+    Vector<Dim> increment = turn * own;
     if (element >= 0) {
+      increment.setZero();
       m_locator.shape(element, P, N.data());
       for (int b = 0; b < m_mesh.nodes_per_element; ++b)
         increment += N[b] * history.du.template segment<Dim>(Dim * m_mesh.element(element)[b]);
-      increment = motion.turn * increment;
-    } else {
-      increment = own;
+      increment = (motion.turns ? motion.turn : turn) * increment;
     }
-    // from the middle of the last step to the middle of this one
-    if (mode != 3 || element < 0) increment = part_of_rotation(gradients.step[a], 0.5 * (1 + ratio)) * increment;
-    for (int c = 0; c < Dim; ++c)
-      if (!m_body.fixed[Dim * a + c]) result[Dim * a + c] += ratio * increment[c];
+    for (int c = 0; c < Dim; ++c) {
+      if (m_body.fixed[Dim * a + c]) continue;
+      result.carried[Dim * a + c] += ratio * increment[c];
+      result.own[Dim * a + c] += ratio * turn.row(c).dot(own);
+    }
   }
   return result;
 }
@@ -240,7 +239,8 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
     std::vector<CarrierMotion> motions;
     for (std::size_t t = 0; t < m_model.tools.size(); ++t)
       motions.push_back(carrier_motion(static_cast<int>(t), history.q_old, state.q, result.state.q));
-    result.u = carry_increment(state, u, history, motions, ratio);
+    result.ways = carry_increment(state, u, history, motions, ratio);
+    result.u = history.own ? result.ways.own : result.ways.carried;
     carry_states(state, motions, result.state);
   } else if (known) {
     for (Eigen::Index d = 0; d < u.size(); ++d)
@@ -255,9 +255,16 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
   return result;
 }
 
+bool PredictedWays::own_nearer(const Eigen::VectorXd& u, bool before) const {
+  constexpr double better = 0.5;
+  if (own.size() != u.size()) return before;
+  const double a = (u - own).norm(), b = (u - carried).norm();
+  return before ? !(b < better * a) : a < better * b;
+}
+
 template <int Dim>
 Prediction<Dim> Predictor<Dim>::rest(const ContactState<Dim>& state, const Eigen::VectorXd& u) const {
-  Prediction<Dim> start{u, state, {}};
+  Prediction<Dim> start{u, state, {}, {}};
   for (auto& node : start.state.nodes) {
     if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
     node.tied = false;

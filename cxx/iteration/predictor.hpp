@@ -14,11 +14,20 @@ template <int Dim> struct StepHistory {
   Eigen::VectorXd dq;    ///< increment of the coordinates
   Eigen::VectorXd q_old; ///< coordinates at its start
   double dt = 0;
+  bool own = false; ///< nodes that repeat their own increments came nearer to the last step than carried ones
+};
+
+/// The two ways to go on [length]; empty: there is no step before.
+struct PredictedWays {
+  Eigen::VectorXd carried, own;
+  /// Which came nearer to the accepted u; `before` unless the other one is better by a tenth.
+  bool own_nearer(const Eigen::VectorXd& u, bool before) const;
 };
 
 template <int Dim> struct Prediction {
   Eigen::VectorXd u;
   ContactState<Dim> state;
+  PredictedWays ways;
   std::vector<ContactNode<Dim>> entry; ///< per candidate, where a node touching in this step would stick
 };
 
@@ -41,9 +50,9 @@ private:
   struct CarrierMotion;
   CarrierMotion carrier_motion(int tool, const Eigen::VectorXd& q_older, const Eigen::VectorXd& q_old,
                                const Eigen::VectorXd& q_new) const;
-  Eigen::VectorXd carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                                  const StepHistory<Dim>& history, const std::vector<CarrierMotion>& motions,
-                                  double ratio) const;
+  PredictedWays carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
+                                const StepHistory<Dim>& history, const std::vector<CarrierMotion>& motions,
+                                double ratio) const;
   std::vector<ContactNode<Dim>> entry_nodes(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
   void carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions,
                     ContactState<Dim>& state) const;

@@ -187,6 +187,7 @@ template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, dou
   m_accepted.largest_dt = std::max(m_accepted.largest_dt, dt);
   auto prediction = predicted(u);
   u = prediction.u;
+  m_step.ways = std::move(prediction.ways);
   m_loads.supports.apply(u);
   const int served =
       stepping == Stepping::EVENT ? EVENT_STEPS_PER_FACTOR : m_iteration.options().steps_per_factor;

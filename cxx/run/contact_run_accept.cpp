@@ -66,7 +66,9 @@ void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& in
   if (m_step.stepping == Stepping::IMPLICIT)
     log.add(state_changes(m_setup->model(), m_setup->body(), ends(u, R)));
   measure_slips(m_setup->model(), m_step.dt, state);
-  m_accepted.history = {u - m_step.u_start, state.q - m_accepted.contact.q, m_accepted.contact.q, m_step.dt};
+  const bool own = m_step.ways.own_nearer(u, m_accepted.history.own);
+  m_accepted.history = {u - m_step.u_start, state.q - m_accepted.contact.q, m_accepted.contact.q, m_step.dt,
+                        own};
   m_accepted.u = u;
   m_accepted.R = R;
   if (m_step.stepping == Stepping::RATES) {

@@ -14,6 +14,7 @@ template <int Dim> struct StepUnderWay {
   PrescribedValues prescribed;       ///< at its end
   PrescribedValues prescribed_start; ///< at its start, in the kinds of its end
   std::vector<std::string> left_out; ///< coordinates that nothing resists
+  PredictedWays ways;
   EventLog<Dim> log;
 
   double end() const { return t + dt; }

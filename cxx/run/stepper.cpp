@@ -14,8 +14,6 @@ namespace {
 constexpr double WARNED_ERROR = 0.08; // estimated error of the steps that is reported as a warning
 // An event step that failed so often is taken with the states inside the iteration.
 constexpr int MAX_TRIES = 5;
-// So many steps after one that events have solved are tried by events first.
-constexpr int FALLBACK_STEPS = 10;
 
 } // namespace
 
@@ -84,22 +82,12 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
          "damaged point has lost");
   m_body.set_step_length(m_control.dt());
   m_tries = 0;
-  m_disagreed = false;
   return try_step();
-}
-
-// Whether the present try is by events. States that never agree inside the iteration may agree one after another, and
-// the other way round.
-template <int Dim> bool Stepper<Dim>::by_events() const {
-  if (m_options.scheme == Scheme::EVENT) return m_tries < MAX_TRIES;
-  if (m_options.scheme != Scheme::IMPLICIT || m_options.fallback == 0 || m_options.condensed) return false;
-  if (m_tries == 0) return m_counts.by_events > 0;
-  return m_disagreed && m_tries >= m_options.fallback && (m_tries - m_options.fallback) % 2 == 0;
 }
 
 template <int Dim> Task Stepper<Dim>::try_step() {
   m_scheme = &m_implicit;
-  if (by_events()) m_scheme = &m_event;
+  if (m_options.scheme == Scheme::EVENT && m_tries < MAX_TRIES) m_scheme = &m_event;
   if (m_options.scheme == Scheme::ARTICLE) m_scheme = &m_article;
   m_scheme->start(m_control.time(), m_control.dt());
   return ask(Task::PROGRAM, Phase::PROGRAM);
@@ -118,12 +106,7 @@ template <int Dim> Task Stepper<Dim>::begin_solve(Eigen::VectorXd& u, Eigen::Vec
   if (solve.stepping == Stepping::IMPLICIT && m_contact.iteration().options().steps_per_factor > 1 &&
       m_control.is_last())
     m_contact.corrector().drop_factor(); // so that no loss of stability is left unseen
-  try {
-    m_contact.begin(u, solve.from, solve.dt, solve.stepping);
-  } catch (const std::exception&) {
-    if (!falls_back()) throw;
-    return rejected(u, R); // a piece has ended where there is no way on, e.g. off the body
-  }
+  m_contact.begin(u, solve.from, solve.dt, solve.stepping);
   m_iteration = 0;
   return solve.stepping == Stepping::RATES ? ask(Task::SOLVE, Phase::SOLVE) : ask_forces();
 }
@@ -153,11 +136,7 @@ template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorX
 }
 
 template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  if (!converged && !falls_back()) { // a try by events has no reason of its own
-    m_disagreed =
-        m_disagreed || (m_refusal.empty() && m_contact.iteration().balance().last().inconsistent > 0);
-    m_last_rejection = burnish::reason(m_contact, m_diagnosis, m_body.checked(), m_refusal);
-  }
+  if (!converged) m_last_rejection = burnish::reason(m_contact, m_diagnosis, m_body.checked(), m_refusal);
   m_refused = false;
   m_refusal.clear();
   switch (m_scheme->solved(converged, u, R)) {
@@ -205,11 +184,6 @@ template <int Dim> Task Stepper<Dim>::accepted() {
   measure_step();
   m_counts.scheme.pileups += m_options.scheme == Scheme::EVENT && m_tries >= MAX_TRIES;
   ++m_counts.steps;
-  if (m_options.scheme == Scheme::IMPLICIT) {
-    m_counts.fallbacks += falls_back();
-    m_counts.by_events =
-        falls_back() && m_tries >= m_options.fallback ? FALLBACK_STEPS : std::max(0, m_counts.by_events - 1);
-  }
   m_body.set_step_length(0);
   look(m_control.time() - t);
   return ask(Task::RECORD, Phase::RECORD);

@@ -30,17 +30,12 @@ struct StepperOptions {
   double width_steps =
       14; ///< as StepControlOptions::steps_per_width: the contact counts as that many spacings wide
   bool condensed = false; ///< every iteration is a SOLVE: the caller's solver takes the condensed matrix
-  /// An implicit step that has failed so often, once or more with contact states that contradict the forces, is tried by
-  /// events every second time; 0: never.
-  int fallback = 0;
 };
 
 struct StepperCounts {
   long steps = 0, rejected = 0;
-  long rolling = 0;   ///< steps in which the contact moved along the body
-  double travel = 0;  ///< of the contact in them, node spacings
-  long fallbacks = 0; ///< implicit steps that events have solved
-  int by_events = 0;  ///< steps to come that are tried by events first
+  long rolling = 0;  ///< steps in which the contact moved along the body
+  double travel = 0; ///< of the contact in them, node spacings
   /// Node spacings that the contact rolls in a step, mean [-]; 0: it does not roll.
   double nodes_per_step() const { return rolling > 0 ? travel / rolling : 0; }
   SchemeCounts scheme;
@@ -105,8 +100,6 @@ private:
   void measure_step();
   void warn_of_error();
   Task ask(Task task, Phase phase);
-  bool by_events() const;
-  bool falls_back() const { return m_scheme == &m_event && m_options.scheme == Scheme::IMPLICIT; }
   Task try_step();
   Task ask_forces();
   Task begin_solve(Eigen::VectorXd& u, Eigen::VectorXd& R);
@@ -131,7 +124,6 @@ private:
   StepScheme<Dim>* m_scheme; // of the present try
   Phase m_phase = Phase::STEP;
   int m_tries = 0, m_iteration = 0;
-  bool m_disagreed = false; // a try of the present step ended with contact states that contradict the forces
   bool m_refused = false, m_stopped = false, m_at_floor = false, m_halted = false;
   std::string m_refusal, m_reason, m_last_rejection;
   double m_rejected_dt = 0;

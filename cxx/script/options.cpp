@@ -3,6 +3,7 @@
 #include "script/text.hpp"
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iomanip>
 
 namespace burnish {
@@ -52,7 +53,16 @@ ScriptOptions::ScriptOptions(const std::vector<std::string>& words) {
 
 std::string ScriptOptions::folder() const {
   const std::size_t slash = m_script.rfind('/');
-  return slash == std::string::npos ? "." : m_script.substr(0, slash + (slash == 0));
+  return slash == std::string::npos ? "./" : m_script.substr(0, slash + 1);
+}
+
+std::string ScriptOptions::found(const std::string& file) const {
+  std::error_code code;
+  if (file.empty() || file.find('/') != std::string::npos || std::filesystem::exists(file, code)) return file;
+  if (std::filesystem::exists(folder() + file, code)) return folder() + file;
+  fail("file", "\"" + file + "\" does not exist, seen from folder " +
+                   std::filesystem::current_path().string() + ", nor beside the script, in folder " +
+                   folder());
 }
 
 // The last one counts.

@@ -11,7 +11,10 @@ public:
   /// @param words all words of the command line; those after the first that ends in ".edp" are the script's
   explicit ScriptOptions(const std::vector<std::string>& words);
   const std::string& script() const { return m_script; } ///< path of the script, "" if there is none
-  std::string folder() const;                            ///< of the script, "." if it is here
+  std::string folder() const;                            ///< of the script, with a slash; "./" if it is here
+  /// Where a file that the script names without a folder is: here, else beside the script.
+  /// @throws std::invalid_argument if it is in neither folder
+  std::string found(const std::string& file) const;
 
   bool given(const std::string& name) const { return find(name) != nullptr; } ///< it is among the words
   /// Value of an option, or the default. @param name with its dash; @param unit, meaning for the help; may be empty

@@ -44,14 +44,16 @@ def run(script, words, folder):
     done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=1200)
     path = os.path.join(folder, "summary.json")
     stopped = re.search(r"^burnish: stopped early at (.*)$", done.stdout, re.MULTILINE)
-    if stopped and not os.path.exists(path):  # the script asks for the end of its program
+    summary = {}
+    if os.path.exists(path):
+        with open(path) as f:
+            summary = json.load(f)
+        os.remove(path)
+    if stopped and summary.get("status", "running") == "running":  # the script asks for the end of its program
         return {"status": "stopped", "reason": stopped.group(1), "results": {}, "cpu_seconds": {"total": float("nan")},
                 "counts": dict.fromkeys(("steps", "rejected_steps", "iterations", "factorizations"), 0)}
-    if done.returncode not in (0, 3, 4) or not os.path.exists(path):
+    if done.returncode not in (0, 3, 4) or not summary:
         sys.exit(f"tangents: exit status {done.returncode} of {' '.join(command)}:\n{done.stdout[-2000:]}{done.stderr[-1000:]}")
-    with open(path) as f:
-        summary = json.load(f)
-    os.remove(path)
     return summary
 
 

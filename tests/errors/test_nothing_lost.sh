@@ -39,7 +39,6 @@ done
 # broken NAME SED-COMMAND
 broken() {
   mkdir -p "$SCRATCH/$1.case"
-  cp cases/rolling/*.idp "$SCRATCH/$1.case"
   sed "$2" cases/rolling/rolling.edp >"$SCRATCH/$1.case/rolling.edp"
   ! cmp -s cases/rolling/rolling.edp "$SCRATCH/$1.case/rolling.edp" || report "$1: the case could not be changed"
   "$BURNISH" "$SCRATCH/$1.case/rolling.edp" "${coarse[@]}" -out "$SCRATCH/$1" >"$SCRATCH/$1.log" 2>&1
@@ -60,9 +59,9 @@ finish floor2 3 ', step below its floor'
 whole "$SCRATCH/floor2" 'step below its floor' 'too little to balance a coordinate under force' 20 15e-3
 
 # within a step, when the displacements are those of the predictor already
-broken force "s/^$at/$at if (t > 0.5) { rcExternal.resize(Vh.ndof); rcExternal = 0; rcExternal[0] = sqrt(-1.); }/"
-finish force 20 ', error: rcRun: rcExternal[0] = '
-whole "$SCRATCH/force" error 'rcRun: rcExternal[0] = ' 20 15e-3
+broken force "s/^$at/$at if (t > 0.5) { real[int] f(Vh.ndof); f = 0; f[0] = sqrt(-1.); C.external(f); }/"
+finish force 20 ', error: contact.external: value '
+whole "$SCRATCH/force" error 'contact.external: value ' 20 15e-3
 
 broken record 's/^func int record(real t) {/& int[int] two(2); if (t > 0.5) two[7] = 1;/'
 finish record 20 'Out of bound in operator []'
@@ -74,8 +73,8 @@ finish formula 20 'x of tool "roller" "r*cos(phi)+1e-30*sqrt(phi-1.6)": sqrt(-'
 whole "$SCRATCH/formula" error 'is no finite real number, at r = 0.0' 20 15e-3
 
 # external forces of another size are refused, not left out
-broken external 's/^rcContactAngles = /rcExternal.resize(3); rcExternal = 0; &/'
-finish external 20 'rcRun: size of rcExternal = 3, expected 0 or '
+broken external 's/^rcContactAngles = /real[int] three(3); three = 0; C.external(three); &/'
+finish external 20 'contact.external: size of the values = 3, expected '
 
 # 4. Names and numbers that JSON does not take as they are
 odd="$SCRATCH/a \"quoted\" \\name"

@@ -68,7 +68,7 @@ TARGET="depth=85" BY=R=14e-3:20e-3 sweep 0 target ""
 awk -F, 'NR > 1 && $2 > 84.915 && $2 < 85.085 {found = 1} END {exit !found}' $top/target.csv || fail "target: no run within 0.1 %"
 "${PYTHON:-python3}" "$picture" $top/target.png >>log || fail "target: the picture"
 TARGET="depth=120" BY=R=14e-3:20e-3 sweep 1 far ""
-holds far "depth = 120 is not between 108"
+holds far "depth = 120 is not between "
 TARGET="depht=85" BY=R=14e-3:20e-3 sweep 2 name ""
 holds name 'no result "depht"; there are: t, r,'
 TARGET="depth" BY=R sweep 2 form ""

@@ -102,24 +102,12 @@ class Series(unittest.TestCase):
         self.assertTrue((places[:, 1] == -0.01).all() and fixed.all())
         self.assertEqual(run.mirrors, [])
 
-    def mirrors(self, fixed_at, points=None):
-        """Of a square 0..1 x 0..1, or other points, where these (x, y, held along x, along y) are held."""
-        run = Run(str(FOLDER))
-        side = np.linspace(0, 1, 5)
-        points = np.column_stack([v.ravel() for v in np.meshgrid(side, side)]) if points is None else points
-        held = np.array([(x, y, *kind) for x, y in points for at, kind in fixed_at if at(x, y)])
-        run.__dict__.update(field=run.field._replace(points=points), supports=(held[:, :2], held[:, 2:] > 0), axisymmetric=False)
-        return run.mirrors
-
-    def test_symmetry_by_supports(self):
-        left, bottom = (lambda x, y: x == 0), (lambda x, y: y == 0)
-        self.assertEqual(self.mirrors([(left, (1, 0))]), [(-1, 1)])
-        self.assertEqual(self.mirrors([(left, (1, 0)), (bottom, (0, 1))]), [(-1, 1), (1, -1), (-1, -1)])
-        self.assertEqual(self.mirrors([(left, (1, 1))]), [])                              # a clamped end
-        self.assertEqual(self.mirrors([(lambda x, y: x == 1, (1, 0))]), [])               # a wall elsewhere
-        self.assertEqual(self.mirrors([(lambda x, y: x == 0 and y < 0.6, (1, 0))]), [])   # part of the line
-        both = np.column_stack([v.ravel() for v in np.meshgrid(np.linspace(-1, 1, 5), np.linspace(0, 1, 5))])
-        self.assertEqual(self.mirrors([(left, (1, 0))], both), [])                        # the workpiece on both sides
+    def test_symmetry(self):
+        for word, ring, signs in (("", False, []), ("x", False, [(-1, 1)]), ("y", False, [(1, -1)]),
+                                  ("xy", False, [(-1, 1), (1, -1), (-1, -1)]), ("", True, [(-1, 1)]), ("y", None, [(1, -1)])):
+            run = Run(str(FOLDER))
+            run.__dict__.update(summary={"symmetry": word}, axisymmetric=ring)
+            self.assertEqual(run.mirrors, signs)
 
     def test_broken(self):
         whole = (FOLDER / "surface-4.vtp").read_text()

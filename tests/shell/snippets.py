@@ -19,8 +19,7 @@ import time
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
-COARSE = "-inner 3 -outer 16 -sides 3 -steps 4 -width 2 -tolerance 1e-3"
-README = {"make run ": "not run: every test begins with it, and cases run below", "make case-rolling": "run by make test-manual with: " + COARSE}
+README = {"make run ": "not run: every test begins with it, and cases run below"}
 LINKED = ("obj", "read", "tests")    # large, and not written where nothing is compiled
 BLOCK = re.compile(r"(?:^<!-- ((?:not )?run.*?) -->\n)?^```sh\n(.*?)^```", re.MULTILINE | re.DOTALL)
 MARK = re.compile(r"(?P<no>not run: \S.*)|run(?P<long> by make test-manual)?(?: with: (?P<options>\S.*))?")

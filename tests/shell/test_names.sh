@@ -26,5 +26,5 @@ expect ALGORITHMS.md 's/^| `path_limit` | 1.5 /| `path_limit` | 1.6 /' "path_lim
 expect ALGORITHMS.md '/^| `anderson_memory` /d' "the table of options lacks anderson_memory of IterationOptions"
 expect ALGORITHMS.md 's/^| `tied` /| `bound` /' "IterationOptions has no member bound"
 expect ALGORITHMS.md 's/`GROWTH` (1.3)/`GROWTH` (1.4)/' "the constant GROWTH is 1.3 in the code"
-expect ALGORITHMS.md 's/`SLOW` (2)/`FAST` (2)/' "the constant FAST is none in the code"
+expect ALGORITHMS.md 's/`GROWS` (2)/`FAST` (2)/' "the constant FAST is none in the code"
 exit $wrong

@@ -21,7 +21,9 @@ public:
     expect(std::abs(force[0] + m_rolling.force * t), allowed, "Q_r", t);
     expect(std::abs(force[2] - m_rolling.moment * t) / 15e-3, allowed, "Q_theta / R", t);
     const Vector<3> told = m_rolling.scene.tool->generalized_force();
-    EXPECT_LE((told - force).norm(), 1e-9 * force.norm()) << "the force that the tool reports";
+    // the nodes lie on the tool but for the square of the last offset, below the gap tolerance
+    const double offset = std::max(1e-9, 1e-3 * m_tolerance);
+    EXPECT_LE((told - force).norm(), offset * force.norm()) << "the force that the tool reports";
     ++m_steps;
   }
   double worst() const { return m_worst; } ///< largest error over the allowed one

@@ -23,7 +23,7 @@ std::vector<int> following(const ContactSetup<Dim>& setup, const PrescribedValue
   return free;
 }
 
-// Squares of the motion of the contact nodes against their tools, by rigid motions and coordinates.
+// Squares of the motion of the contact nodes and their neighbors against their tools, by rigid motions and coordinates.
 template <int Dim>
 Eigen::MatrixXd resistance(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
                            const std::vector<int>& free, const RigidModes<Dim>& modes,
@@ -37,14 +37,19 @@ Eigen::MatrixXd resistance(const ContactSetup<Dim>& setup, const ContactState<Di
     const auto& node = state.nodes[i];
     if (!in_contact(node.state)) continue;
     const auto p = model.tools[node.tool]->point(poses[node.tool], node.place);
-    Eigen::MatrixXd apart = Eigen::MatrixXd::Zero(Dim, n);
-    apart.leftCols(count) = modes(setup.body().position(u, setup.candidates()[i]));
-    for (std::size_t f = 0; f < free.size(); ++f)
-      if (model.tool_of(free[f]) == node.tool)
-        apart.col(count + static_cast<Eigen::Index>(f)) = -p.x_q.col(free[f] - model.first[node.tool]);
     const bool slips = model.law(static_cast<int>(i), node.tool).frictionless();
-    const Eigen::MatrixXd seen = slips ? Eigen::MatrixXd(p.n.transpose() * apart) : apart;
-    sum += seen.transpose() * seen;
+    std::vector<int> near{static_cast<int>(i)}; // under a load the contact has a width
+    if (!model.neighbors.empty())
+      near.insert(near.end(), model.neighbors[i].begin(), model.neighbors[i].end());
+    for (const int candidate : near) {
+      Eigen::MatrixXd apart = Eigen::MatrixXd::Zero(Dim, n);
+      apart.leftCols(count) = modes(setup.body().position(u, setup.candidates()[candidate]));
+      for (std::size_t f = 0; f < free.size(); ++f)
+        if (model.tool_of(free[f]) == node.tool)
+          apart.col(count + static_cast<Eigen::Index>(f)) = -p.x_q.col(free[f] - model.first[node.tool]);
+      const Eigen::MatrixXd seen = slips ? Eigen::MatrixXd(p.n.transpose() * apart) : apart;
+      sum += seen.transpose() * seen;
+    }
   }
   sum.topLeftCorner(count, count) += modes.resisted_by_supports(setup.body(), u);
   return sum;

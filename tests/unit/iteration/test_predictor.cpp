@@ -78,27 +78,63 @@ TEST(Predictor, FirstStepOnlyMovesTheTool) {
   }
 }
 
-// The plate went on by 0.5 in the last step (dt = 2) and goes on by `way` now: every node moves as the place
-// behind it by the mean of both did, P2 exactly, in proportion to the time.
+// The plate goes on by `way` over material that hardly moves: every node moves as the place behind it by that way did, in
+// proportion to the time, but for squares of the increments.
 TEST(Predictor, LastIncrementCarriedAlong) {
+  constexpr double small = 1e-6;
   struct Case {
-    double dt, way, behind;
+    double dt, way;
   };
-  for (const Case now : {Case{2, 0.5, 0.5}, Case{1, 0.5, 0.5}, Case{4, 1.1, 0.8}}) {
+  for (const Case now : {Case{2, 0.5}, Case{1, 0.5}, Case{4, 1.1}}) {
     Carried carried;
+    carried.u.setZero();
     carried.remember(2);
+    carried.history.du *= small;
     carried.prescribed.value[0] = now.way;
     const auto result = carried.predict_step(now.dt);
     double worst = 0;
     for (int a = 0; a < carried.mesh.space.num_nodes; ++a) {
-      const Vector<2> x = carried.mesh.space.node(a), behind = x - Vector<2>(now.behind, 0);
-      Vector<2> expected = now.dt / 2 * Carried::increment(behind.x() < -0.21 ? x : behind);
+      const Vector<2> x = carried.mesh.space.node(a), behind = x - Vector<2>(now.way, 0);
+      if (std::abs(behind.x()) < 1e-3) continue; // on the border of the mesh: inside or outside by rounding
+      Vector<2> expected = now.dt / 2 * small * Carried::increment(behind.x() < -0.21 ? x : behind);
       if (carried.mesh.fixed[2 * a]) expected.setZero();
       const Vector<2> moved = (result.u - carried.u).segment<2>(2 * a);
       worst = std::max(worst, (moved - expected).norm());
     }
-    EXPECT_LE(worst, 1e-14) << "way " << now.way;
+    EXPECT_LE(worst, 30 * small * small) << "way " << now.way;
     EXPECT_NEAR(result.state.q[2], 0.1 * now.dt / 2, 1e-15) << "coordinates under force go on";
+  }
+}
+
+// A tool that goes with the material carries nothing: each node repeats its own increment, turned by the rotation of its
+// elements. A strip that turned by an angle turns by it again, without stretch; unturned, its length would grow by 1 - cos.
+TEST(Predictor, TurnedStripIsNotStretched) {
+  for (const double dt : {1., 0.5, 2.}) {
+    Carried carried;
+    constexpr double angle = 0.02;
+    carried.mesh.fixed.assign(carried.mesh.fixed.size(), 0);
+    carried.body.fixed = carried.mesh.fixed;
+    carried.remember(1);
+    const auto turned = [&](double by) {
+      Eigen::VectorXd u = carried.u;
+      for (Eigen::Index d = 0; d < u.size(); d += 2) {
+        const Vector<2> X = carried.body.X.segment<2>(d);
+        u.segment<2>(d) = plane_rotation(by) * X - X;
+      }
+      return u;
+    };
+    carried.u = turned(angle);
+    carried.history.du = carried.u - turned(0);
+    carried.history.own = true;
+    const auto own = carried.predict_step(dt);
+    const Eigen::VectorXd x = carried.body.X + own.u;
+    const Eigen::VectorXd& X = carried.body.X;
+    double stretch = 0;
+    for (int a = 1; a < carried.mesh.space.num_nodes; ++a)
+      stretch = std::max(stretch, std::abs((x.segment<2>(2 * a) - x.segment<2>(0)).norm() /
+                                               (X.segment<2>(2 * a) - X.segment<2>(0)).norm() -
+                                           1));
+    EXPECT_LE(stretch, dt == 1 ? 1e-14 : 0.5 * std::abs(dt - dt * dt) * angle * angle);
   }
 }
 
@@ -121,7 +157,7 @@ TEST(Predictor, IncrementTurnsWithThePivot) {
   history.dq = Vector<3>(0, turn, 0);
   history.q_old = state.q - history.dq;
   const auto increment = [](double angle) { // along the radius
-    return Vector<2>(1e-2 * std::sin(3 * angle) * plane_direction(angle));
+    return Vector<2>(1e-5 * std::sin(3 * angle) * plane_direction(angle));
   };
   history.du.resize(body.X.size());
   const auto angle_of = [&](int a) { return std::atan2(body.X[2 * a + 1], body.X[2 * a]); };
@@ -132,7 +168,7 @@ TEST(Predictor, IncrementTurnsWithThePivot) {
   for (int a = 0; a < mesh.space.num_nodes; ++a) {
     const double behind = angle_of(a) - turn;
     if (mesh.fixed[2 * a] || behind > M_PI / 2 + 0.4) continue;
-    EXPECT_LE((result.u.segment<2>(2 * a) - plane_rotation(turn) * increment(behind)).norm(), 1e-6)
+    EXPECT_LE((result.u.segment<2>(2 * a) - plane_rotation(turn) * increment(behind)).norm(), 1e-9)
         << "node " << a;
   }
 }
@@ -156,9 +192,7 @@ TEST(Predictor, StatesCarriedAlong) {
   EXPECT_EQ(result.state.nodes[5].slip_direction, carried.state.nodes[4].slip_direction);
   EXPECT_EQ(result.state.nodes[8].slip_direction.norm(), 0) << "would slip against its sign: sticks";
   const int node = carried.model.candidates[6];
-  EXPECT_NEAR(result.u[2 * node] - carried.u[2 * node], 0.5, 1e-13) << "sticking nodes go with the plate";
-  const int fresh = carried.model.candidates[8];
-  EXPECT_NEAR(carried.body.position(result.u, fresh)[1], 1, 1e-13) << "contact nodes lie on the tool";
+  EXPECT_EQ(result.u[2 * node], carried.u[2 * node]) << "the first iteration moves nodes, by the whole body";
 }
 
 TEST(Predictor, EventSteppingKeepsItsStates) {

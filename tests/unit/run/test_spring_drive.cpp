@@ -76,10 +76,12 @@ TEST(SpringDrive, StateGoesOnToTheSameBits) {
   a.tool->force("y", "-2*(y - 4.4)");
   a.step(0);
   const auto saved = a.contact().state();
+  const auto body = a.body.state();
   const Eigen::VectorXd u = a.u;
   a.step(1);
   const double y = a.y();
   a.contact().set_state(saved);
+  a.body.set_state(body);
   a.u = u;
   a.step(1);
   EXPECT_EQ(a.y(), y);

@@ -33,14 +33,14 @@ ScriptOptions asked(const Words& words) {
 
 TEST(ScriptOptions, ScriptAndFolder) {
   EXPECT_EQ(given({}).script(), "dir/case.edp");
-  EXPECT_EQ(given({}).folder(), "dir");
-  EXPECT_EQ(ScriptOptions({"FreeFem++", "case.edp"}).folder(), ".");
+  EXPECT_EQ(given({}).folder(), "dir/");
+  EXPECT_EQ(ScriptOptions({"FreeFem++", "case.edp"}).folder(), "./");
   EXPECT_EQ(ScriptOptions({"FreeFem++", "/case.edp"}).folder(), "/");
-  EXPECT_EQ(ScriptOptions({"FreeFem++", "/a/b.d/case.edp"}).folder(), "/a/b.d");
+  EXPECT_EQ(ScriptOptions({"FreeFem++", "/a/b.d/case.edp"}).folder(), "/a/b.d/");
   EXPECT_EQ(ScriptOptions({"x", "a.edp", "-file", "b.edp"}).script(), "a.edp") << "the first one";
   const ScriptOptions none({"FreeFem++", ".edp", "-R", "3"});
   EXPECT_EQ(none.script(), "");
-  EXPECT_EQ(none.folder(), ".");
+  EXPECT_EQ(none.folder(), "./");
   EXPECT_NO_THROW(none.refuse_unknown()) << "no script, no words of its own";
 }
 
