@@ -126,7 +126,7 @@ struct MakeMaterial {
     if (user) workpiece->set_user_defined(true);
     object->mesh = shared_mesh(space, "material");
     object->fingerprint = mesh_fingerprint<2>(workpiece->discretization());
-    if (!user) object->warnings = unit_warnings(input.numbers, "rcMaterial");
+    if (!user) object->warnings = unit_warnings(input.numbers, "rcMaterial", input.plastic_strain);
     if (!object->warnings.empty()) cout << "burnish: warning: " << object->warnings << std::flush;
     object->body = std::make_unique<WorkpieceBody<2>>(std::move(workpiece));
     return made(a.stack(), std::move(object));

@@ -7,6 +7,7 @@ namespace burnish {
 namespace {
 
 constexpr double LEAST_YIELD = 1e-6, MOST_HARDENING = 1; // over Young's modulus
+constexpr double MOST_STRAIN = 8; // at the end of a table of the yield stress: known ones end below
 
 double number(const LawNumbers& numbers, const char* name) {
   const auto found = numbers.find(name);
@@ -22,11 +23,19 @@ std::string line(const char* where, const char* name, double value, double E, co
 
 } // namespace
 
-std::string unit_warnings(const LawNumbers& numbers, const char* where) {
+std::string unit_warnings(const LawNumbers& numbers, const char* where,
+                          const std::vector<double>& plastic_strain) {
   double E = number(numbers, "E");
   if (E == 0) E = 2 * number(numbers, "G") * (1 + number(numbers, "nu"));
   const double sigY = number(numbers, "sigY"), H = number(numbers, "H");
   std::string text;
+  if (!plastic_strain.empty() && plastic_strain.back() > MOST_STRAIN) {
+    std::ostringstream table;
+    table << where << ": plasticstrain ends at " << plastic_strain.back() << ", that is "
+          << 100 * plastic_strain.back() << " %, known tables end below " << MOST_STRAIN
+          << ": is it in per cent?\n";
+    text += table.str();
+  }
   if (!(E > 0)) return text;
   if (sigY > 0 && sigY < LEAST_YIELD * E) text += line(where, "sigY", sigY, E, "more than 1e-6");
   if (H > MOST_HARDENING * E) text += line(where, "H", H, E, "at most 1");

@@ -3,6 +3,7 @@
 #include "base/sentence.hpp"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace burnish {
 namespace {
@@ -19,11 +20,12 @@ constexpr double FROM_INSIDE = 0.5; // cosine between the tool's normal and the 
 
 struct SmallestGap {
   double gap = 0, slope = 0, lever = 0; // gap, its change with the coordinate, motion of the foot with it
+  bool parallel() const { return std::abs(slope) < NO_SLOPE * lever; }
   double fastest = 0, second_order = 0; // largest |X_,k| and |X_,kk|/2 of all candidates' feet
   std::vector<std::size_t> nodes;       // candidates that have it
 };
 
-// Smallest gap of a tool, of the nodes that it does not pass by, and its change with coordinate k; places the candidates' feet in the state.
+// Smallest gap of a tool, and its change with coordinate k; places the candidates' feet in the state.
 template <int Dim>
 SmallestGap smallest_gap(const ContactSetup<Dim>& setup, ContactState<Dim>& state, const Eigen::VectorXd& u,
                          int tool, int k) {
@@ -40,13 +42,11 @@ SmallestGap smallest_gap(const ContactSetup<Dim>& setup, ContactState<Dim>& stat
     result.fastest = std::max(result.fastest, p.x_q.col(k).norm());
     result.second_order =
         std::max(result.second_order, 0.5 * p.x_qq[static_cast<std::size_t>(k)].col(k).norm());
-    const double slope = -p.n.dot(p.x_q.col(k)), lever = p.x_q.col(k).norm();
-    if (foot.gap > TOUCH * setup.body().spacing && std::abs(slope) < NO_SLOPE * lever) continue; // passes by
     if (!result.nodes.empty() && foot.gap >= result.gap + same) continue;
     if (result.nodes.empty() || foot.gap < result.gap - same) result.nodes.clear();
     result.gap = result.nodes.empty() ? foot.gap : std::min(result.gap, foot.gap);
-    result.slope = slope;
-    result.lever = lever;
+    result.slope = -p.n.dot(p.x_q.col(k));
+    result.lever = p.x_q.col(k).norm();
     result.nodes.push_back(i);
     if (node.tool == tool || !in_contact(node.state))
       node.place = foot.place; // not where another tool touches
@@ -120,36 +120,63 @@ template <int Dim> [[noreturn]] void fail_approach(const ContactSetup<Dim>& setu
            "open profile: reverse one that faces away)");
 }
 
-} // namespace
-
+// Moves the tool to its first touch in a direction; 0: in which its smallest gap closes. @returns the nodes, none: it passes by
 template <int Dim>
-ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> state,
-                             const Eigen::VectorXd& u, int tool, int k) {
-  check_independent_approach(setup, setup.model().first[tool] + k);
+std::vector<std::size_t> to_touch(const ContactSetup<Dim>& setup, ContactState<Dim>& state,
+                                  const Eigen::VectorXd& u, int tool, int k, double direction) {
   double& q = state.q[setup.model().first[tool] + k];
   const double spacing = setup.body().spacing;
+  const auto X = setup.body().X.reshaped(Dim, setup.body().X.size() / Dim);
+  const double size = (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
+  double left = std::numeric_limits<double>::infinity(); // gap beyond which the tool has left the body
   for (int iteration = 0; iteration < ITERATIONS; ++iteration) {
     const SmallestGap least = smallest_gap(setup, state, u, tool, k);
-    if (!least.nodes.empty() && std::abs(least.gap) < TOUCH * spacing) {
-      check_from_outside(setup, state, u, tool, least.nodes);
-      for (const std::size_t i : least.nodes) {
-        auto& node = state.nodes[i];
-        node.tool = tool;
-        place_at(node, node.place);
-        const bool slides = setup.model().law(static_cast<int>(i), tool).frictionless();
-        node.state = slides ? NodeState::SLIDING : NodeState::STICKING;
-      }
-      return state;
-    }
-    if (least.nodes.empty() || std::abs(least.slope) < NO_SLOPE * least.lever) break;
+    if (std::abs(least.gap) < TOUCH * spacing) return least.nodes;
+    if (iteration == 0) left = std::abs(least.gap) + size;
+    if (least.gap > left || (least.parallel() && (direction == 0 || least.gap < 0))) break;
+    const double newton = least.parallel() ? 0 : -least.gap / least.slope;
+    if (direction == 0 && least.gap > 0) direction = std::copysign(1, newton);
     // no point of the tool moves much further than the gap, to second order, lest a leap past a dead center
     // or through the body ends at another touch than the first one
     const double way = std::max(GAP_SHARE * std::abs(least.gap), LEAST_WAY * spacing);
     const double most =
         2 * way / (least.fastest + std::sqrt(least.fastest * least.fastest + 4 * least.second_order * way));
-    q -= std::clamp(least.gap / least.slope, -most, most);
+    const bool passes = least.gap > 0 && newton * direction <= 0; // the nearest nodes; others are in its way
+    q += passes ? direction * most : std::clamp(newton, -most, most);
   }
-  fail_approach(setup, tool, k);
+  return {};
+}
+
+} // namespace
+
+template <int Dim>
+ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> state,
+                             const Eigen::VectorXd& u, int tool, int k) {
+  const int at = setup.model().first[tool] + k;
+  check_independent_approach(setup, at);
+  const double from = state.q[at];
+  const SmallestGap least = smallest_gap(setup, state, u, tool, k);
+  const bool both = least.gap > TOUCH * setup.body().spacing && least.parallel();
+  std::vector<std::size_t> touching = to_touch(setup, state, u, tool, k, both ? 1 : 0);
+  if (both) {
+    ContactState<Dim> back = state;
+    back.q[at] = from;
+    auto behind = to_touch(setup, back, u, tool, k, -1);
+    if (!behind.empty() && (touching.empty() || from - back.q[at] < state.q[at] - from)) {
+      state = std::move(back);
+      touching = std::move(behind);
+    }
+  }
+  if (touching.empty()) fail_approach(setup, tool, k);
+  check_from_outside(setup, state, u, tool, touching);
+  for (const std::size_t i : touching) {
+    auto& node = state.nodes[i];
+    node.tool = tool;
+    place_at(node, node.place);
+    const bool slides = setup.model().law(static_cast<int>(i), tool).frictionless();
+    node.state = slides ? NodeState::SLIDING : NodeState::STICKING;
+  }
+  return state;
 }
 
 template ContactState<2> approached<2>(const ContactSetup<2>&, ContactState<2>, const Eigen::VectorXd&, int,

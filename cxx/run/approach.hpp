@@ -4,7 +4,8 @@
 
 namespace burnish {
 
-/// Newton's method on the smallest gap as a function of coordinate k of the tool.
+/// Newton's method on the smallest gap as a function of coordinate k of the tool; while that gap is
+/// parallel to the motion, or opens, the tool goes on to the first touch of other nodes.
 /// @param state before: all tools at state.q; @param u displacement of the body
 /// @returns the state with the tool moved and the touching nodes in contact
 /// @throws std::invalid_argument if it cannot touch by this coordinate alone, would touch from inside, if it

@@ -1,4 +1,5 @@
 // The verbs of a step loop on a small elastic block under a roller.
+#include "geometry/arc_chain.hpp"
 #include "support/run.hpp"
 #include "unit/finite_difference.hpp"
 
@@ -70,6 +71,20 @@ TEST(ContactRun, ApproachOfAFlatPunchTouchesAllNodes) {
   for (const auto& node : scene.contact().accepted().contact.nodes)
     touching += node.state == NodeState::STICKING;
   EXPECT_EQ(touching, 25);
+}
+
+// A stepped tool is pushed along the top: its lower side slides 0.1 above it all the way, its riser, 1 behind its origin, meets
+// the corner at x = 0 first.
+TEST(ContactRun, ApproachAlongTheNearestNodesFindsTheFirstTouch) {
+  const auto mesh = block_mesh(12, 4, 2, 4, 1.5);
+  for (const double x : {0., 0.7, -3.}) {
+    Scene scene(mesh, elastic_material());
+    const std::vector<Vector<2>> corners{{9, 0}, {-1, 0}, {-1, -1}};
+    scene.add_tool(std::make_shared<ArcChain>(corners, std::vector<double>{0, 0.05, 0}),
+                   std::make_shared<Cartesian>(), 0.3);
+    scene.place({x, 1.6, 0});
+    EXPECT_NEAR(scene.contact().approach(0, "x", scene.u), 1, 1e-9) << x;
+  }
 }
 
 TEST(ContactRun, AcceptUpdatesToolStateAndLog) {
