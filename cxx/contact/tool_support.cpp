@@ -1,4 +1,6 @@
 #include "contact/tool_support.hpp"
+#include "contact/driving_force.hpp"
+#include <algorithm>
 #include <utility>
 
 namespace burnish {
@@ -117,6 +119,27 @@ void support_after_events(const ContactModel<Dim>& model, const PrescribedValues
 }
 
 template <int Dim>
+std::vector<int> idle_coordinates(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                                  const ContactState<Dim>& state) {
+  std::vector<char> touches(model.tools.size(), 0);
+  for (const auto& node : state.nodes)
+    if (in_contact(node.state)) touches[node.tool] = 1;
+  const auto alone = [&](int k) { return !touches[model.tool_of(k)]; };
+  std::vector<int> result;
+  for (int k = 0; k < model.num_coordinates(); ++k) {
+    const std::vector<int> followers = model.followers(k);
+    if (!prescribed.is_motion[k] && !prescribed.is_held(k) && !model.coupling_of(k) && alone(k) &&
+        std::all_of(followers.begin(), followers.end(), alone))
+      result.push_back(k);
+  }
+  if (result.empty()) return result;
+  const DrivingForce drive = driving_force(model, prescribed, state.q);
+  result.erase(std::remove_if(result.begin(), result.end(), [&](int k) { return drive.value[k] != 0; }),
+               result.end());
+  return result;
+}
+
+template <int Dim>
 std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                const ContactState<Dim>& state) {
   std::vector<int> result;
@@ -142,6 +165,8 @@ std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedV
                                             const std::vector<char>&);                                       \
   template void support_after_events<Dim>(const ContactModel<Dim>&, const PrescribedValues&,                 \
                                           const std::vector<ContactEvent<Dim>>&, bool, ContactState<Dim>&);  \
+  template std::vector<int> idle_coordinates<Dim>(const ContactModel<Dim>&, const PrescribedValues&,         \
+                                                  const ContactState<Dim>&);                                 \
   template std::vector<int> sole_supports<Dim>(const ContactModel<Dim>&, const PrescribedValues&,            \
                                                const ContactState<Dim>&);
 BURNISH_INSTANTIATE(2)

@@ -29,6 +29,12 @@ void support_after_events(const ContactModel<Dim>& model, const PrescribedValues
                           const std::vector<ContactEvent<Dim>>& events, bool pass_on,
                           ContactState<Dim>& state);
 
+/// Coordinates under force zero of tools that touch nothing: no force moves them any more, so they keep the place that
+/// is predicted for them. Not those held by a coupling or by what follows them. @returns their numbers
+template <int Dim>
+std::vector<int> idle_coordinates(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                                  const ContactState<Dim>& state);
+
 /// Candidates whose stick is the only one that supports their tool.
 template <int Dim>
 std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedValues& prescribed,

@@ -1,5 +1,6 @@
 #include "contact/window_solver.hpp"
 #include "contact/coupling.hpp"
+#include "contact/tool_support.hpp"
 
 namespace burnish {
 namespace {
@@ -108,7 +109,12 @@ bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim
   if (m_problem.added_stiffness.size() > 0)
     input.added_stiffness = of_nodes<Dim>(m_problem.added_stiffness, active);
   input.test_stability = m_problem.test_stability;
-  const auto block = solve_contact_block(m_model, *m_problem.prescribed, m_problem.start->q, input);
+  PrescribedValues prescribed = *m_problem.prescribed;
+  for (const int k : idle_coordinates(m_model, prescribed, trial)) {
+    prescribed.is_motion[k] = 1;
+    prescribed.value[k] = m_problem.start->q[k];
+  }
+  const auto block = solve_contact_block(m_model, prescribed, m_problem.start->q, input);
   out.unstable = block.unstable;
   out.singular = block.singular;
   out.weakest_coordinate = block.weakest_coordinate;

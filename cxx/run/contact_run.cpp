@@ -163,7 +163,8 @@ template <int Dim> void ContactRun<Dim>::begin_program(const Eigen::VectorXd& u,
   prescribed.held = held_by_drive(driving_force(m_setup->model(), prescribed, state.q), prescribed);
   if (first) check_not_inside(*m_setup, m_predictor.locator(), state, u);
   m_step.left_out = leave_out_unresisted(*m_setup, state, prescribed);
-  check_support(*m_setup, state, prescribed);
+  for (const std::string& idle : check_support(*m_setup, state, prescribed, first))
+    m_step.left_out.push_back(idle);
   check_independent(*m_setup, state, prescribed);
   if (!first) return;
   take_areas(state, u);

@@ -31,7 +31,7 @@ def main(folder):
     same("roll force", "faster-below", "slower-below", 5e-3)
     same("roll torque", "faster-below", "slower-below", 0.02, another="torque of the lower roll")
     same("torque of the lower roll", "faster-below", "slower-below", 0.01, another="roll torque")
-    same("curvature", "faster-below", "slower-below", 0.03, factor=-1)
+    same("curvature", "faster-below", "slower-below", 0.05, factor=-1)  # with the steps it scatters by 4 %
     slip = {name: 1 + number(summaries[name], "forward slip") / 100 for name in ("faster-below", "slower-below")}
     checks.near("nose over the faster roll, mirror images", slip["faster-below"] / 1.05, slip["slower-below"], 1e-3)
     checks.done()

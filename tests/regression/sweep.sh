@@ -28,7 +28,7 @@ holds grid "R,mu,status,t,r,Q_r,phi,Q_phi,theta,Q_theta," $top/sweep.csv
 holds grid ",depth,rotation," $top/sweep.csv
 "${PYTHON:-python3}" "$picture" $top/sweep.png >>log || fail "grid: the picture"
 [ -s "$top/R=0.016,mu=0.3/log.txt" ] || fail "grid: no log of a variant"
-grep -q "^0.016,0.3,finished,1," $top/sweep.csv || fail "grid: the row of a variant"
+grep -q "^0.016,0.3,finished,1.0," $top/sweep.csv || fail "grid: the row of a variant"
 
 # 2. Two more, one of which fails: the four are not run again
 cp "$top/R=0.014,mu=0.3/summary.json" before.json

@@ -1,6 +1,7 @@
 #include "diagnosis/before/program_checks.hpp"
 #include "base/error.hpp"
 #include "base/sentence.hpp"
+#include "contact/tool_support.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -127,28 +128,30 @@ std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, co
 }
 
 template <int Dim>
-void check_support(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
-                   const PrescribedValues& prescribed) {
+std::vector<std::string> check_support(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                                       const PrescribedValues& prescribed, bool first) {
   const auto& model = setup.model();
-  const auto touches = [&](int tool) {
-    return std::any_of(state.nodes.begin(), state.nodes.end(),
-                       [tool](const auto& node) { return in_contact(node.state) && node.tool == tool; });
-  };
-  const auto supported = [&](int k) {
+  std::vector<char> touches(model.tools.size(), 0), moves(model.tools.size(), 0);
+  for (const auto& node : state.nodes)
+    if (in_contact(node.state)) touches[node.tool] = 1;
+  for (int k = 0; k < model.num_coordinates(); ++k)
+    if (prescribed.is_motion[k] && prescribed.value[k] != state.q[k]) moves[model.tool_of(k)] = 1;
+  const std::vector<int> idle = idle_coordinates(model, prescribed, state);
+  std::vector<std::string> names;
+  for (int k = 0; k < model.num_coordinates(); ++k) {
+    const int tool = model.tool_of(k);
     const std::vector<int> followers = model.followers(k);
-    return prescribed.is_motion[k] || prescribed.is_held(k) || model.coupling_of(k) ||
-           std::any_of(followers.begin(), followers.end(),
-                       [&](int follower) { return touches(model.tool_of(follower)); });
-  };
-  for (int t = 0; t < static_cast<int>(setup.tools().size()); ++t) {
-    if (touches(t)) continue;
-    for (int k = 0; k < setup.tools()[t]->q().size(); ++k)
-      if (!supported(model.first[t] + k))
-        fail("contact.begin",
-             coordinate(*setup.tools()[t], k) +
-                 " is under force but the tool touches nothing, so it has no support; bring the tool "
-                 "into contact by motion or with approach first, or give the coordinate a motion");
+    if (touches[tool] || prescribed.is_motion[k] || prescribed.is_held(k) || model.coupling_of(k) ||
+        std::any_of(followers.begin(), followers.end(), [&](int f) { return touches[model.tool_of(f)]; }))
+      continue;
+    const std::string name = coordinate(*setup.tools()[tool], k - model.first[tool]);
+    if (std::find(idle.begin(), idle.end(), k) == idle.end() || (first && !moves[tool]))
+      fail("contact.begin",
+           name + " is under force but the tool touches nothing, so it has no support; bring the tool "
+                  "into contact by motion or with approach first, or give the coordinate a motion");
+    names.push_back(name);
   }
+  return names;
 }
 
 template <int Dim>
@@ -187,8 +190,8 @@ void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& 
                                       const ContactState<Dim>&, const Eigen::VectorXd&);                     \
   template std::vector<std::string> leave_out_unresisted<Dim>(const ContactSetup<Dim>&,                      \
                                                               const ContactState<Dim>&, PrescribedValues&);  \
-  template void check_support<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,                       \
-                                   const PrescribedValues&);                                                 \
+  template std::vector<std::string> check_support<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,   \
+                                                       const PrescribedValues&, bool);                       \
   template void check_independent<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,                   \
                                        const PrescribedValues&);
 BURNISH_INSTANTIATE(2)

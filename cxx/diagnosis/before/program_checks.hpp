@@ -23,11 +23,14 @@ template <int Dim>
 std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
                                               PrescribedValues& prescribed);
 
-/// @throws std::invalid_argument for a coordinate under force of a tool that touches nothing, unless the force itself
-/// holds it (a spring) or the tool of a coordinate that follows it touches
+/// A coordinate under force zero of a tool that touches nothing is idle: it keeps its rate, or its place.
+/// @param first step of the run: idle is then only a tool that a motion brings on
+/// @returns names of the idle ones, for reports. @throws std::invalid_argument for another coordinate under force of a
+/// tool that touches nothing, unless the force itself holds it (a spring) or the tool of a coordinate that follows it
+/// touches
 template <int Dim>
-void check_support(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
-                   const PrescribedValues& prescribed);
+std::vector<std::string> check_support(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
+                                       const PrescribedValues& prescribed, bool first);
 
 /// Coordinates under force that move their tool alike share a force in no certain way.
 /// @throws std::invalid_argument for such coordinates

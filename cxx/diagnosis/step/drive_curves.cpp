@@ -174,7 +174,6 @@ public:
     if (finding) finding->text = branch;
   }
   void explain(const FailedStep<Dim>& step, std::vector<Failure>& causes) const override {
-    if (step.found.limit_load()) return; // says it already
     const Failure failure = m_curves.exhausted(step.setup, step.before, step.prescribed);
     if (failure) causes.push_back(failure);
   }

@@ -69,21 +69,24 @@ TEST(ActiveSet, WithoutFrictionNodesSlide) {
   }
 }
 
-// Adhesion: a sticking node slides first, and only a sliding one is released (METHOD.md 5.4).
+// Adhesion: a sticking node slides first if its friction tells a direction, else it is released (METHOD.md 5.4).
 TEST(ActiveSet, StickingNodeSlidesBeforeItIsReleased) {
-  Springs springs(0.3, 0.1);
-  springs.touch(2, NodeState::STICKING, 0);
-  springs.touch(3, NodeState::SLIDING, 1);
-  springs.problem.max_passes = 2;
-  auto solution = springs.solve();
-  EXPECT_STREQ(name_of(solution.state.nodes[2].state), "sliding");
-  EXPECT_STREQ(name_of(solution.state.nodes[3].state), "free");
-  springs.problem.max_passes = 12;
-  solution = springs.solve();
-  EXPECT_STREQ(name_of(solution.state.nodes[2].state), "free");
-  EXPECT_TRUE(solution.state.nodes[2].slip_direction.isZero());
-  EXPECT_EQ(solution.passes, 3);
-  EXPECT_EQ(solution.F.norm(), 0);
+  for (const double side : {0.5, 0.}) {
+    Springs springs(0.3, 0.1);
+    springs.touch(2, NodeState::STICKING, 0);
+    springs.touch(3, NodeState::SLIDING, 1);
+    springs.problem.free_increment[4] = side; // against its friction
+    springs.problem.max_passes = 2;
+    auto solution = springs.solve();
+    EXPECT_STREQ(name_of(solution.state.nodes[2].state), side > 0 ? "sliding" : "free");
+    EXPECT_STREQ(name_of(solution.state.nodes[3].state), "free");
+    springs.problem.max_passes = 12;
+    solution = springs.solve();
+    EXPECT_STREQ(name_of(solution.state.nodes[2].state), "free");
+    EXPECT_TRUE(solution.state.nodes[2].slip_direction.isZero());
+    EXPECT_EQ(solution.passes, side > 0 ? 3 : 2);
+    EXPECT_EQ(solution.F.norm(), 0);
+  }
 }
 
 // The body pushes node 1 sideways by 0.5 under N = 0.1, mu = 0.3: it slides until T = 0.03 is left.
