@@ -2,7 +2,6 @@
 #include "contact/coupling.hpp"
 #include "contact/driving_force.hpp"
 #include "contact/tied_edges.hpp"
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -27,17 +26,25 @@ std::vector<double> weights_near_tools(const ContactModel<Dim>& model, const Bod
   std::vector<double> weights;
   for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
     if (tolerance.weight(t) == 1) continue;
-    Eigen::AlignedBox<double, Dim> box;
+    std::vector<Vector<Dim>> contact;
+    Vector<Dim> middle = Vector<Dim>::Zero();
     for (std::size_t i = 0; i < state.nodes.size(); ++i)
-      if (in_contact(state.nodes[i].state) && state.nodes[i].tool == t)
-        box.extend(body.position(u, model.candidates[i]));
-    if (box.isEmpty()) continue;
-    const Vector<Dim> margin = Vector<Dim>::Constant(AROUND * body.spacing);
-    box = Eigen::AlignedBox<double, Dim>(box.min() - margin, box.max() + margin);
+      if (in_contact(state.nodes[i].state) && state.nodes[i].tool == t) {
+        contact.push_back(body.position(u, model.candidates[i]));
+        middle += contact.back();
+      }
+    if (contact.empty()) continue;
+    middle /= static_cast<double>(contact.size());
+    const double margin = AROUND * body.spacing;
+    double radius = 0; // of all of them: most nodes lie outside of it
+    for (const Vector<Dim>& place : contact) radius = std::max(radius, (place - middle).norm());
     weights.resize(static_cast<std::size_t>(u.size() / Dim), 1);
-    for (std::size_t a = 0; a < weights.size(); ++a)
-      if (box.contains(body.position(u, static_cast<int>(a))))
+    for (std::size_t a = 0; a < weights.size(); ++a) {
+      const Vector<Dim> x = body.position(u, static_cast<int>(a));
+      const auto near = [&](const Vector<Dim>& place) { return (x - place).norm() <= margin; };
+      if ((x - middle).norm() <= radius + margin && std::any_of(contact.begin(), contact.end(), near))
         weights[a] = std::max(weights[a], tolerance.weight(t));
+    }
   }
   return weights;
 }

@@ -4,7 +4,7 @@
 namespace burnish {
 namespace {
 
-// Stiffness as large as its own for the diagonal of some nodes, Dim*window.
+// Stiffness as large as the mean of its own diagonal for some nodes, the same in all directions, Dim*window.
 template <int Dim>
 Eigen::VectorXd stiffness_of_contact(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                      const ContactState<Dim>& state, const std::vector<int>& window,
@@ -15,10 +15,9 @@ Eigen::VectorXd stiffness_of_contact(const ContactModel<Dim>& model, const BodyV
     if (!end && !in_contact(state.nodes[window[w]].state)) continue;
     const int node = model.candidates[window[w]];
     const double* block = K.block(K.find(node, node));
-    for (int c = 0; c < Dim; ++c) {
-      if (body.fixed[Dim * node + c]) continue;
-      added[Dim * static_cast<Eigen::Index>(w) + c] = std::abs(block[c * Dim + c]);
-    }
+    const double mean = std::abs(Eigen::Map<const Eigen::Matrix<double, Dim, Dim>>(block).trace()) / Dim;
+    for (int c = 0; c < Dim; ++c)
+      if (!body.fixed[Dim * node + c]) added[Dim * static_cast<Eigen::Index>(w) + c] = mean;
   }
   return added;
 }
