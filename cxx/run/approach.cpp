@@ -147,6 +147,15 @@ std::vector<std::size_t> to_touch(const ContactSetup<Dim>& setup, ContactState<D
   return {};
 }
 
+// At the place that the node has on the tool.
+template <int Dim>
+void touch(const ContactSetup<Dim>& setup, int candidate, int tool, ContactState<Dim>& state) {
+  auto& node = state.nodes[candidate];
+  node.tool = tool;
+  place_at(node, node.place);
+  node.state = setup.model().law(candidate, tool).frictionless() ? NodeState::SLIDING : NodeState::STICKING;
+}
+
 } // namespace
 
 template <int Dim>
@@ -169,19 +178,30 @@ ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> s
   }
   if (touching.empty()) fail_approach(setup, tool, k);
   check_from_outside(setup, state, u, tool, touching);
-  for (const std::size_t i : touching) {
-    auto& node = state.nodes[i];
-    node.tool = tool;
-    place_at(node, node.place);
-    const bool slides = setup.model().law(static_cast<int>(i), tool).frictionless();
-    node.state = slides ? NodeState::SLIDING : NodeState::STICKING;
-  }
+  for (const std::size_t i : touching) touch(setup, static_cast<int>(i), tool, state);
   return state;
+}
+
+template <int Dim>
+void touch_in_place(const ContactSetup<Dim>& setup, const Eigen::VectorXd& u, ContactState<Dim>& state) {
+  if (constrains_rigid_motions(setup.body())) return;
+  const auto& model = setup.model();
+  const auto poses = model.poses(state.q);
+  for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) {
+    if (in_contact(state.nodes[i].state)) continue;
+    const auto nearest =
+        nearest_tool(model, poses, setup.body().position(u, model.candidates[i]), state.nodes[i], i);
+    if (nearest.foot.gap > TOUCH * setup.body().spacing) continue;
+    state.nodes[i].place = nearest.foot.place;
+    touch(setup, i, nearest.tool, state);
+  }
 }
 
 template ContactState<2> approached<2>(const ContactSetup<2>&, ContactState<2>, const Eigen::VectorXd&, int,
                                        int);
 template ContactState<3> approached<3>(const ContactSetup<3>&, ContactState<3>, const Eigen::VectorXd&, int,
                                        int);
+template void touch_in_place<2>(const ContactSetup<2>&, const Eigen::VectorXd&, ContactState<2>&);
+template void touch_in_place<3>(const ContactSetup<3>&, const Eigen::VectorXd&, ContactState<3>&);
 
 } // namespace burnish

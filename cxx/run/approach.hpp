@@ -14,4 +14,10 @@ template <int Dim>
 ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> state,
                              const Eigen::VectorXd& u, int tool, int k);
 
+/// A body that its supports do not hold is held by the tools that it stands on from the start: nodes whose gap counts as
+/// touch, or is less, come into contact.
+/// @param u displacement of the body, num_dofs; @param state all tools at state.q
+template <int Dim>
+void touch_in_place(const ContactSetup<Dim>& setup, const Eigen::VectorXd& u, ContactState<Dim>& state);
+
 } // namespace burnish

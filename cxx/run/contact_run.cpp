@@ -161,7 +161,10 @@ template <int Dim> void ContactRun<Dim>::begin_program(const Eigen::VectorXd& u,
     check_not_placed(*m_setup, state);
   prescribed = prescribed_values(*m_setup, end);
   prescribed.held = held_by_drive(driving_force(m_setup->model(), prescribed, state.q), prescribed);
-  if (first) check_not_inside(*m_setup, m_predictor.locator(), state, u);
+  if (first) {
+    check_not_inside(*m_setup, m_predictor.locator(), state, u);
+    touch_in_place(*m_setup, u, state);
+  }
   m_step.left_out = leave_out_unresisted(*m_setup, state, prescribed);
   for (const std::string& idle : check_support(*m_setup, state, prescribed, first))
     m_step.left_out.push_back(idle);
