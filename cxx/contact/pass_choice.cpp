@@ -7,7 +7,7 @@ namespace {
 
 constexpr int ALONE = 6; // passes with one change alone, after states that have been there before
 
-// A fixed pseudo-random sequence: a run goes the same way every time.
+// A fixed pseudo-random sequence: a run goes the same way every time, whatever the order of the nodes.
 unsigned drawn(unsigned& seed) {
   seed = seed * 1103515245u + 12345u;
   return seed >> 16;
@@ -68,6 +68,7 @@ void PassChoice<Dim>::choose(const ContactState<Dim>& before, const std::vector<
   if (seen_before(before)) m_alone = ALONE;
   if (m_alone > 0 && !chosen.empty()) {
     --m_alone;
+    std::stable_sort(chosen.begin(), chosen.end(), [&](int a, int b) { return severity[a] > severity[b]; });
     chosen = {chosen[drawn(m_draw) % chosen.size()]};
   }
   std::vector<char> made(m_kind.size(), 0);

@@ -14,7 +14,7 @@ template <int Dim> struct StepHistory {
   Eigen::VectorXd dq;    ///< increment of the coordinates
   Eigen::VectorXd q_old; ///< coordinates at its start
   double dt = 0;
-  bool own = false; ///< nodes that repeat their own increments came nearer to the last step than carried ones
+  bool own = true; ///< nodes that repeat their own increments came nearer to the last step than carried ones
 };
 
 /// The two ways to go on [length]; empty: there is no step before.

@@ -90,6 +90,7 @@ TEST(Predictor, LastIncrementCarriedAlong) {
     carried.u.setZero();
     carried.remember(2);
     carried.history.du *= small;
+    carried.history.own = false;
     carried.prescribed.value[0] = now.way;
     const auto result = carried.predict_step(now.dt);
     double worst = 0;
@@ -154,6 +155,7 @@ TEST(Predictor, IncrementTurnsWithThePivot) {
   const double turn = -0.06;
   StepHistory<2> history;
   history.dt = 1;
+  history.own = false;
   history.dq = Vector<3>(0, turn, 0);
   history.q_old = state.q - history.dq;
   const auto increment = [](double angle) { // along the radius
