@@ -1,5 +1,6 @@
 #pragma once
 // What every entry of the plugin shares: handles for script variables, the error frame, argument checks.
+#include "base/error.hpp"
 #include "base/file_error.hpp"
 #include <Eigen/Dense>
 
@@ -43,16 +44,15 @@ template <class F> auto guarded(F&& f) -> decltype(f()) {
   }
 }
 
-/// Runs f; its errors bear the name that the script called instead of the core's. A place of more than one
-/// word (x of tool "crank" ...) stays.
+/// Runs f; its errors bear the name that the script called instead of the core's. A place (x of
+/// tool "crank" ...) stays.
 template <class F> auto called(const char* where, F&& f) -> decltype(f()) {
   try {
     return f();
+  } catch (const ArgumentError& e) {
+    throw ArgumentError(where, e.said());
   } catch (const std::invalid_argument& e) {
-    const std::string text = e.what();
-    const std::size_t colon = text.find(": ");
-    const bool names_core = colon != std::string::npos && text.find(' ') > colon;
-    throw std::invalid_argument(where + (names_core ? text.substr(colon) : ": " + text));
+    throw ArgumentError(where, e.what());
   }
 }
 

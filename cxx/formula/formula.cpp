@@ -52,7 +52,7 @@ struct Formula::Impl {
   std::string where() const { return source->what + " " + quoted(source->text) + label; }
   [[noreturn]] void refuse(const std::string& why) const {
     const std::size_t place = why.find("(): "); // GiNaC's begin with its own place: "power::eval(): "
-    fail(where(), place == std::string::npos ? why : why.substr(place + 4));
+    fail_at(where(), place == std::string::npos ? why : why.substr(place + 4));
   }
   void compile() {
     try {

@@ -187,13 +187,13 @@ void check_formula_names(const std::string& where, const FormulaNames& names) {
   std::set<std::string> known;
   const auto check = [&](const std::string& name) {
     if (!is_identifier(name))
-      fail(where, "name " + quoted(name) + " is no identifier (a letter, then letters, digits and _)");
+      fail_at(where, "name " + quoted(name) + " is no identifier (a letter, then letters, digits and _)");
     if (name.size() > LONGEST_NAME)
-      fail(where,
-           "name " + quoted(name) + ", expected at most " + std::to_string(LONGEST_NAME) + " characters");
+      fail_at(where,
+              "name " + quoted(name) + ", expected at most " + std::to_string(LONGEST_NAME) + " characters");
     if (is_function(name) || constants.count(name))
-      fail(where, "name \"" + name + "\" is taken by a " + (is_function(name) ? "function" : "constant"));
-    if (!known.insert(name).second) fail(where, "name " + quoted(name) + " occurs twice");
+      fail_at(where, "name \"" + name + "\" is taken by a " + (is_function(name) ? "function" : "constant"));
+    if (!known.insert(name).second) fail_at(where, "name " + quoted(name) + " occurs twice");
   };
   for (const std::string& name : names.variables) check(name);
   for (const auto& [name, value] : names.parameters) {

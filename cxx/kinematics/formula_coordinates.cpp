@@ -13,7 +13,7 @@ Formula formula(const char* which, const std::string& tool, const std::string& t
 
 std::vector<std::string> checked(const std::string& tool, std::vector<std::string> names,
                                  const std::map<std::string, double>& parameters) {
-  if (names.empty()) fail("coordinates of tool \"" + tool + "\"", "no names");
+  if (names.empty()) fail_at("coordinates of tool \"" + tool + "\"", "no names");
   check_formula_names("coordinates of tool \"" + tool + "\"", {names, parameters});
   return names;
 }
@@ -56,10 +56,10 @@ FormulaCoordinates::Component FormulaCoordinates::component(const Formula& value
 void FormulaCoordinates::require_use(const std::string& tool) const {
   for (int k = 0; k < size(); ++k)
     if (!m_x.value.depends_on(k) && !m_y.value.depends_on(k) && !m_angle.value.depends_on(k))
-      fail("coordinates of tool \"" + tool + "\"", "coordinate \"" + m_names[static_cast<std::size_t>(k)] +
-                                                       "\" moves nothing: x = " + quoted(m_x.value.text()) +
-                                                       ", y = " + quoted(m_y.value.text()) +
-                                                       ", angle = " + quoted(m_angle.value.text()));
+      fail_at("coordinates of tool \"" + tool + "\"",
+              "coordinate \"" + m_names[static_cast<std::size_t>(k)] +
+                  "\" moves nothing: x = " + quoted(m_x.value.text()) + ", y = " + quoted(m_y.value.text()) +
+                  ", angle = " + quoted(m_angle.value.text()));
 }
 
 Pose<2> FormulaCoordinates::pose(const Eigen::VectorXd& q) const {
