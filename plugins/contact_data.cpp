@@ -7,8 +7,9 @@
 //   C.s         parameter on the tool: arc length, on a circle the angle | length, rad
 //   C.gap       gap, positive = open | length
 //   C.normalforce, C.tangentialforce   nodal forces of the tool on the body, pressing positive, along the tool's tangent | force
-//   C.pressure, C.traction   the same over tributary lengths | stress
-//   C.pressurefit, C.tractionfit   linear on every edge, of forces shared to the corners of P2 | stress
+//   C.pressure, C.traction   the same as stresses, linear on every edge, of forces shared to the corners of P2 | stress
+//   C.nodalpressure, C.nodaltraction   nodal forces over tributary lengths: on P1 the same, on P2 they alternate between vertices and mid
+//       nodes | stress
 //   C.width     contact width, of several tools the largest | length
 //   C.stickshare   part of the surface in contact that sticks | -
 //   C.speed     speed of the contact along the body in the last step | length/time
@@ -235,8 +236,8 @@ void register_contact_data() {
   array("gap", from_report<&Report::gap>);
   array("pressure", from_report<&Report::pressure>);
   array("traction", along_tangent<&Report::traction_tangential>);
-  array("pressurefit", from_report<&Report::pressure_fit>);
-  array("tractionfit", along_tangent<&Report::traction_fit>);
+  array("nodalpressure", from_report<&Report::nodal_pressure>);
+  array("nodaltraction", along_tangent<&Report::nodal_traction>);
   array("normalforce", from_report<&Report::normal_force>);
   array("tangentialforce", along_tangent<&Report::tangential_force>);
   const auto number = [](const char* name, double (*f)(H* const&)) {

@@ -12,7 +12,7 @@ def number(run, name):
 
 
 def contact_nodes(run):
-    """x, nodal pressure and traction of the nodes of surface.csv, sorted by x; which of them stick, which slide."""
+    """x, pressure and traction of the nodes of surface.csv, sorted by x; which of them stick, which slide."""
     order = np.argsort(run.surface["x"])
     x, p, q = (run.surface[c][order] for c in ("x", "pressure", "traction_tangential"))
     state = run.surface["state"][order]

@@ -24,7 +24,7 @@ def pressure(run):
     near, fine = abs(x) < 1.3 * a, np.linspace(-a, a, 400)
     return curves_figure([(fine, p0 * np.sqrt(1 - (fine / a) ** 2), dict(color="black", label="Hertz")),
                           (x[near], p[near], dict(color=BLUE, marker="o", markersize=4, linestyle="none",
-                                                  label="nodal force over its tributary area"))],
+                                                  label="computed, at the nodes"))],
                          "x [mm]", "pressure [MPa]", "Contact pressure under the whole force")
 
 

@@ -113,7 +113,7 @@ def shade_sticking(axes, arc, surface):
 
 
 def nodal_dots(axes, arc, shown, values, color, dot):
-    """Nodal forces over tributary lengths behind the fitted line."""
+    """Nodal forces over tributary lengths behind the line."""
     if dot:
         axes.plot(arc[shown], MPA * values[shown], color=color, marker=dot, markersize=3, linestyle="none", alpha=0.35)
 
@@ -130,14 +130,14 @@ def traction_figure(surface, mu, title):
     reach = 1.25 * np.abs(arc[touching(surface)]).max() + 2 * np.abs(np.diff(arc)).max()
     shown = np.abs(arc) <= reach
     dot = "o" if shown.sum() < 120 else None
-    pressure, traction = MPA * surface["pressure_fit"], MPA * surface["traction_fit"]
+    pressure, traction = MPA * surface["pressure"], MPA * surface["traction_tangential"]
     handles = axes.plot(arc[shown], pressure[shown], color=BLUE, label="pressure p")
     if traction.any():
         handles += axes.plot(arc[shown], traction[shown], color=RED, label="tangential traction")
-        nodal_dots(axes, arc, shown, surface["traction_tangential"], RED, dot)
+        nodal_dots(axes, arc, shown, surface["nodal_traction"], RED, dot)
     else:
         handles.append(Line2D([], [], linestyle="none", label="no friction"))
-    nodal_dots(axes, arc, shown, surface["pressure"], BLUE, dot)
+    nodal_dots(axes, arc, shown, surface["nodal_pressure"], BLUE, dot)
     if dot:
         handles.append(Line2D([], [], color=GRAY, marker=dot, markersize=3, linestyle="none", alpha=0.5,
                               label="nodal force / length"))

@@ -153,17 +153,17 @@ def pressure_panel(axes, run, name, mu=None, expected=None, columns=3):
     arc, shown, label = found
     axes.set_xlabel(label)
     order = np.flatnonzero(shown)[np.argsort(arc[shown])]
-    for fit, nodal, color, label in (("pressure_fit", "pressure", BLUE, "pressure p"),
-                                     ("traction_fit", "traction_tangential", RED, "tangential traction")):
-        values = run.units.stress * run.surface[fit][order]
+    for field, nodal, color, label in (("pressure", "nodal_pressure", BLUE, "pressure p"),
+                                       ("traction_tangential", "nodal_traction", RED, "tangential traction")):
+        values = run.units.stress * run.surface[field][order]
         if label != "pressure p" and not values.any():
             continue
         axes.plot(arc[order], values, color=color, label=label)
         if len(order) < 120:
             dots = run.units.stress * run.surface[nodal][order]
-            near = np.abs(dots) < 5 * np.abs(values).max(initial=0)    # not at an axis, where the area of a node is next to nothing
+            near = (dots != 0) & (np.abs(dots) < 5 * np.abs(values).max(initial=0))    # not at an axis, where a node has next to no area
             axes.plot(arc[order][near], dots[near], color=color, marker="o", markersize=3, linestyle="none", alpha=0.5,
-                      label="nodal force over tributary area" if nodal == "pressure" else None)
+                      label="nodal force over tributary area" if field == "pressure" else None)
         if mu and label == "pressure p":
             for sign in (1, -1):
                 axes.plot(arc[order], sign * mu * values, color=GRAY, linewidth=0.9, linestyle="--", zorder=1.5,

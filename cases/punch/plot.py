@@ -38,7 +38,7 @@ def pressure(run):
         curves.append((table["x"][chosen], table["pressure"][chosen],
                        dict(color=color, marker="o", markersize=3.5, linestyle="none")))
     figure = curves_figure(curves, "x [mm]", "pressure [MPa]",
-                           "Pressure under the punch: lines closed form, dots nodal force over tributary area")
+                           "Pressure under the punch: lines closed form, dots computed, at the nodes")
     figure.axes[0].set_ylim(-0.3 * mean, 6 * mean)
     figure.axes[0].legend(loc="upper center", title="place of the force")
     return figure

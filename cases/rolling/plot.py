@@ -26,7 +26,7 @@ LEVELS_BELOW, LEVELS_ABOVE = (0.43e8, 0.87e8, 1.3e8, 1.73e8), (2.2e8, 2.6e8, 3.0
 FILES = ("history.csv", "events.csv", "summary.json", "final.vtu", "surface.csv")
 HISTORY = ("t", "r", "phi", "theta", "Q_r", "Q_phi", "Q_theta", "contact_begin_deg", "contact_end_deg", "sticking",
            "sliding")
-SURFACE = ("X", "Y", "x", "y", "pressure", "traction_tangential", "pressure_fit", "traction_fit")
+SURFACE = ("X", "Y", "x", "y", "pressure", "traction_tangential", "nodal_pressure", "nodal_traction")
 FIELDS = ("displacement", "stress_eq", "plastic_strain_eq")
 
 

@@ -20,8 +20,6 @@ public:
   bool empty() const { return m_corners.empty(); }
   /// Candidates that are corners.
   const std::vector<int>& corners() const { return m_corners; }
-  /// Whether the candidate has an area of its own, by OWN_AREA. Pressure and traction of others are those by shares.
-  bool has_area(Eigen::Index candidate) const { return !m_small[static_cast<std::size_t>(candidate)]; }
   /// Integral of the linear function of each corner over its facets [length or area]. Beside a vertex that is no candidate
   /// it is 1 on the whole edge.
   const Eigen::VectorXd& areas() const { return m_areas; }

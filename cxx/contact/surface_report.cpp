@@ -65,22 +65,16 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
   read_forces(model, body, state, u, R, report);
   const double least = NO_AREA * report.area.maxCoeff();
   const Eigen::VectorXd area = (report.area.array() > least).select(report.area, INFINITY);
-  report.pressure = report.normal_force.cwiseQuotient(area);
-  report.traction_tangential = report.tangential_force * area.cwiseInverse().asDiagonal();
+  report.pressure = report.nodal_pressure = report.normal_force.cwiseQuotient(area);
+  report.traction_tangential = report.nodal_traction =
+      report.tangential_force * area.cwiseInverse().asDiagonal();
   const CornerShares<Dim> shares(model, body, state, facets, u, report.area);
-  report.pressure_fit = report.pressure;
-  report.traction_fit = report.traction_tangential;
   report.stick_share = share_that_sticks(model, state, shares, report);
   if (shares.empty()) return report;
-  report.pressure_fit = shares.traction(report.normal_force, report.pressure);
+  report.pressure = shares.traction(report.normal_force, report.nodal_pressure);
   for (int a = 0; a < Dim - 1; ++a)
-    report.traction_fit.row(a) =
-        shares.traction(report.tangential_force.row(a), report.traction_tangential.row(a)).transpose();
-  for (Eigen::Index i = 0; i < area.size(); ++i) {
-    if (shares.has_area(i)) continue;
-    report.pressure[i] = report.pressure_fit[i];
-    report.traction_tangential.col(i) = report.traction_fit.col(i);
-  }
+    report.traction_tangential.row(a) =
+        shares.traction(report.tangential_force.row(a), report.nodal_traction.row(a)).transpose();
   return report;
 }
 

@@ -32,16 +32,23 @@ std::vector<std::vector<int>> edges_of(const ContactRun<2>& run) {
   return edges;
 }
 
-/// Pressure and tangential traction along the tool's normal and tangent at every candidate [stress].
+/// Pressure and tangential traction along the normal and tangent of the tool, of free nodes the nearest one [stress].
 Numbers traction_vectors(const ContactRun<2>& run, const SurfaceReport<2>& report) {
   const auto& state = run.accepted().contact;
-  const auto poses = run.setup().model().poses(state.q);
+  const auto& model = run.setup().model();
+  const auto poses = model.poses(state.q);
   Numbers vectors(3 * state.nodes.size(), 0.);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-    const auto& node = state.nodes[i];
-    if (!in_contact(node.state)) continue;
     const auto k = static_cast<Eigen::Index>(i);
-    const auto p = run.setup().model().tools[node.tool]->point(poses[node.tool], node.place);
+    if (report.pressure[k] == 0 && report.traction_tangential.col(k).isZero(0)) continue;
+    const auto& node = state.nodes[i];
+    NearestTool<2> at{node.tool, {node.place}};
+    if (!in_contact(node.state)) {
+      const auto x = run.setup().body().position(run.accepted().u, model.candidates[i]);
+      at = nearest_tool(model, poses, x, node, static_cast<int>(i));
+      if (at.tool < 0) continue;
+    }
+    const auto p = model.tools[at.tool]->point(poses[at.tool], at.foot.place);
     const Vector<2> traction = report.pressure[k] * p.n + p.E * report.traction_tangential.col(k);
     for (int a = 0; a < 2; ++a) vectors[3 * i + a] = traction[a];
   }
@@ -66,8 +73,8 @@ void write_surface_data(const ContactRun<2>& run, VtkFile& file) {
   file.array("gap", 1, numbers(report.gap));
   file.array("pressure", 1, numbers(report.pressure));
   file.array("traction_tangential", 1, numbers(report.traction_tangential.row(0)));
-  file.array("pressure_fit", 1, numbers(report.pressure_fit));
-  file.array("traction_fit", 1, numbers(report.traction_fit.row(0)));
+  file.array("nodal_pressure", 1, numbers(report.nodal_pressure));
+  file.array("nodal_traction", 1, numbers(report.nodal_traction.row(0)));
   file.array("traction", 3, traction_vectors(run, report));
 }
 

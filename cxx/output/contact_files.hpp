@@ -7,7 +7,7 @@
 namespace burnish {
 
 /// The contact surface, an edge between neighboring candidates each, in the reference configuration: displacement, state
-/// (NodeState), tool (number, -1 none), gap, pressure, traction_tangential, pressure_fit, traction_fit as in SurfaceReport,
+/// (NodeState), tool (number, -1 none), gap, pressure, traction_tangential, nodal_pressure, nodal_traction as in SurfaceReport,
 /// and traction, the vector of what the tool exerts on the body [stress].
 void save_surface(const ContactRun<2>& run, const std::string& path);
 

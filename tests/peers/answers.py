@@ -111,6 +111,23 @@ class State:
         return np.asarray(LinearTriInterpolator(mesh, values)(x, y))
 
 
+def pressures(N, length, quadratic):
+    """Of the nodes of a surface in their order, a vertex first: forces over tributary lengths; quadratic: linear on every edge, of
+    forces shared to the vertices in contact (METHOD.md 3.20)."""
+    if not quadratic:
+        return N / length
+    corner, alone = N[::2] > 0, (N[1::2] > 0) & (N[:-1:2] <= 0) & (N[2::2] <= 0)
+    corner[:-1] |= alone
+    corner[1:] |= alone
+    share, area, p = N[::2].copy(), length[::2].copy(), np.zeros(len(N))
+    for side in (slice(None, -1), slice(1, None)):
+        share[side] += np.where(corner[:-1] & corner[1:], 0.5, 1) * N[1::2]
+        area[side] += length[1::2] / 2
+    p[::2] = np.where(corner, share / area, 0)
+    p[1::2] = (p[:-1:2] + p[2::2]) / 2
+    return p
+
+
 def lengths(mesh, label):
     """Tributary lengths of the nodes of a label, by node."""
     found = {}

@@ -1,5 +1,6 @@
 """Example 1 on the default mesh: python3 rolling_default.py FOLDER
 rolling-halved.json: its numbers with the steps halved, made and compared by tests/long/rolling-halved.sh."""
+import csv
 import json
 import os
 import sys
@@ -24,6 +25,16 @@ name, most = default.events_per_node().most_common(1)[0]
 checks.that("no chatter", most <= 10, f"node {name} changes its state {most} times, allowed 10")
 worst = default.largest_imbalance(7.5e5, 2e3, 15e-3)
 checks.that("resultants", worst <= 1.1e-4, f"largest imbalance over all steps {worst:.2e} of the load")
+def variation(column):
+    """Total variation over twice the maximum: 1 for one rise and one fall."""
+    with open(os.path.join(sys.argv[1], "surface.csv")) as file:
+        values = [float(row[column]) for row in csv.DictReader(file)]
+    return sum(abs(b - a) for a, b in zip(values, values[1:])) / (2 * max(values))
+
+
+for column, most in (("pressure", 1.1), ("traction_tangential", 1.4)):
+    found = variation(column)
+    checks.that("total variation of " + column, found <= most, f"{found:.3f}, allowed {most}; of nodal forces over lengths 2.8 and 5.5")
 for key in ("steps", "rejected_steps", "factorizations", "solves", "events"):
     checks.that("summary counts " + key, key in counts, str(counts.get(key)))
 for phase in ("mesh", "assembly", "condensation", "factorization", "solve", "events", "stress update", "output", "total"):

@@ -73,7 +73,7 @@ class Series(unittest.TestCase):
         names = ["free", "touched", "sliding", "sticking", "leaving", "receding"]
         self.assertEqual([names[k] for k in surface.data["state"]], [r["state"] for r in rows])
         np.testing.assert_allclose(place, [[float(r["x"]), float(r["y"])] for r in rows], rtol=1e-11)
-        for name in ("gap", "pressure", "traction_tangential", "pressure_fit", "traction_fit"):
+        for name in ("gap", "pressure", "traction_tangential", "nodal_pressure", "nodal_traction"):
             np.testing.assert_allclose(surface.data[name], [float(r[name]) for r in rows], rtol=1e-10, err_msg=name)
         lengths = [np.ptp(surface.points[line, 0]) for line in surface.lines]
         np.testing.assert_allclose(sum(lengths), 0.02, rtol=1e-12)

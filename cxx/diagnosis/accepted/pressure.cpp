@@ -9,9 +9,9 @@ namespace burnish {
 namespace {
 
 constexpr double PRESSURE_SUM =
-    0.15; // fitted pressures of a tool against its forces, P2: warning; more in few edges
+    0.15; // pressures of a tool against its forces, P2: warning; more in few edges
 
-// The integral of a tool's fitted pressure where it carried most.
+// The integral of a tool's pressure where it carried most.
 struct PressureState {
   double load = 0; // sum of its normal forces there [force]
   double sum = 0;  // integral [force]
@@ -52,8 +52,7 @@ Eigen::VectorXd lacking_at_middles(const AcceptedStep<Dim>& step, const SurfaceR
     const Eigen::MatrixXd mass = step.body().measure->masses(places_of(step.body(), facet, step.u));
     for (int v = 0; v < Dim; ++v) {
       const int tool = tool_of(step, candidate, nodes, facet.vertex[v]), i = candidate[facet.vertex[v]];
-      if (tool >= 0 && i >= 0)
-        sum[tool] += mass.col(v).tail(mass.rows() - Dim).sum() * report.pressure_fit[i];
+      if (tool >= 0 && i >= 0) sum[tool] += mass.col(v).tail(mass.rows() - Dim).sum() * report.pressure[i];
     }
     for (std::size_t m = Dim; m < nodes.size(); ++m) {
       const int i = candidate[nodes[m]];
@@ -65,12 +64,12 @@ Eigen::VectorXd lacking_at_middles(const AcceptedStep<Dim>& step, const SurfaceR
 }
 
 // Judged where the tool carries most, of the steps looked at, if it touches more than a few edges there: to fewer no
-// pressure can be fitted, and the width of the contact says so.
+// pressure can be told, and the width of the contact says so.
 template <int Dim>
 void judge(const AcceptedStep<Dim>& step, int tool, const PressureState& known, const ContactWidth& width,
            FindingList& findings) {
   findings.withdraw("pressure sum", step.tool_name(tool));
-  constexpr double per_edge = 2, at_the_ends = 0.5; // edges where the fit may leave out what is there
+  constexpr double per_edge = 2, at_the_ends = 0.5; // edges where the pressure may leave out what is there
   const double edges = (width.nodes - 1) / per_edge;
   if (!(known.load > 0) || edges <= FEW_EDGES) return;
   const double value = std::abs(known.sum / known.load - 1);
