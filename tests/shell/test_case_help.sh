@@ -9,7 +9,8 @@ for script in cases/*/*.edp; do
   for word in -h --help; do
     "$BURNISH" "$script" $word >"$SCRATCH/help.txt" 2>&1 || fail "$script $word: exit status $?"
   done
-  options=$(grep -hv '^//' "$script" edp/cases/rcCaseOptions.idp | grep -oE 'rc(Real|Int|Text)\("-[a-zA-Z0-9]+"' | wc -l)
+  more=$(grep -oE '^include "rc[A-Za-z]+Options.idp"' "$script" | cut -d'"' -f2)
+  options=$(grep -hv '^//' "$script" edp/cases/rcCaseOptions.idp ${more:+edp/cases/$more} | grep -oE 'rc(Real|Int|Text)\("-[a-zA-Z0-9]+"' | wc -l)
   options=$((options - ${unused[$(basename "$script" .edp)]-0}))
   # one line more for -options
   [ "$(grep -c '^  -' "$SCRATCH/help.txt")" = $((options + 1)) ] || fail "$script: $options options, help has others"

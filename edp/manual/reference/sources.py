@@ -142,6 +142,8 @@ def read_case_options(top):
     options, own = {}, {}
     for script in sorted((top / "cases").glob("*/*.edp")):
         texts = [path.read_text(encoding="utf-8") for path in [script, *sorted(script.parent.glob("*.idp"))]]
+        included = re.findall(r'^include "(rc\w+Options\.idp)"', texts[0], re.M)
+        texts += [(top / "edp/cases" / name).read_text(encoding="utf-8") for name in included]
         code = "\n".join(uncommented(text) for text in texts)
         before = code.split("rcCaseOptions(")[0]
         options[script.parent.name] = options_of(code)
