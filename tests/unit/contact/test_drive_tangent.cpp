@@ -90,8 +90,8 @@ struct Driven {
     return J;
   }
   CondensedSystem system(Condensation<2>& condensation, bool half = false) {
-    return condensation.condense(spring.tangent(u), contact.state, {&contact.prescribed, &contact.prescribed},
-                                 u, spring.force(u), GeometricTerms::COMPLETE, RightHandSide::TOTAL, half);
+    return condensation.condense({spring.tangent(u), contact.state, contact.prescribed, contact.prescribed, u,
+                                  spring.force(u), GeometricTerms::COMPLETE, RightHandSide::TOTAL, half});
   }
   Eigen::MatrixXd tangent(bool half = false) {
     Condensation<2> condensation(contact.model, spring.body);
