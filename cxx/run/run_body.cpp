@@ -1,5 +1,6 @@
 #include "run/run_body.hpp"
 #include "base/error.hpp"
+#include "workpiece/point_fields.hpp"
 #include <utility>
 
 namespace burnish {
@@ -75,7 +76,7 @@ template <int Dim> std::vector<ElementEvent<Dim>> WorkpieceBody<Dim>::user_event
 template <int Dim> double WorkpieceBody<Dim>::largest_yield_distance() const {
   double largest = -1;
   for (int p = 0; p < m_workpiece->discretization().num_points(); ++p)
-    largest = std::max(largest, m_workpiece->yield_distance(p));
+    largest = std::max(largest, yield_distance(*m_workpiece, p));
   return largest;
 }
 

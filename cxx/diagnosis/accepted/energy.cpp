@@ -38,7 +38,8 @@ private:
 // The law where stored and dissipated energy follow from its state; else null.
 template <int Dim> const MaterialLaw<Dim>* energetic_law(const Workpiece<Dim>& workpiece) {
   const MaterialLaw<Dim>* law = known_law(&workpiece);
-  const bool known = law && !workpiece.tracks_integrity() && law->internal_variables().find("backstress") < 0;
+  const bool known =
+      law && !workpiece.state().tracks_integrity() && law->internal_variables().find("backstress") < 0;
   return known ? law : nullptr;
 }
 
@@ -48,7 +49,7 @@ template <int Dim> double elastic_energy(const Workpiece<Dim>& workpiece, const 
   const Discretization<Dim>& space = workpiece.discretization();
   double sum = 0;
   for (int p = 0; p < space.num_points(); ++p) {
-    const PointState<Dim> point = workpiece.point_old(p);
+    const PointState<Dim> point = point_state(workpiece.state_old(), p);
     const Stress<Dim> tau = point.stress, s = deviator<Dim>(tau);
     const double m = mean<Dim>(tau);
     sum += space.weight[p] * (contract<Dim>(s, s) / (4 * G) + m * m / (2 * K));
