@@ -103,7 +103,8 @@ void look_at_friction(const AcceptedStep<Dim>& step, const Balance& now, Finding
 template <int Dim>
 void look_at_tools(const AcceptedStep<Dim>& step, std::vector<UnmetState>& all, FindingList& findings) {
   if (!step.prescribed) return;
-  const Balance now = balance(step.model(), step.body(), step.contact, *step.prescribed, step.u, step.R, {});
+  const Balance now =
+      balance<Dim>({step.model(), step.body(), step.contact, *step.prescribed, step.u, step.R, {}});
   const double least = TOLERANCES * step.tolerance;
   all.resize(static_cast<std::size_t>(now.tool_residual.size()));
   double worst = 0;

@@ -195,8 +195,8 @@ TEST(Coupling, VirtualWork) {
   Driven driven(0.3);
   const auto& model = driven.contact.model;
   const Eigen::VectorXd R = driven.spring.force(driven.u);
-  const Balance found =
-      balance(model, driven.spring.body, driven.contact.state, driven.contact.prescribed, driven.u, R, {});
+  const Balance found = balance<2>(
+      {model, driven.spring.body, driven.contact.state, driven.contact.prescribed, driven.u, R, {}});
   for (const int k : {R_, PHI, THETA, X}) {
     const auto work = [&](double change) {
       Eigen::VectorXd q = driven.contact.state.q;
