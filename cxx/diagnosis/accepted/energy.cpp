@@ -102,7 +102,7 @@ struct Forces {
 template <int Dim> Forces forces_of(const AcceptedStep<Dim>& step) {
   Forces forces;
   forces.support = support_forces(step.model(), step.body(), step.contact, step.R);
-  forces.hold = step.hold.size() > 0 ? step.hold : Eigen::VectorXd::Zero(step.R.size());
+  forces.hold = step.hold.force.size() > 0 ? step.hold.force : Eigen::VectorXd::Zero(step.R.size());
   forces.external = step.internal - step.R - forces.hold;
   return forces;
 }
@@ -170,7 +170,7 @@ template <int Dim> void EnergyCheck<Dim>::look(const AcceptedStep<Dim>& step, Fi
   const double error = energy.largest > 0 ? off / energy.largest : 0;
   if (!law || now) findings.measure("energy", error);
   // what the tolerance of the residual and rounding leave does not count
-  const double left = std::max(step.tolerance * step.load, step.rounding);
+  const double left = std::max(step.allowed.residual(), step.allowed.rounding);
   const double resolved = tolerances * left * step.u.cwiseAbs().maxCoeff();
   if (!step.last || !(error > ENERGY) || !(off > resolved)) return;
   Finding* finding = findings.report("energy", "", Severity::WARNING, error, step.t);

@@ -77,7 +77,7 @@ template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<2>& step) {
   for (const BoundaryEdge& edge : m_edges)
     for (const int node : {edge.a, edge.b})
       if (m_place[node] < 0) m_place[node] = places++;
-  m_candidate = step.model().candidate_of_node(step.mesh().num_nodes);
+  m_candidate = candidate_of_node(step.model().candidates, step.mesh().num_nodes);
   for (std::size_t tool = 0; tool < step.model().tools.size(); ++tool) {
     Watched watched;
     watched.origin = step.poses[tool].origin;

@@ -162,7 +162,7 @@ public:
                               contact, step.t});
     m_q = step.contact.q;
     m_prescribed = *step.prescribed;
-    const std::string branch = step.hold.size() > 0 ? "" : m_curves.unstable(step.setup);
+    const std::string branch = step.hold.force.size() > 0 ? "" : m_curves.unstable(step.setup);
     if (branch.empty()) return;
     Finding* finding =
         findings.report("contact", "falling force", Severity::WARNING, m_curves.branch_way(), step.t);

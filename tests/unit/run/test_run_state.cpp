@@ -24,7 +24,7 @@ struct CoarseRun {
     return options;
   }
   void note() {
-    history.push_back(stepper.time());
+    history.push_back(stepper.control().time());
     for (const double q : rolling.scene.tool->q()) history.push_back(q);
     for (const double Q : rolling.scene.tool->generalized_force()) history.push_back(Q);
   }
@@ -36,7 +36,7 @@ struct CoarseRun {
       on_task();
       if (task == Task::RECORD) note();
       if (task == Task::FINISHED || task == Task::STOPPED) return task;
-      if (task == Task::RECORD && stepper.time() > t_stop) return task;
+      if (task == Task::RECORD && stepper.control().time() > t_stop) return task;
       answer(task, rolling.scene, stepper, rolling.program());
     }
   }
