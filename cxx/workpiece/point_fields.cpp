@@ -1,5 +1,6 @@
 #include "workpiece/point_fields.hpp"
 #include "base/error.hpp"
+#include <algorithm>
 #include <cmath>
 
 namespace burnish {
@@ -55,6 +56,12 @@ template <int Dim> double yield_distance(const Workpiece<Dim>& body, int point) 
   const PointState<Dim> now = point_state(body.state(), point);
   return body.law().yield_distance(now.stress, now.internal);
 }
+template <int Dim> double largest_yield_distance(const Workpiece<Dim>& body) {
+  double largest = -1;
+  for (int p = 0; p < body.discretization().num_points(); ++p)
+    largest = std::max(largest, yield_distance(body, p));
+  return largest;
+}
 template <int Dim> Eigen::VectorXd yield_distance_field(const Workpiece<Dim>& body) {
   return scalars(body, [&](int p) { return yield_distance(body, p); });
 }
@@ -79,6 +86,8 @@ template Eigen::VectorXd internal_field<2>(const Workpiece<2>&, const std::strin
 template Eigen::VectorXd internal_field<3>(const Workpiece<3>&, const std::string&, int);
 template double yield_distance<2>(const Workpiece<2>&, int);
 template double yield_distance<3>(const Workpiece<3>&, int);
+template double largest_yield_distance<2>(const Workpiece<2>&);
+template double largest_yield_distance<3>(const Workpiece<3>&);
 template Eigen::VectorXd integrity_field<2>(const Workpiece<2>&);
 template Eigen::VectorXd integrity_field<3>(const Workpiece<3>&);
 template std::vector<double> stress_field<2>(const Workpiece<2>&);

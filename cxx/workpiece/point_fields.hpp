@@ -11,8 +11,9 @@ Eigen::VectorXd internal_field(const Workpiece<Dim>& body, const std::string& na
 /// Von Mises stress of the Kirchhoff stress that the points carry [stress]; num_points.
 template <int Dim> Eigen::VectorXd stress_eq_field(const Workpiece<Dim>& body);
 /// q/sigma_y - 1, of the effective stress: positive outside the yield surface, where only forward Euler leads [-]; of a
-/// point, 0 <= point < num_points, and of all.
+/// point, 0 <= point < num_points, the largest, and of all.
 template <int Dim> double yield_distance(const Workpiece<Dim>& body, int point);
+template <int Dim> double largest_yield_distance(const Workpiece<Dim>& body);
 template <int Dim> Eigen::VectorXd yield_distance_field(const Workpiece<Dim>& body);
 /// Integrity [-], 1 where no damage is defined; Kirchhoff stress that the points carry, num_points x num_stress [stress].
 template <int Dim> Eigen::VectorXd integrity_field(const Workpiece<Dim>& body);

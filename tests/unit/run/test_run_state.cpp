@@ -2,6 +2,7 @@
 // an approach that fails change nothing.
 #include "support/rolling.hpp"
 #include "unit/finite_difference.hpp"
+#include "workpiece/point_fields.hpp"
 
 using namespace burnish;
 using namespace burnish::test;
@@ -94,7 +95,7 @@ TEST_P(EveryScheme, QueriesChangeNothing) {
                        contact_width(contact);
                        contact_speed(contact);
                        asked.rolling.scene.body.state();
-                       asked.rolling.scene.body.largest_yield_distance();
+                       largest_yield_distance(asked.rolling.scene.body.workpiece());
                      }),
             Task::FINISHED);
   expect_same(plain, asked);

@@ -12,7 +12,7 @@ namespace {
 
 /// One triangle as a run sees it.
 struct Body {
-  WorkpieceBody<2> run;
+  RunBody<2> run;
   explicit Body(double yield_stress = 1.93e8)
       : run(std::make_unique<Workpiece<2>>(Element::mesh(3), Element::law(yield_stress))) {}
   Workpiece<2>& workpiece() { return run.workpiece(); }
