@@ -37,7 +37,7 @@ struct Damage {
   static const int n = 2;
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& a, Method<M, DamageTag> m, string* event) {
-    WorkpieceBody<2>& body = *m->get().body;
+    RunBody<2>& body = *m->get().body;
     called("material.damage", [&] {
       body.damage().damage(body.workpiece(), body.user(), *event, a.real("integrity", LEAST_INTEGRITY),
                            static_cast<int>(a.integer("steps", STEPS, 1, MOST_STEPS, "material.damage")));
@@ -51,7 +51,7 @@ struct Heal {
   static const int n = 1;
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& a, Method<M, HealTag> m, string* event) {
-    WorkpieceBody<2>& body = *m->get().body;
+    RunBody<2>& body = *m->get().body;
     called("material.heal", [&] {
       body.damage().heal(body.user(), *event,
                          static_cast<int>(a.integer("steps", STEPS, 1, MOST_STEPS, "material.heal")));

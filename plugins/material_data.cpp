@@ -40,7 +40,7 @@ KN_<double> nodal(Stack stack, const Method<MaterialHandle, NodalTag>& m, const 
 }
 
 KN_<double> plastic_strain_eq(Stack stack, MaterialHandle* const& h) {
-  return guarded([&] { return new_array(stack, h->get().workpiece().internal("plastic_strain_eq")); });
+  return guarded([&] { return new_array(stack, internal_field(h->get().workpiece(), "plastic_strain_eq")); });
 }
 KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
   return guarded([&] { return new_array(stack, stress_eq_field(h->get().workpiece())); });

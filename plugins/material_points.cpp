@@ -60,6 +60,7 @@ namespace {
 
 using H = MaterialHandle;
 using Array = KN_<double>;
+using Given = GivenPoints<2>;
 constexpr int GRADIENT = num_gradient<2>, STRESS = num_stress<2>, INCREMENTS = num_increments<2>;
 
 constexpr double P1DC_PLACES = 0.99; // degrees of freedom of FreeFEM's P1dc, of the way to the vertices
@@ -90,10 +91,10 @@ int component_index(long i, const char* where) {
   require(i >= 0 && i < 1000, where, "component", i, "0 or more, see the list of components");
   return static_cast<int>(i);
 }
-template <class Give> bool give(H* handle, const Give& f) {
+template <class Give> bool give(H* handle, const char* where, const Give& f) {
   return guarded([&] {
     const CpuTimer timer(handle->get().update_seconds);
-    f(handle->get().changed().workpiece());
+    f(handle->get().changed().workpiece().given(where));
     return true;
   });
 }
@@ -103,9 +104,8 @@ Array stress(Stack stack, const Method<H, StressTag>& m, const long& i) {
       [&] { return component(stack, stress_field(m->get().workpiece()), i, STRESS, "material.stress"); });
 }
 bool give_stress(const Method<H, StressTag>& m, const long& i, const Array& a) {
-  return give(m.object, [&](auto& body) {
-    body.give_stress(component_index(i, "material.stress"), values_of(a), "material.stress");
-  });
+  return give(m.object, "material.stress",
+              [&](const Given& given) { given.stress(component_index(i, "material.stress"), values_of(a)); });
 }
 Array gradient(Stack stack, const Method<H, GradientTag>& m, const long& i) {
   return guarded([&] { return component(stack, m->get().workpiece().state().F, i, GRADIENT, "material.F"); });
@@ -115,9 +115,8 @@ Array piola(Stack stack, const Method<H, PiolaTag>& m, const long& i) {
       [&] { return component(stack, piola_field(m->get().workpiece()), i, GRADIENT, "material.piola"); });
 }
 bool give_piola(const Method<H, PiolaTag>& m, const long& i, const Array& a) {
-  return give(m.object, [&](auto& body) {
-    body.give_piola(component_index(i, "material.piola"), values_of(a), "material.piola");
-  });
+  return give(m.object, "material.piola",
+              [&](const Given& given) { given.piola(component_index(i, "material.piola"), values_of(a)); });
 }
 // All moduli are made at once: a script reads one component after the other.
 const std::vector<double>& all_moduli(MaterialObject& object, double blend) {
@@ -138,33 +137,34 @@ Array moduli(Stack stack, const Method<H, ModuliTag>& m, const long& i, const lo
   return blended_moduli(stack, m, i, j, 0);
 }
 bool give_moduli(Stack, const Method<H, ModuliTag>& m, const long& i, const long& j, const Array& a) {
-  return give(m.object, [&](auto& body) {
-    body.give_moduli(static_cast<int>(i), static_cast<int>(j), values_of(a), "material.moduli");
+  return give(m.object, "material.moduli", [&](const Given& given) {
+    given.moduli(static_cast<int>(i), static_cast<int>(j), values_of(a));
   });
 }
 bool give_jacobian(Stack, const Method<H, JacobianTag>& m, const long& i, const long& j, const Array& a) {
-  return give(m.object, [&](auto& body) {
-    body.give_jacobian(static_cast<int>(i), static_cast<int>(j), values_of(a), "material.jacobian");
+  return give(m.object, "material.jacobian", [&](const Given& given) {
+    given.jacobian(static_cast<int>(i), static_cast<int>(j), values_of(a));
   });
 }
 Array internal_component(Stack stack, const Method<H, InternalTag>& m, string* const& name, const long& i) {
-  return guarded([&] { return new_array(stack, m->get().workpiece().internal(*name, static_cast<int>(i))); });
+  return guarded(
+      [&] { return new_array(stack, internal_field(m->get().workpiece(), *name, static_cast<int>(i))); });
 }
 Array internal(Stack stack, const Method<H, InternalTag>& m, string* const& name) {
   return internal_component(stack, m, name, 0);
 }
 bool give_internal_component(Stack, const Method<H, InternalTag>& m, string* const& name, const long& i,
                              const Array& a) {
-  return give(m.object, [&](auto& body) {
-    body.give_internal(*name, static_cast<int>(i), values_of(a), "material.internal");
-  });
+  return give(m.object, "material.internal",
+              [&](const Given& given) { given.internal(*name, static_cast<int>(i), values_of(a)); });
 }
 bool give_internal(const Method<H, InternalTag>& m, string* const& name, const Array& a) {
-  return give(m.object, [&](auto& body) { body.give_internal(*name, 0, values_of(a), "material.internal"); });
+  return give_internal_component(nullptr, m, name, 0, a);
 }
 Array backstress(Stack stack, const Method<H, BackstressTag>& m, const long& i) {
-  return guarded(
-      [&] { return new_array(stack, m->get().workpiece().internal("backstress", static_cast<int>(i))); });
+  return guarded([&] {
+    return new_array(stack, internal_field(m->get().workpiece(), "backstress", static_cast<int>(i)));
+  });
 }
 Array strain(Stack stack, const Method<H, StrainTag>& m, const long& i) {
   return guarded([&] {
@@ -184,7 +184,7 @@ bool is_user_defined(const Method<H, UserTag>& m) {
   return guarded([&] { return m->get().workpiece().user_defined(); });
 }
 double modulus(const Method<H, ModulusTag>& m, string* const& name) {
-  return guarded([&] { return m->get().workpiece().modulus(*name); });
+  return guarded([&] { return m->get().workpiece().law().modulus(*name); });
 }
 Array yield_stress(Stack stack, const Method<H, YieldTag>& m, const Array& ep) {
   return guarded([&] {

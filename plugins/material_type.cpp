@@ -128,7 +128,7 @@ struct MakeMaterial {
     object->fingerprint = mesh_fingerprint<2>(workpiece->discretization());
     if (!user) object->warnings = unit_warnings(input.numbers, "rcMaterial", input.plastic_strain);
     if (!object->warnings.empty()) cout << "burnish: warning: " << object->warnings << std::flush;
-    object->body = std::make_unique<WorkpieceBody<2>>(std::move(workpiece));
+    object->body = std::make_unique<RunBody<2>>(std::move(workpiece));
     return made(a.stack(), std::move(object));
   }
 };
@@ -204,7 +204,7 @@ bool drop_events(const Method<MaterialHandle, DropTag>& m) {
 }
 bool keep_plastic(const Method<MaterialHandle, KeepTag>& m, const double& noise) {
   return guarded([&] {
-    called("material.keepplastic", [&] { m->get().body->keep_plastic(noise); });
+    called("material.keepplastic", [&] { burnish::keep_plastic(noise, m->get().workpiece()); });
     return true;
   });
 }

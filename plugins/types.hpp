@@ -19,7 +19,7 @@ struct ToolObject {
 };
 struct MaterialObject {
   static constexpr const char* TYPE = "material";
-  std::unique_ptr<WorkpieceBody<2>> body;
+  std::unique_ptr<RunBody<2>> body;
   std::map<std::string, double> parameters;        // numbers by name for formulas of user-defined events
   double update_seconds = 0, assembly_seconds = 0; // CPU
   std::vector<double> moduli;                      // the last that were read, while nothing has changed
@@ -29,7 +29,7 @@ struct MaterialObject {
   std::string warnings;                            // of its numbers, one line each
   Workpiece<2>& workpiece() { return body->workpiece(); }
   /// The body, to be changed: what was read of it is out of date.
-  WorkpieceBody<2>& changed() {
+  RunBody<2>& changed() {
     moduli_blend = -1;
     return *body;
   }

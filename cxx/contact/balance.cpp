@@ -19,18 +19,17 @@ constexpr double AROUND =
     2; // spacings around the contact of a light tool where free nodes are held to its tolerance
 
 // Weights of the residuals of all mesh nodes: beside a light tool that of the tool. Empty: all 1.
-template <int Dim>
-std::vector<double> weights_near_tools(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                                       const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                                       const Tolerances& tolerance) {
+template <int Dim> std::vector<double> weights_near_tools(const BalancedState<Dim>& state) {
+  const BodyView<Dim>& body = state.body;
+  const Eigen::VectorXd& u = state.u;
   std::vector<double> weights;
-  for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
-    if (tolerance.weight(t) == 1) continue;
+  for (int t = 0; t < static_cast<int>(state.model.tools.size()); ++t) {
+    if (state.tolerance.weight(t) == 1) continue;
     std::vector<Vector<Dim>> contact;
     Vector<Dim> middle = Vector<Dim>::Zero();
-    for (std::size_t i = 0; i < state.nodes.size(); ++i)
-      if (in_contact(state.nodes[i].state) && state.nodes[i].tool == t) {
-        contact.push_back(body.position(u, model.candidates[i]));
+    for (std::size_t i = 0; i < state.contact.nodes.size(); ++i)
+      if (in_contact(state.contact.nodes[i].state) && state.contact.nodes[i].tool == t) {
+        contact.push_back(body.position(u, state.model.candidates[i]));
         middle += contact.back();
       }
     if (contact.empty()) continue;
@@ -43,22 +42,21 @@ std::vector<double> weights_near_tools(const ContactModel<Dim>& model, const Bod
       const Vector<Dim> x = body.position(u, static_cast<int>(a));
       const auto near = [&](const Vector<Dim>& place) { return (x - place).norm() <= margin; };
       if ((x - middle).norm() <= radius + margin && std::any_of(contact.begin(), contact.end(), near))
-        weights[a] = std::max(weights[a], tolerance.weight(t));
+        weights[a] = std::max(weights[a], state.tolerance.weight(t));
     }
   }
   return weights;
 }
 
 // Largest unbalanced force of the nodes that are not in contact.
-template <int Dim>
-void free_residual(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-                   const Eigen::VectorXd& R, const std::vector<double>& weights, Balance& result) {
-  std::vector<char> skip = body.fixed;
-  for (std::size_t i = 0; i < state.nodes.size(); ++i)
-    if (in_contact(state.nodes[i].state))
-      for (int c = 0; c < Dim; ++c) skip[Dim * model.candidates[i] + c] = 1;
-  for (Eigen::Index a = 0; a < R.size() / Dim; ++a) { // of a node the norm: the same in turned axes
-    Vector<Dim> force = R.template segment<Dim>(Dim * a);
+template <int Dim> void free_residual(const BalancedState<Dim>& state, Balance& result) {
+  const std::vector<double> weights = weights_near_tools(state);
+  std::vector<char> skip = state.body.fixed;
+  for (std::size_t i = 0; i < state.contact.nodes.size(); ++i)
+    if (in_contact(state.contact.nodes[i].state))
+      for (int c = 0; c < Dim; ++c) skip[Dim * state.model.candidates[i] + c] = 1;
+  for (Eigen::Index a = 0; a < state.R.size() / Dim; ++a) { // of a node the norm: the same in turned axes
+    Vector<Dim> force = state.R.template segment<Dim>(Dim * a);
     for (int c = 0; c < Dim; ++c)
       if (skip[Dim * a + c]) force[c] = 0;
     const double r = force.norm() * (weights.empty() ? 1 : weights[static_cast<std::size_t>(a)]);
@@ -71,17 +69,16 @@ void free_residual(const ContactModel<Dim>& model, const BodyView<Dim>& body, co
 }
 
 // Sum of the forces of the supports, less what they share with tools.
-template <int Dim>
-double support_load(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-                    const Eigen::VectorXd& R) {
+template <int Dim> double support_load(const BalancedState<Dim>& state) {
+  const Eigen::VectorXd& R = state.R;
   std::vector<char> shared(R.size() / Dim, 0);
-  for (std::size_t i = 0; i < state.nodes.size(); ++i)
-    if (in_contact(state.nodes[i].state)) shared[model.candidates[i]] = 1;
+  for (std::size_t i = 0; i < state.contact.nodes.size(); ++i)
+    if (in_contact(state.contact.nodes[i].state)) shared[state.model.candidates[i]] = 1;
   double sum = 0;
   for (Eigen::Index a = 0; a < R.size() / Dim; ++a) {
     double square = 0;
     for (int c = 0; c < Dim && !shared[a]; ++c)
-      if (body.fixed[Dim * a + c]) square += R[Dim * a + c] * R[Dim * a + c];
+      if (state.body.fixed[Dim * a + c]) square += R[Dim * a + c] * R[Dim * a + c];
     sum += std::sqrt(square);
   }
   return sum;
@@ -89,9 +86,12 @@ double support_load(const ContactModel<Dim>& model, const BodyView<Dim>& body, c
 
 // Residual and state test of one node in contact.
 template <int Dim>
-void contact_node(const ContactModel<Dim>& model, int candidate, const ContactNode<Dim>& node,
-                  const ContactPoint<Dim>& at, double N, const DecidingForce<Dim>& deciding,
-                  const Vector<Dim>& x, const Tolerances& tolerance, Balance& result) {
+void contact_node(const BalancedState<Dim>& state, int candidate, const ContactPoint<Dim>& at, double N,
+                  const DecidingForce<Dim>& deciding, Balance& result) {
+  const ContactModel<Dim>& model = state.model;
+  const Tolerances& tolerance = state.tolerance;
+  const ContactNode<Dim>& node = state.contact.nodes[candidate];
+  const Vector<Dim> x = state.body.position(state.u, model.candidates[candidate]);
   const TangentialLaw<Dim>& law = model.law(candidate, node.tool);
   const SurfaceForce<Dim>& force = deciding.force;
   const ContactTolerance limits = tolerance.of(node.tool);
@@ -109,8 +109,8 @@ void contact_node(const ContactModel<Dim>& model, int candidate, const ContactNo
       result.worst_dof = result.worst_coordinate = -1;
     }
   }
-  result.inconsistent += off || law.test(node.state, N, force, slip_of(model, node), at.m, deciding.area,
-                                         limits) != Change::NONE;
+  result.inconsistent +=
+      off || law.test(node.state, N, deciding, slip_of(model, node), at.m, limits) != Change::NONE;
 }
 
 // Motion of a tool's points with its coordinate k, for one that its drive holds without contact.
@@ -124,17 +124,19 @@ double lever_of_tool(const ContactModel<Dim>& model, const std::vector<Pose<Dim>
 
 // Levers of coordinates that others follow, and of those that only their drive holds.
 template <int Dim>
-void complete_levers(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                     const std::vector<Pose<Dim>>& poses, const Eigen::VectorXd& q, Eigen::VectorXd& lever) {
+void complete_levers(const BalancedState<Dim>& state, const std::vector<Pose<Dim>>& poses,
+                     Eigen::VectorXd& lever) {
+  const ContactModel<Dim>& model = state.model;
   for (const Coupling& coupling : model.couplings) {
-    const Eigen::VectorXd slopes = slopes_of(coupling, q);
+    const Eigen::VectorXd slopes = slopes_of(coupling, state.contact.q);
     for (std::size_t i = 0; i < coupling.formula->arguments().size(); ++i) {
       double& own = lever[coupling.formula->arguments()[i]];
       own = std::max(own, std::abs(slopes[static_cast<Eigen::Index>(i)]) * lever[coupling.dependent]);
     }
   }
   for (Eigen::Index k = 0; k < lever.size(); ++k)
-    if (lever[k] == 0 && prescribed.is_held(k)) lever[k] = lever_of_tool(model, poses, static_cast<int>(k));
+    if (lever[k] == 0 && state.prescribed.is_held(k))
+      lever[k] = lever_of_tool(model, poses, static_cast<int>(k));
 }
 
 // Prescribed forces are a load of their tool.
@@ -158,18 +160,18 @@ template <int Dim> double weight_of_row(const ContactModel<Dim>& model, const To
 
 // Tool rows over their lever arms.
 template <int Dim>
-void tool_residual(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                   const DrivingForce& drive, const Eigen::VectorXd& lever, const Tolerances& tolerance,
+void tool_residual(const BalancedState<Dim>& state, const DrivingForce& drive, const Eigen::VectorXd& lever,
                    Balance& result) {
+  const ContactModel<Dim>& model = state.model;
   const Eigen::Index nq = result.generalized_force.size();
   result.tool_residual = Eigen::VectorXd::Zero(nq);
   for (Eigen::Index k = 0; k < nq; ++k) {
-    if (prescribed.is_motion[k] || model.coupling_of(static_cast<int>(k))) continue;
+    if (state.prescribed.is_motion[k] || model.coupling_of(static_cast<int>(k))) continue;
     double r = result.generalized_force[k] - drive.value[k];
     if (drive.rounding.size() > 0 && std::abs(r) <= drive.rounding[k]) r = 0;
     result.tool_residual[k] = lever[k] > 0 ? r / lever[k] : (r == 0 ? 0 : result.load + std::abs(r));
     const double weighted =
-        weight_of_row(model, tolerance, static_cast<int>(k)) * std::abs(result.tool_residual[k]);
+        weight_of_row(model, state.tolerance, static_cast<int>(k)) * std::abs(result.tool_residual[k]);
     if (worse(weighted, result)) {
       result.residual = weighted;
       result.worst_dof = -1;
@@ -180,30 +182,30 @@ void tool_residual(const ContactModel<Dim>& model, const PrescribedValues& presc
 
 } // namespace
 
-template <int Dim>
-Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-                const PrescribedValues& prescribed, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                const Tolerances& tolerance, double held) {
+template <int Dim> Balance balance(const BalancedState<Dim>& state) {
+  const ContactModel<Dim>& model = state.model;
+  const std::vector<ContactNode<Dim>>& nodes = state.contact.nodes;
+  const Eigen::VectorXd& q = state.contact.q;
   Balance result;
   const Eigen::Index nq = model.num_coordinates();
   result.generalized_force = Eigen::VectorXd::Zero(nq);
   result.tool_load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.tools.size()));
   Eigen::VectorXd lever = Eigen::VectorXd::Zero(nq);
-  const auto poses = model.poses(state.q);
-  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, state, poses, R);
-  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
-    const ContactNode<Dim>& node = state.nodes[i];
+  const auto poses = model.poses(q);
+  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, state.contact, poses, state.R);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const ContactNode<Dim>& node = nodes[i];
     const int candidate = static_cast<int>(i);
-    const Vector<Dim> x = body.position(u, model.candidates[i]);
     if (!in_contact(node.state)) {
       if (node.state == NodeState::RECEDING || node.state == NodeState::LEAVING) continue;
+      const Vector<Dim> x = state.body.position(state.u, model.candidates[i]);
       const double gap = nearest_tool(model, poses, x, node, candidate).foot.gap;
       result.penetration = std::max(result.penetration, -gap);
-      result.inconsistent += gap < -tolerance.gap;
+      result.inconsistent += gap < -state.tolerance.gap;
       continue;
     }
     const ContactPoint<Dim> at = contact_point(model, poses, node);
-    const Vector<Dim> Rn = R.template segment<Dim>(Dim * model.candidates[i]);
+    const Vector<Dim> Rn = state.R.template segment<Dim>(Dim * model.candidates[i]);
     const NodalForce<Dim> force = nodal_force(model, candidate, at.surface, Rn);
     result.load += force.F.norm();
     result.tool_load[node.tool] += force.F.norm();
@@ -212,24 +214,20 @@ Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const
       result.generalized_force[first + k] += at.surface.x_q.col(k).dot(force.F);
       lever[first + k] = std::max(lever[first + k], at.surface.x_q.col(k).norm());
     }
-    contact_node(model, candidate, node, at, force.part.N, deciding[i], x, tolerance, result);
+    contact_node(state, candidate, at, force.part.N, deciding[i], result);
   }
-  pass_on_forces(model, state.q, result.generalized_force);
-  complete_levers(model, prescribed, poses, state.q, lever);
-  const double others = support_load(model, body, state, R) + held;
+  pass_on_forces(model, q, result.generalized_force);
+  complete_levers(state, poses, lever);
+  const double others = support_load(state) + state.held;
   if (result.load < LIGHT * others) result.load = others;
-  free_residual(model, body, state, R, weights_near_tools(model, body, state, u, tolerance), result);
-  const DrivingForce drive = driving_force(model, prescribed, state.q);
-  add_driving_loads(model, prescribed, drive, lever, result);
-  tool_residual(model, prescribed, drive, lever, tolerance, result);
+  free_residual(state, result);
+  const DrivingForce drive = driving_force(model, state.prescribed, q);
+  add_driving_loads(model, state.prescribed, drive, lever, result);
+  tool_residual(state, drive, lever, result);
   return result;
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                             \
-  template Balance balance<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&, const ContactState<Dim>&,    \
-                                const PrescribedValues&, const Eigen::VectorXd&, const Eigen::VectorXd&,     \
-                                const Tolerances&, double);
-BURNISH_INSTANTIATE(2)
-BURNISH_INSTANTIATE(3)
+template Balance balance<2>(const BalancedState<2>&);
+template Balance balance<3>(const BalancedState<3>&);
 
 } // namespace burnish

@@ -27,11 +27,16 @@ struct Balance {
   double penetration = 0;                  ///< deepest penetration of a free candidate >= 0 [length]
 };
 
-/// @param R    internal minus external nodal force, num_dofs [force]
-/// @param held what carries the body beside tools and supports [force]
-template <int Dim>
-Balance balance(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
-                const PrescribedValues& prescribed, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                const Tolerances& tolerance, double held = 0);
+/// Whose balance is asked for.
+template <int Dim> struct BalancedState {
+  const ContactModel<Dim>& model;
+  const BodyView<Dim>& body;
+  const ContactState<Dim>& contact;
+  const PrescribedValues& prescribed;
+  const Eigen::VectorXd &u, &R; ///< displacement; internal minus external nodal force [force]; num_dofs
+  Tolerances tolerance;
+  double held = 0; ///< what carries the body beside tools and supports [force]
+};
+template <int Dim> Balance balance(const BalancedState<Dim>& state);
 
 } // namespace burnish

@@ -3,7 +3,6 @@
 #include "contact/coupling.hpp"
 #include "contact/tied_edges.hpp"
 #include <algorithm>
-#include <cmath>
 
 namespace burnish {
 
@@ -43,10 +42,9 @@ template <int Dim> void Condensation<Dim>::build_pattern(const NodeBlockMatrix<D
   }
 }
 
-template <int Dim>
-void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u,
-                                  const Eigen::VectorXd& R, const PrescribedValues& prescribed,
-                                  GeometricTerms terms, RightHandSide right, FrictionTangent tangent) {
+template <int Dim> void Condensation<Dim>::linearize(const CondensedProblem<Dim>& problem) {
+  const ContactState<Dim>& state = problem.state;
+  const Eigen::VectorXd& R = problem.R;
   const auto poses = m_model.poses(state.q);
   const std::vector<DecidingForce<Dim>> deciding = deciding_forces(m_model, state, poses, R);
   m_nodes.clear();
@@ -57,16 +55,18 @@ void Condensation<Dim>::linearize(const ContactState<Dim>& state, const Eigen::V
     const int node = m_model.candidates[i];
     const Vector<Dim> Rn = R.template segment<Dim>(Dim * node);
     m_contact_of[node] = static_cast<int>(m_nodes.size());
-    const NodeCones<Dim> cones = cones_of(m_model, state, poses, deciding, static_cast<int>(i), tangent);
-    m_nodes.push_back(linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, Rn, terms, &cones));
-    if (!m_model.couplings.empty()) eliminate_followers(m_model, state.q, terms, m_nodes.back());
+    const NodeCones<Dim> cones =
+        cones_of(m_model, state, poses, deciding, static_cast<int>(i), problem.tangent);
+    m_nodes.push_back(
+        linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, Rn, problem.terms, &cones));
+    if (!m_model.couplings.empty()) eliminate_followers(m_model, state.q, problem.terms, m_nodes.back());
     const auto& linear = m_nodes.back();
     Vector<Dim> known = Vector<Dim>::Zero();
-    if (right == RightHandSide::TOTAL)
-      known = offset_to(m_model, static_cast<int>(i), linear.point, m_body.position(u, node));
+    if (problem.right == RightHandSide::TOTAL)
+      known = offset_to(m_model, static_cast<int>(i), linear.point, m_body.position(problem.u, node));
     for (Eigen::Index k = 0; k < linear.x_q.cols(); ++k) {
       const int q = linear.at[static_cast<std::size_t>(k)];
-      if (prescribed.is_motion[q]) known += (prescribed.value[q] - state.q[q]) * linear.x_q.col(k);
+      if (problem.end.is_motion[q]) known += (problem.end.value[q] - state.q[q]) * linear.x_q.col(k);
     }
     m_known_increment.template segment<Dim>(Dim * node) = known;
   }
@@ -178,11 +178,11 @@ template <int Dim> void Condensation<Dim>::add_drive() {
       if (m_drive.slope(k, l) != 0) at(ndof + k, ndof + l) -= m_drive.slope(k, l);
 }
 
-template <int Dim>
-void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Step& step,
-                                            const ContactState<Dim>& state, const Eigen::VectorXd& R,
-                                            RightHandSide right) {
-  const bool total = right == RightHandSide::TOTAL;
+template <int Dim> void Condensation<Dim>::set_right_hand_side(const CondensedProblem<Dim>& problem) {
+  const NodeBlockMatrix<Dim>& K = problem.K;
+  const ContactState<Dim>& state = problem.state;
+  const Eigen::VectorXd& R = problem.R;
+  const bool total = problem.right == RightHandSide::TOTAL;
   const int ndof = K.size(), nq = m_model.num_coordinates();
   Eigen::VectorXd force = -K.multiply(m_known_increment);
   if (total) force -= R;
@@ -193,7 +193,7 @@ void Condensation<Dim>::set_right_hand_side(const NodeBlockMatrix<Dim>& K, const
       force.template segment<Dim>(dof) -= R.template segment<Dim>(dof);
   }
   m_full.rhs = Eigen::VectorXd::Zero(m_full.n);
-  for (int k = 0; k < nq; ++k) m_full.rhs[ndof + k] = m_drive.value[k] - (total ? 0 : step.start->value[k]);
+  for (int k = 0; k < nq; ++k) m_full.rhs[ndof + k] = m_drive.value[k] - (total ? 0 : problem.start.value[k]);
   for (int m = 0; m < K.num_nodes; ++m) {
     const Map row = map_of(m);
     const Vector<Dim> f = force.template segment<Dim>(Eigen::Index{Dim} * m);
@@ -221,29 +221,24 @@ void Condensation<Dim>::keep_candidate_rows(const NodeBlockMatrix<Dim>& K, const
   }
 }
 
-template <int Dim>
-const CondensedSystem&
-Condensation<Dim>::condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state, const Step& step,
-                            const Eigen::VectorXd& u, const Eigen::VectorXd& R, GeometricTerms terms,
-                            RightHandSide right, bool half, FrictionTangent tangent) {
+template <int Dim> const CondensedSystem& Condensation<Dim>::condense(const CondensedProblem<Dim>& problem) {
+  const NodeBlockMatrix<Dim>& K = problem.K;
   require(K.size() == m_body.X.size(), "condense", "size of K", K.size(),
           "number of dofs of the contact's space");
-  m_q = state.q;
-  m_drive = driving_force(m_model, *step.end, m_q);
-  require_form(step, terms, right, half, tangent);
+  m_q = problem.state.q;
+  m_drive = driving_force(m_model, problem.end, m_q);
+  require_form(problem);
   build_pattern(K);
-  linearize(state, u, R, *step.end, terms, right, tangent);
+  linearize(problem);
   m_full.value.assign(m_full.col.size(), 0.0);
   add_blocks(K);
   add_geometric_terms();
   add_drive();
-  set_right_hand_side(K, step, state, R, right);
-  move_geometric_columns(*step.end, state);
-  double scale = 0;
-  for (int m = 0; m < K.num_nodes; ++m) scale = std::max(scale, std::abs(*K.block(K.find(m, m))));
-  set_given(*step.end, state, scale);
-  keep_candidate_rows(K, R);
-  if (!half) return m_full;
+  set_right_hand_side(problem);
+  move_geometric_columns(problem);
+  set_given(problem);
+  keep_candidate_rows(K, problem.R);
+  if (!problem.half) return m_full;
   keep_lower();
   return m_half;
 }

@@ -26,25 +26,27 @@ enum class RightHandSide {
          ///< (METHOD.md 3.6)
 };
 
+/// What is condensed: forces and tangent at the linearization point, and the form of the system.
+template <int Dim> struct CondensedProblem {
+  const NodeBlockMatrix<Dim>& K; ///< tangent of the body, symmetric
+  const ContactState<Dim>& state;
+  const PrescribedValues &end, &start; ///< of the step; the start counts for RATES
+  const Eigen::VectorXd &u, &R;        ///< displacement; internal minus external nodal force; num_dofs
+  GeometricTerms terms = GeometricTerms::COMPLETE;
+  RightHandSide right = RightHandSide::TOTAL;
+  bool half = false; ///< lower triangle only: no friction or a LAGGED tangent of it, COMPLETE or NONE terms
+  FrictionTangent tangent = FrictionTangent::CONSISTENT;
+};
+
 /// Unknowns: dof d of a free node at position d; a sliding node has its Dim-1 slips at its first dofs and zero at
 /// the others; a sticking node zeros; coordinates follow after all dofs. Unknowns that are given (fixed dofs,
 /// zeros, coordinates under motion, coordinates that follow others) keep a diagonal entry and their value on the right-hand side.
 template <int Dim> class Condensation {
 public:
-  /// What a step gives: prescribed values at its end and at its start (the latter used by RATES).
-  struct Step {
-    const PrescribedValues *end, *start;
-  };
   Condensation(const ContactModel<Dim>& model, const BodyView<Dim>& body) : m_model(model), m_body(body) {}
-  /// @param K tangent of the body, symmetric; @param u displacement, R internal minus external nodal force,
-  /// num_dofs
-  /// @param half store the lower triangle only (no friction or a LAGGED tangent of it, COMPLETE or NONE terms)
   /// @throws std::invalid_argument if K has another size than the body, half with friction in a CONSISTENT tangent,
   /// another tangent with RATES
-  const CondensedSystem& condense(const NodeBlockMatrix<Dim>& K, const ContactState<Dim>& state,
-                                  const Step& step, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                                  GeometricTerms terms, RightHandSide right, bool half,
-                                  FrictionTangent tangent = FrictionTangent::CONSISTENT);
+  const CondensedSystem& condense(const CondensedProblem<Dim>& problem);
   /// Solution in nodes, slips, coordinates and the contact forces that it predicts.
   struct Expansion {
     Eigen::VectorXd du;   ///< num_dofs [length]
@@ -70,20 +72,16 @@ private:
   };
   void build_pattern(const NodeBlockMatrix<Dim>& K);
   Map map_of(int node) const;
-  void linearize(const ContactState<Dim>& state, const Eigen::VectorXd& u, const Eigen::VectorXd& R,
-                 const PrescribedValues& prescribed, GeometricTerms terms, RightHandSide right,
-                 FrictionTangent tangent);
-  void require_form(const Step& step, GeometricTerms terms, RightHandSide right, bool half,
-                    FrictionTangent tangent) const;
+  void linearize(const CondensedProblem<Dim>& problem);
+  void require_form(const CondensedProblem<Dim>& problem) const;
   void add_blocks(const NodeBlockMatrix<Dim>& K);
   void add_coordinate_rows(const NodeLinearization<Dim>& node, const Eigen::MatrixXd& qK, const Map& column);
   void add_geometric_terms();
   void add_drive();
   void keep_candidate_rows(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& R);
-  void set_right_hand_side(const NodeBlockMatrix<Dim>& K, const Step& step, const ContactState<Dim>& state,
-                           const Eigen::VectorXd& R, RightHandSide right);
-  void move_geometric_columns(const PrescribedValues& prescribed, const ContactState<Dim>& state);
-  void set_given(const PrescribedValues& prescribed, const ContactState<Dim>& state, double scale);
+  void set_right_hand_side(const CondensedProblem<Dim>& problem);
+  void move_geometric_columns(const CondensedProblem<Dim>& problem);
+  void set_given(const CondensedProblem<Dim>& problem);
   void keep_lower();
   double& at(int row, int column);
 

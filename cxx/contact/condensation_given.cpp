@@ -3,20 +3,21 @@
 #include "contact/condensation.hpp"
 #include "contact/coupling.hpp"
 #include "contact/tied_edges.hpp"
+#include <algorithm>
+#include <cmath>
 
 namespace burnish {
 
 // The geometric terms and drives in the columns of coordinates under motion are known: they go to the right-hand side.
 // The rest of those columns is there already (m_known_increment).
-template <int Dim>
-void Condensation<Dim>::move_geometric_columns(const PrescribedValues& prescribed,
-                                               const ContactState<Dim>& state) {
+template <int Dim> void Condensation<Dim>::move_geometric_columns(const CondensedProblem<Dim>& problem) {
+  const PrescribedValues& prescribed = problem.end;
   const int ndof = static_cast<int>(m_body.X.size());
   for (const auto& node : m_nodes)
     for (Eigen::Index k = 0; k < node.geo_sq.cols(); ++k) {
       const int q = node.at[static_cast<std::size_t>(k)];
       if (!prescribed.is_motion[q]) continue;
-      const double dq = prescribed.value[q] - state.q[q];
+      const double dq = prescribed.value[q] - m_q[q];
       for (Eigen::Index l = 0; l < node.geo_qq.rows(); ++l)
         m_full.rhs[ndof + node.at[static_cast<std::size_t>(l)]] -= dq * node.geo_qq(l, k);
       if (node.sliding)
@@ -27,14 +28,14 @@ void Condensation<Dim>::move_geometric_columns(const PrescribedValues& prescribe
     }
   for (Eigen::Index k = 0; k < m_drive.slope.cols(); ++k)
     if (prescribed.is_motion[k])
-      m_full.rhs.segment(ndof, m_drive.slope.rows()) +=
-          (prescribed.value[k] - state.q[k]) * m_drive.slope.col(k);
+      m_full.rhs.segment(ndof, m_drive.slope.rows()) += (prescribed.value[k] - m_q[k]) * m_drive.slope.col(k);
 }
 
 // Given unknowns: zero row and column, `scale` on the diagonal.
-template <int Dim>
-void Condensation<Dim>::set_given(const PrescribedValues& prescribed, const ContactState<Dim>& state,
-                                  double scale) {
+template <int Dim> void Condensation<Dim>::set_given(const CondensedProblem<Dim>& problem) {
+  const NodeBlockMatrix<Dim>& K = problem.K;
+  double scale = 0;
+  for (int m = 0; m < K.num_nodes; ++m) scale = std::max(scale, std::abs(*K.block(K.find(m, m))));
   const int ndof = static_cast<int>(m_body.X.size());
   m_given.assign(m_full.n, 0);
   Eigen::VectorXd given = Eigen::VectorXd::Zero(m_full.n);
@@ -45,9 +46,9 @@ void Condensation<Dim>::set_given(const PrescribedValues& prescribed, const Cont
   for (int k = 0; k < m_model.num_coordinates(); ++k)
     if (m_model.coupling_of(k))
       m_given[ndof + k] = 1;
-    else if (prescribed.is_motion[k]) {
+    else if (problem.end.is_motion[k]) {
       m_given[ndof + k] = 1;
-      given[ndof + k] = prescribed.value[k] - state.q[k];
+      given[ndof + k] = problem.end.value[k] - m_q[k];
     }
   for (int row = 0; row < m_full.n; ++row)
     for (int k = m_full.row_start[row]; k < m_full.row_start[row + 1]; ++k) {
@@ -59,17 +60,16 @@ void Condensation<Dim>::set_given(const PrescribedValues& prescribed, const Cont
 }
 
 // What was asked for must exist; m_drive is that of this system.
-template <int Dim>
-void Condensation<Dim>::require_form(const Step& step, GeometricTerms terms, RightHandSide right, bool half,
-                                     FrictionTangent tangent) const {
-  if (right == RightHandSide::RATES && tangent != FrictionTangent::CONSISTENT)
+template <int Dim> void Condensation<Dim>::require_form(const CondensedProblem<Dim>& problem) const {
+  const bool consistent = problem.tangent == FrictionTangent::CONSISTENT;
+  if (problem.right == RightHandSide::RATES && !consistent)
     fail("condense", "pure rates are solved once and need the consistent tangent of friction");
-  if (!half) return;
-  if (!m_model.symmetric() && tangent == FrictionTangent::CONSISTENT)
+  if (!problem.half) return;
+  if (!m_model.symmetric() && consistent)
     fail("condense",
          "symmetric storage needs a contact without friction, or one with frictiontangent=\"lagged\"");
-  if (terms == GeometricTerms::ARTICLE) fail("condense", "the article's terms are not symmetric");
-  require_symmetric_drive(m_model, *step.end, m_drive);
+  if (problem.terms == GeometricTerms::ARTICLE) fail("condense", "the article's terms are not symmetric");
+  require_symmetric_drive(m_model, problem.end, m_drive);
 }
 
 template <int Dim> void Condensation<Dim>::keep_lower() {
@@ -89,11 +89,9 @@ template <int Dim> void Condensation<Dim>::keep_lower() {
 }
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
-  template void Condensation<Dim>::move_geometric_columns(const PrescribedValues&,                           \
-                                                          const ContactState<Dim>&);                         \
-  template void Condensation<Dim>::set_given(const PrescribedValues&, const ContactState<Dim>&, double);     \
-  template void Condensation<Dim>::require_form(const Step&, GeometricTerms, RightHandSide, bool,            \
-                                                FrictionTangent) const;                                      \
+  template void Condensation<Dim>::move_geometric_columns(const CondensedProblem<Dim>&);                     \
+  template void Condensation<Dim>::set_given(const CondensedProblem<Dim>&);                                  \
+  template void Condensation<Dim>::require_form(const CondensedProblem<Dim>&) const;                         \
   template void Condensation<Dim>::keep_lower();
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)

@@ -190,23 +190,29 @@ Eigen::VectorXd scattered(const Eigen::VectorXd& part, const std::vector<int>& a
 
 // W' SA + Geo and its right-hand side, from S A and the forces F0 at z = 0.
 template <int Dim>
-void assemble_block(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                    const Eigen::VectorXd& q, const std::vector<NodeLinearization<Dim>>& nodes,
-                    const Columns<Dim>& c, const Eigen::MatrixXd& SA, const Eigen::VectorXd& F0,
-                    Eigen::MatrixXd& matrix, Eigen::VectorXd& rhs) {
+void assemble_block(const std::vector<NodeLinearization<Dim>>& nodes, const Columns<Dim>& c,
+                    const Eigen::MatrixXd& SA, const Eigen::VectorXd& F0, Eigen::MatrixXd& matrix,
+                    Eigen::VectorXd& rhs) {
   matrix = c.W.transpose() * SA;
   rhs = -c.W.transpose() * F0;
   add_geometric_terms(nodes, c, matrix);
   for (std::size_t a = 0; a < nodes.size(); ++a)
     if (nodes[a].in_contact && nodes[a].sliding)
       rhs.template segment<Dim - 1>(c.first[a]) -= nodes[a].constant;
+}
+
+// What is known of the coordinates, which stand from row `first` on.
+template <int Dim>
+void complete_coordinates(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                          const Eigen::VectorXd& q, Eigen::Index first, Eigen::MatrixXd& matrix,
+                          Eigen::VectorXd& rhs) {
   const DrivingForce drive = driving_force(model, prescribed, q);
   const int nq = model.num_coordinates();
-  if (drive.slope.size() > 0) matrix.block(c.num_nodal, c.num_nodal, nq, nq) -= drive.slope;
+  if (drive.slope.size() > 0) matrix.block(first, first, nq, nq) -= drive.slope;
   for (int k = 0; k < nq; ++k)
-    if (!prescribed.is_motion[k]) rhs[c.num_nodal + k] += drive.value[k];
-  prescribe_motion(prescribed, q, c.num_nodal, matrix, rhs);
-  leave_out_followers(model, c.num_nodal, matrix, rhs);
+    if (!prescribed.is_motion[k]) rhs[first + k] += drive.value[k];
+  prescribe_motion(prescribed, q, first, matrix, rhs);
+  leave_out_followers(model, first, matrix, rhs);
 }
 
 } // namespace
@@ -226,7 +232,8 @@ ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model,
     SA -= added.asDiagonal() * c.A;
     F0 -= added.cwiseProduct(offset);
   }
-  assemble_block(model, prescribed, q, nodes, c, SA, F0, matrix, rhs);
+  assemble_block(nodes, c, SA, F0, matrix, rhs);
+  complete_coordinates(model, prescribed, q, c.num_nodal, matrix, rhs);
 
   ContactBlockSolution<Dim> solution;
   if (input.test_stability) solution.unstable = is_unstable(model, prescribed, c.num_nodal, matrix);

@@ -80,7 +80,7 @@ template <int Dim> const TangentialLaw<Dim>& ContactModel<Dim>::law(int candidat
   return is_constrained(candidate) ? none : laws[tool];
 }
 
-template <int Dim> std::vector<int> ContactModel<Dim>::candidate_of_node(int num_nodes) const {
+std::vector<int> candidate_of_node(const std::vector<int>& candidates, int num_nodes) {
   std::vector<int> number(num_nodes, -1);
   for (std::size_t i = 0; i < candidates.size(); ++i) number[candidates[i]] = static_cast<int>(i);
   return number;

@@ -48,9 +48,10 @@ template <int Dim> struct ContactModel {
   std::string coordinate(int k) const;
   std::vector<Pose<Dim>> poses(const Eigen::VectorXd& q) const;
   bool symmetric() const; ///< true if no tool has friction
-  /// Candidate number of every mesh node, -1 for the others.
-  std::vector<int> candidate_of_node(int num_nodes) const;
 };
+
+/// Place among the candidates of every mesh node, -1 for the others.
+std::vector<int> candidate_of_node(const std::vector<int>& candidates, int num_nodes);
 
 /// Nearest tool of a point and the closest point on it; tool -1 and an infinite gap if there is none.
 template <int Dim> struct NearestTool {

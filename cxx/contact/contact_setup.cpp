@@ -76,7 +76,7 @@ ContactSetup<Dim>::ContactSetup(Mesh<Dim> mesh, std::vector<Facet<Dim>> surface,
   }
   require(!m_model.candidates.empty(), "contact", "number of candidate nodes", 0,
           "at least one node on the labels that is not fixed");
-  const std::vector<int> candidate = m_model.candidate_of_node(m_mesh.num_nodes);
+  const std::vector<int> candidate = candidate_of_node(m_model.candidates, m_mesh.num_nodes);
   m_model.neighbors = neighbors_along(m_surface, candidate, m_model.candidates.size());
   m_model.edge_ends = ends_of_edges(m_surface, candidate);
   m_body.X = places_on_curve(m_mesh, m_surface);

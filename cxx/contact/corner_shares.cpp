@@ -53,7 +53,8 @@ template <int Dim>
 CornerShares<Dim>::CornerShares(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                 const ContactState<Dim>& state, const std::vector<Facet<Dim>>& facets,
                                 const Eigen::VectorXd& u, const Eigen::VectorXd& area) {
-  const std::vector<int> candidate = model.candidate_of_node(static_cast<int>(body.X.size()) / Dim);
+  const std::vector<int> candidate =
+      candidate_of_node(model.candidates, static_cast<int>(body.X.size()) / Dim);
   m_number.assign(state.nodes.size(), -1);
   m_small.assign(state.nodes.size(), 0);
   m_reported.assign(state.nodes.size(), 0);

@@ -109,8 +109,7 @@ double stick_fraction(const Surface<Dim>& surface, const ContactNode<Dim>& start
 
 template <int Dim>
 ContactEvent<Dim> make_event(const BodyView<Dim>& body, const StepEnds<Dim>& step,
-                             const ContactModel<Dim>& model, std::size_t i, EventKind kind, double fraction,
-                             int tool) {
+                             const ContactModel<Dim>& model, std::size_t i, EventKind kind, double fraction) {
   ContactEvent<Dim> event;
   const int node = model.candidates[i];
   event.fraction = fraction;
@@ -118,7 +117,7 @@ ContactEvent<Dim> make_event(const BodyView<Dim>& body, const StepEnds<Dim>& ste
   event.kind = kind;
   event.candidate = static_cast<int>(i);
   event.node = node;
-  event.tool = tool;
+  event.tool = step.start->nodes[i].tool;
   event.x = (1 - fraction) * body.position(*step.u_start, node) + fraction * body.position(*step.u_end, node);
   return event;
 }
@@ -153,9 +152,9 @@ ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<D
   if (n0.state == NodeState::SLIDING && in_contact(n1.state) && n0.tool == n1.tool)
     passage = surface.passage(n0.place, n1.place);
   if (passage < std::min(release, change))
-    return make_event(body, step, model, i, EventKind::NEXT_PIECE, passage, n0.tool);
-  if (release <= change) return make_event(body, step, model, i, EventKind::RELEASE, release, n0.tool);
-  auto event = make_event(body, step, model, i, kind, change, n0.tool);
+    return make_event(body, step, model, i, EventKind::NEXT_PIECE, passage);
+  if (release <= change) return make_event(body, step, model, i, EventKind::RELEASE, release);
+  auto event = make_event(body, step, model, i, kind, change);
   event.slip_direction =
       in_tool_frame(ends.poses1[n0.tool], b.point, law.slip_against(ends.deciding1[i].force.T));
   return event;
@@ -170,7 +169,7 @@ ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>
   if (in_contact(node.state)) return contact_event(model, body, step, ends, i, tolerance);
   const double f =
       node.state == NodeState::FREE ? touch_fraction(model, body, step, i, tolerance.gap) : NEVER;
-  return make_event(body, step, model, i, EventKind::TOUCH, f, node.tool);
+  return make_event(body, step, model, i, EventKind::TOUCH, f);
 }
 
 } // namespace
@@ -204,7 +203,8 @@ std::vector<ContactEvent<Dim>> state_changes(const ContactModel<Dim>& model, con
     const ContactNode<Dim>&n0 = step.start->nodes[i], &n1 = step.end->nodes[i];
     const bool c0 = in_contact(n0.state), c1 = in_contact(n1.state);
     const auto add = [&](EventKind kind, double f, int tool) {
-      changes.push_back(make_event(body, step, model, i, kind, f > 1 ? 1 : f, tool));
+      changes.push_back(make_event(body, step, model, i, kind, f > 1 ? 1 : f));
+      changes.back().tool = tool;
     };
     if (!c0 && c1)
       add(EventKind::TOUCH, touch_fraction(model, body, resting, i, 0), n1.tool);

@@ -19,8 +19,7 @@ bool NodeTest<Dim>::test_contact(int candidate, const ContactNode<Dim>& solved, 
     if (N < -tolerance.force) make_free(node);
     return !in_contact(node.state);
   }
-  const SurfaceForce<Dim>& force = deciding.force;
-  switch (law.test(node.state, N, force, slip_of(m_model, solved), at.m, deciding.area, tolerance)) {
+  switch (law.test(node.state, N, deciding, slip_of(m_model, solved), at.m, tolerance)) {
   case Change::NONE:
     return false;
   case Change::RELEASE:
@@ -30,7 +29,7 @@ bool NodeTest<Dim>::test_contact(int candidate, const ContactNode<Dim>& solved, 
     make_stick(node);
     return true;
   case Change::SLIDE: // friction opposes slip: the tangential force tells its direction
-    make_slide(node, in_tool_frame(m_poses[node.tool], at.surface, law.slip_against(force.T)));
+    make_slide(node, in_tool_frame(m_poses[node.tool], at.surface, law.slip_against(deciding.force.T)));
     return true;
   }
   return false;

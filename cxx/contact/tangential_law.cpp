@@ -11,9 +11,10 @@ TangentialLaw<Dim>::TangentialLaw(std::shared_ptr<const FrictionLaw> friction)
 }
 
 template <int Dim>
-Change TangentialLaw<Dim>::test(NodeState state, double N, const SurfaceForce<Dim>& force,
-                                const Param<Dim>& slip, const Param<Dim>& m, double area,
+Change TangentialLaw<Dim>::test(NodeState state, double N, const DecidingForce<Dim>& deciding,
+                                const Param<Dim>& slip, const Param<Dim>& m,
                                 const ContactTolerance& tolerance) const {
+  const SurfaceForce<Dim>& force = deciding.force;
   const bool tension = N < -tolerance.force;
   if (state == NodeState::SLIDING) {
     if (tension) return Change::RELEASE;
@@ -23,7 +24,7 @@ Change TangentialLaw<Dim>::test(NodeState state, double N, const SurfaceForce<Di
     const bool held = force.T.norm() > tolerance.force;
     return m_friction->sticks_always() || !held ? Change::RELEASE : Change::SLIDE;
   }
-  return force.T.norm() > capacity(force.N, area) + tolerance.force ? Change::SLIDE : Change::NONE;
+  return force.T.norm() > capacity(force.N, deciding.area) + tolerance.force ? Change::SLIDE : Change::NONE;
 }
 
 template <int Dim>

@@ -13,6 +13,13 @@ template <int Dim> struct SurfaceForce {
   Param<Dim> T = Param<Dim>::Zero();
 };
 
+/// Force and area by which stick and slip of a contact node are decided: its own, and half of those of the mid nodes that
+/// are tied to it (tied_edges.hpp).
+template <int Dim> struct DecidingForce {
+  SurfaceForce<Dim> force; ///< [force]
+  double area = 1;         ///< [length or area]
+};
+
 /// What a node in contact is found to do next.
 enum class Change : char { NONE, RELEASE, STICK, SLIDE };
 
@@ -51,20 +58,9 @@ public:
   ///   slides: released at tension, sticks when it has slipped against its direction
   ///   sticks: slides at tension or outside the cone; released at tension where it never slides
   /// (A sticking node under tension first slides, only a sliding one is released: METHOD.md 5.4.)
-  /// @param slip of the step, in E [length]; @param area tributary area
-  Change test(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip, const Param<Dim>& m,
-              double area, const ContactTolerance& tolerance) const {
-    return test(state, force.N, force, slip, m, area, tolerance);
-  }
-  /// The same where other nodes hand their forces on. @param N the node's own normal force, which tells tension
-  /// @param force, area with what is handed on to it
-  Change test(NodeState state, double N, const SurfaceForce<Dim>& force, const Param<Dim>& slip,
-              const Param<Dim>& m, double area, const ContactTolerance& tolerance) const;
-  /// Whether forces or slip contradict the state, by the same conditions.
-  bool contradicts(NodeState state, const SurfaceForce<Dim>& force, const Param<Dim>& slip,
-                   const Param<Dim>& m, double area, const ContactTolerance& tolerance) const {
-    return test(state, force, slip, m, area, tolerance) != Change::NONE;
-  }
+  /// @param N the node's own normal force, which tells tension [force]; @param slip of the step, in E [length]
+  Change test(NodeState state, double N, const DecidingForce<Dim>& deciding, const Param<Dim>& slip,
+              const Param<Dim>& m, const ContactTolerance& tolerance) const;
   /// Unbalanced tangential force of a sliding node, |T + m g(N)| [force].
   double sliding_residual(const SurfaceForce<Dim>& force, const Param<Dim>& m, double area) const;
   /// g(N) - |T|: what a sticking node has left before it slides; negative outside the cone [force].

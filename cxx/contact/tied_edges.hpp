@@ -20,13 +20,7 @@ template <int Dim> void keep_ties(const ContactModel<Dim>& model, ContactState<D
 /// node goes on alone, as it is.
 template <int Dim> void follow_ends(const ContactModel<Dim>& model, ContactState<Dim>& state);
 
-/// Force and area by which stick and slip of a contact node are decided: its own, and half of those of the mid nodes that
-/// are tied to it.
-template <int Dim> struct DecidingForce {
-  SurfaceForce<Dim> force; ///< [force]
-  double area = 1;         ///< [length or area]
-};
-/// Of all candidates; zero for those not in contact. A tied node keeps its own, which decide nothing but its release.
+/// Deciding forces of all candidates; zero for those not in contact. A tied node keeps its own, which decide nothing but its release.
 /// @param own forces on the candidates in the frames of their surface points [force]
 template <int Dim>
 std::vector<DecidingForce<Dim>> deciding_forces(const ContactModel<Dim>& model,

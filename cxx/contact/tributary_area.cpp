@@ -13,7 +13,8 @@ std::vector<Vector<Dim>> places_of(const BodyView<Dim>& body, const Facet<Dim>& 
 template <int Dim>
 Eigen::VectorXd tributary_areas(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                                 const std::vector<Facet<Dim>>& facets, const Eigen::VectorXd& u) {
-  const std::vector<int> candidate = model.candidate_of_node(static_cast<int>(body.X.size()) / Dim);
+  const std::vector<int> candidate =
+      candidate_of_node(model.candidates, static_cast<int>(body.X.size()) / Dim);
   Eigen::VectorXd area = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.candidates.size()));
   for (const Facet<Dim>& facet : facets) {
     const std::vector<int> nodes = nodes_of(facet);

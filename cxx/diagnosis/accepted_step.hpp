@@ -15,6 +15,22 @@ template <int Dim> struct CheckedNode {
   Vector<Dim> x;               ///< where the node is [length]
 };
 
+/// What the step was held to.
+struct StepTolerance {
+  double load = 0;     ///< that of the tolerance [force]
+  double relative = 0; ///< tolerance of the residual over the load
+  double rounding = 0; ///< residual that rounding leaves [force]
+  double offset = 0;   ///< distance of a contact node from its tool that does not count [length]
+  double residual() const { return relative * load; }
+};
+
+/// The soft hold of the body, see cxx/run/hold.hpp.
+struct SeenHold {
+  Eigen::VectorXd force{}; ///< on the nodes, num_dofs; empty: none [force]
+  double share = 0;        ///< what it carries or carried when it ended, over the load [-]
+  double until = 0;        ///< when it ends or ended [time]
+};
+
 /// Refers to what belongs to the run.
 template <int Dim> struct AcceptedStep {
   const ContactSetup<Dim>& setup;
@@ -22,15 +38,10 @@ template <int Dim> struct AcceptedStep {
   const Eigen::VectorXd &u, &R; ///< displacement [length], internal minus external nodal force [force]
   const Eigen::VectorXd& generalized_force;  ///< on the tools [force, force length]
   const Workpiece<Dim>* workpiece = nullptr; ///< null: the forms of a script, of which nothing is known
-  Eigen::VectorXd hold{}; ///< force of the soft hold on the nodes, num_dofs; empty: none [force]
-  double held = 0;        ///< what a hold carries or carried when it ended, over the load [-]
-  double hold_until = 0;  ///< when it ends or ended [time]
-  double load = 0;        ///< that of the tolerance [force]
-  double tolerance = 0;   ///< of the residual over the load
-  double rounding = 0;    ///< residual that rounding leaves [force]
-  double offset = 0;      ///< distance of a contact node from its tool that does not count [length]
-  double t = 0, dt = 0;   ///< its end and its length [time]
-  bool last = false;      ///< the program is at its end
+  SeenHold hold{};
+  StepTolerance allowed{};
+  double t = 0, dt = 0;                         ///< its end and its length [time]
+  bool last = false;                            ///< the program is at its end
   const PrescribedValues* prescribed = nullptr; ///< at its end; null before the first step
   std::size_t window = 0;                       ///< candidates on the dense block of its factor
   // set by prepare

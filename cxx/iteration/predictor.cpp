@@ -205,18 +205,18 @@ void Predictor<Dim>::place_contact_node(const std::vector<Pose<Dim>>& poses, int
 // Places of the contact nodes at the predicted coordinates: first of the corners, which decide over the ties. The nodes stay where
 // they are predicted: the first iteration brings them to their tools by the whole body.
 template <int Dim>
-void Predictor<Dim>::place_contact_nodes(bool carry, bool tied, ContactState<Dim>& state,
+void Predictor<Dim>::place_contact_nodes(const CarriedStates& states, ContactState<Dim>& state,
                                          const Eigen::VectorXd& u) const {
   const auto poses = m_model.poses(state.q);
   const int n = static_cast<int>(state.nodes.size());
   const auto place = [&](bool middles) {
     for (int i = 0; i < n; ++i)
       if (in_contact(state.nodes[i].state) && !state.nodes[i].tied && m_model.is_middle(i) == middles)
-        place_contact_node(poses, i, carry, state, u);
+        place_contact_node(poses, i, states.carry, state, u);
   };
-  for (auto& node : state.nodes) node.tied = node.tied && tied;
+  for (auto& node : state.nodes) node.tied = node.tied && states.tied;
   place(false);
-  if (tied) carry ? tie_edges(m_model, state) : keep_ties(m_model, state);
+  if (states.tied) states.carry ? tie_edges(m_model, state) : keep_ties(m_model, state);
   place(true);
   follow_ends(m_model, state);
 }
@@ -224,7 +224,7 @@ void Predictor<Dim>::place_contact_nodes(bool carry, bool tied, ContactState<Dim
 template <int Dim>
 Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, const ContactState<Dim>& state,
                                         const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt,
-                                        bool carry, bool tied) const {
+                                        const CarriedStates& states) const {
   Prediction<Dim> result;
   const bool known = history.dt > 0 && history.du.size() == u.size();
   const double ratio = known ? dt / history.dt : 0;
@@ -235,7 +235,7 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
   follow(m_model, result.state.q);
   for (auto& node : result.state.nodes)
     if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
-  if (known && carry) {
+  if (known && states.carry) {
     std::vector<CarrierMotion> motions;
     for (std::size_t t = 0; t < m_model.tools.size(); ++t)
       motions.push_back(carrier_motion(static_cast<int>(t), history.q_old, state.q, result.state.q));
@@ -249,8 +249,8 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
   // Without a step before, the nodes stay where they are: the first iteration brings them to the tool by an
   // offset.
   if (known)
-    place_contact_nodes(carry, tied, result.state, result.u);
-  else if (tied)
+    place_contact_nodes(states, result.state, result.u);
+  else if (states.tied)
     tie_edges(m_model, result.state);
   return result;
 }

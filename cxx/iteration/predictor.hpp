@@ -31,6 +31,12 @@ template <int Dim> struct Prediction {
   std::vector<ContactNode<Dim>> entry; ///< per candidate, where a node touching in this step would stick
 };
 
+/// What becomes of the contact states.
+struct CarriedStates {
+  bool carry = true; ///< carry them along (false: states stay, event stepping)
+  bool tied = true;  ///< tie edges in contact by the states that come of it (contact/tied_edges.hpp)
+};
+
 template <int Dim> class Predictor {
 public:
   /// @param mesh, model, body must outlive it
@@ -38,11 +44,9 @@ public:
   const MeshLocator<Dim>& locator() const { return m_locator; }
 
   /// @param state, u accepted state at the start of the step; slips are counted from here
-  /// @param carry also carry the contact states along (false: states stay, event stepping)
-  /// @param tied  ties edges in contact by the states that come of it (contact/tied_edges.hpp)
   Prediction<Dim> predict(const PrescribedValues& prescribed, const ContactState<Dim>& state,
-                          const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt, bool carry,
-                          bool tied = true) const;
+                          const Eigen::VectorXd& u, const StepHistory<Dim>& history, double dt,
+                          const CarriedStates& states) const;
   /// The accepted state as it is: the start of a step of pure rates.
   Prediction<Dim> rest(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
 
@@ -56,7 +60,8 @@ private:
   std::vector<ContactNode<Dim>> entry_nodes(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
   void carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions,
                     ContactState<Dim>& state) const;
-  void place_contact_nodes(bool carry, bool tied, ContactState<Dim>& state, const Eigen::VectorXd& u) const;
+  void place_contact_nodes(const CarriedStates& states, ContactState<Dim>& state,
+                           const Eigen::VectorXd& u) const;
   void place_contact_node(const std::vector<Pose<Dim>>& poses, int candidate, bool may_stick,
                           ContactState<Dim>& state, const Eigen::VectorXd& u) const;
 

@@ -58,7 +58,7 @@ void StepBalance<Dim>::look(const ContactState<Dim>& state, const PrescribedValu
   double scale = m_memory.scale;
   Eigen::VectorXd tools = m_memory.tools;
   for (int pass = 0; pass < 2; ++pass) {
-    m_last = balance(m_model, m_body, state, prescribed, u, R, tolerances(scale, tools), m_held);
+    m_last = balance<Dim>({m_model, m_body, state, prescribed, u, R, tolerances(scale, tools), m_held});
     const Eigen::VectorXd grown = larger(tools, m_last.tool_load);
     if (m_last.load <= scale && grown == tools) break;
     scale = std::max(scale, m_last.load);

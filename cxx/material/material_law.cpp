@@ -1,4 +1,5 @@
 #include "material/material_law.hpp"
+#include "base/error.hpp"
 
 namespace burnish {
 
@@ -23,6 +24,28 @@ RangeResult MaterialLaw<Dim>::update_range(const RangeStep<Dim>& step, const Ran
     if (result.status != UpdateStatus::OK) return {result, k};
   }
   return {};
+}
+
+template <int Dim>
+int MaterialLaw<Dim>::internal_place(const std::string& variable, int component, const char* where) const {
+  const int k = m_internal.find(variable);
+  if (k < 0)
+    fail(where, "law \"" + m_name + "\" has no internal variable \"" + variable + "\", expected one of " +
+                    m_internal.names());
+  const int n = num_components<Dim>(m_internal.list()[k].kind);
+  require(component >= 0 && component < n, where, "component", component,
+          ("0.." + std::to_string(n - 1)).c_str());
+  return m_internal.offset(k) + component;
+}
+
+template <int Dim> double MaterialLaw<Dim>::modulus(const std::string& name) const {
+  const auto known = moduli();
+  std::string list;
+  for (const auto& [one, value] : known) list += (list.empty() ? "" : ", ") + one;
+  if (known.count(name) == 0)
+    fail("modulus", "law \"" + m_name + "\" has no modulus \"" + name + "\", expected one of " +
+                        (list.empty() ? "none" : list));
+  return known.at(name);
 }
 
 template <int Dim> StepIncrements<Dim> MaterialLaw<Dim>::increments(const PointStep<Dim>&) const {

@@ -46,6 +46,9 @@ public:
   virtual ~MaterialLaw() = default;
   const std::string& name() const { return m_name; }
   const InternalVariables<Dim>& internal_variables() const { return m_internal; }
+  /// Place of a component of an internal variable among the numbers of a point.
+  /// @throws std::invalid_argument "where: ..." if there is no such variable (lists those there are), or component
+  int internal_place(const std::string& variable, int component, const char* where) const;
 
   /// Stress and internal variables at the end of a step. Never throws: what cannot be computed is a status,
   /// and `now` is then of no use. @param trial of the same step's last iteration in, of this one out
@@ -67,6 +70,8 @@ public:
   /// Its moduli by name, K and G of isotropic elasticity [stress], C [stress] and gamma [-] of a back stress; none where it
   /// has others.
   virtual std::map<std::string, double> moduli() const { return {}; }
+  /// One of them. @throws std::invalid_argument for an unknown name (lists those there are)
+  double modulus(const std::string& name) const;
 
   // A law without a yield surface leaves the rest as it is.
 

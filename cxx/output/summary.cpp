@@ -87,7 +87,7 @@ Json final_state(const SummarizedRun& run) {
   state["stick_share"] =
       surface_report(setup.model(), setup.body(), end.contact, setup.surface(), end.u, end.R).stick_share;
   if (run.has_damage) state["damaged"] = (integrity_field(run.workpiece).array() < 1).count();
-  const Eigen::VectorXd strain = run.workpiece.internal(PLASTIC_STRAIN);
+  const Eigen::VectorXd strain = internal_field(run.workpiece, PLASTIC_STRAIN);
   add_largest(run.workpiece, "stress_eq", stress_eq_field(run.workpiece), state);
   add_largest(run.workpiece, PLASTIC_STRAIN, strain, state);
   state["plastic_strain_eq_p99"] =

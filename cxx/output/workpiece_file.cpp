@@ -69,14 +69,14 @@ void write_points(const Workpiece<2>& body, VtkFile& file) {
   file.array("displacement", 3, in_space(body.state().displacement.data(), mesh.num_nodes));
   write_tensor("stress", STRESS, stress_at_nodes(at_nodes, stress), file);
   file.array("stress_eq", 1, list_of(at_nodes(stress_eq_field(body))));
-  file.array("plastic_strain_eq", 1, list_of(at_nodes(body.internal("plastic_strain_eq"))));
+  file.array("plastic_strain_eq", 1, list_of(at_nodes(internal_field(body, "plastic_strain_eq"))));
   file.array("stress_error", 1, list_of(at_nodes(stress_error(mesh, at_nodes, stress).point)));
   if (body.law().internal_variables().names().find("backstress") != std::string::npos) {
     std::array<Field, 4> part;
-    for (int i = 0; i < 4; ++i) part[i] = at_nodes(body.internal("backstress", i));
+    for (int i = 0; i < 4; ++i) part[i] = at_nodes(internal_field(body, "backstress", i));
     write_tensor("backstress", BACKSTRESS, part, file);
   }
-  if (body.tracks_integrity()) file.array("integrity", 1, list_of(at_nodes(integrity_field(body))));
+  if (body.state().tracks_integrity()) file.array("integrity", 1, list_of(at_nodes(integrity_field(body))));
 }
 
 } // namespace

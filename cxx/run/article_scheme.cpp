@@ -1,4 +1,5 @@
 #include "run/step_scheme.hpp"
+#include "workpiece/point_fields.hpp"
 #include <algorithm>
 
 namespace burnish {
@@ -43,7 +44,7 @@ template <int Dim> SchemeTask ArticleScheme<Dim>::take_piece(Eigen::VectorXd& u,
   const std::vector<ContactEvent<Dim>> at_end = std::move(this->m_events);
   this->accept(u, R, at_end);
   this->m_body.accept_events();
-  this->m_counts.excess = std::max(this->m_counts.excess, this->m_body.largest_yield_distance());
+  this->m_counts.excess = std::max(this->m_counts.excess, largest_yield_distance(this->m_body.workpiece()));
   this->m_counts.blind += m_blind;
   ++m_pieces;
   m_retries = 0;

@@ -122,9 +122,9 @@ template <int Dim> PrescribedValues ContactRun<Dim>::start_values() const {
 // A coordinate under force goes on as in the last step, or stays where it is if its formulas end there.
 template <int Dim> Prediction<Dim> ContactRun<Dim>::predicted(const Eigen::VectorXd& u) const {
   if (m_step.stepping == Stepping::RATES) return m_predictor.rest(m_accepted.contact, u);
-  const bool carry = m_step.stepping == Stepping::IMPLICIT, tied = m_iteration.options().tied;
+  const CarriedStates states{m_step.stepping == Stepping::IMPLICIT, m_iteration.options().tied};
   const auto predict = [&](const StepHistory<Dim>& history) {
-    return m_predictor.predict(m_step.prescribed, m_accepted.contact, u, history, m_step.dt, carry, tied);
+    return m_predictor.predict(m_step.prescribed, m_accepted.contact, u, history, m_step.dt, states);
   };
   try {
     return predict(m_accepted.history);

@@ -56,7 +56,7 @@ template <int Dim> SchemeTask EventScheme<Dim>::take_piece(Eigen::VectorXd& u, E
   const ElementEvents elements = this->m_options.elements;
   if (elements == ElementEvents::CUT) {
     this->m_contact.log_elements(this->m_body.pending());
-    this->m_body.keep_plastic(this->m_options.event_noise);
+    keep_plastic(this->m_options.event_noise, this->m_body.workpiece());
   }
   if (elements == ElementEvents::LOG) this->log_all_elements();
   this->m_reached = this->m_solve.from + this->m_solve.dt;

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-template <int Dim> void WorkpieceBody<Dim>::set_state(const BodyState<Dim>& state) {
+template <int Dim> void RunBody<Dim>::set_state(const BodyState<Dim>& state) {
   const PointEventsState before = m_user.state();
   m_user.set_state(state.user);
   try {
@@ -18,7 +18,7 @@ template <int Dim> void WorkpieceBody<Dim>::set_state(const BodyState<Dim>& stat
   m_accepted = true;
 }
 
-template <int Dim> void WorkpieceBody<Dim>::accept() {
+template <int Dim> void RunBody<Dim>::accept() {
   add_step_error(*m_workpiece, m_step_error);
   std::vector<ElementEvent<Dim>> acting;
   if (!m_damage.empty()) acting = m_user.find(*m_workpiece);
@@ -28,58 +28,47 @@ template <int Dim> void WorkpieceBody<Dim>::accept() {
   m_accepted = true;
 }
 
-template <int Dim> void WorkpieceBody<Dim>::revert() {
+template <int Dim> void RunBody<Dim>::revert() {
   m_user.revert();
   m_workpiece->revert();
   m_reverted = true;
 }
 
-template <int Dim> void WorkpieceBody<Dim>::start() {
+template <int Dim> void RunBody<Dim>::start() {
   m_accepted = true;
   m_reverted = false;
 }
 
-template <int Dim> StateChange WorkpieceBody<Dim>::take_change() {
+template <int Dim> StateChange RunBody<Dim>::take_change() {
   if (!m_workpiece->user_defined()) return StateChange::NONE;
   if (std::exchange(m_accepted, false)) return StateChange::ACCEPTED;
   return std::exchange(m_reverted, false) ? StateChange::REVERTED : StateChange::NONE;
 }
 
-template <int Dim> double WorkpieceBody<Dim>::find_earliest(double tolerance, double noise) {
+template <int Dim> double RunBody<Dim>::find_earliest(double tolerance, double noise) {
   m_pending = earliest(element_events(*m_workpiece, tolerance, noise), tolerance);
   return first_fraction(m_pending);
 }
 
-template <int Dim> void WorkpieceBody<Dim>::find_all() { m_pending = element_events(*m_workpiece, 0); }
+template <int Dim> void RunBody<Dim>::find_all() { m_pending = element_events(*m_workpiece, 0); }
 
-template <int Dim> long WorkpieceBody<Dim>::accept_events() {
+template <int Dim> long RunBody<Dim>::accept_events() {
   burnish::accept_events(m_pending, *m_workpiece);
   const auto n = static_cast<long>(m_pending.size());
   m_pending.clear();
   return n;
 }
 
-template <int Dim> void WorkpieceBody<Dim>::keep_plastic(double noise) {
-  burnish::keep_plastic(noise, *m_workpiece);
-}
-
-template <int Dim> double WorkpieceBody<Dim>::find_earliest_user(double overshoot, double least) {
+template <int Dim> double RunBody<Dim>::find_earliest_user(double overshoot, double least) {
   m_user.set_overshoot(overshoot);
   return m_user.earliest(*m_workpiece, least);
 }
 
-template <int Dim> std::vector<ElementEvent<Dim>> WorkpieceBody<Dim>::user_events() const {
+template <int Dim> std::vector<ElementEvent<Dim>> RunBody<Dim>::user_events() const {
   return m_user.find(*m_workpiece);
 }
 
-template <int Dim> double WorkpieceBody<Dim>::largest_yield_distance() const {
-  double largest = -1;
-  for (int p = 0; p < m_workpiece->discretization().num_points(); ++p)
-    largest = std::max(largest, m_workpiece->yield_distance(p));
-  return largest;
-}
-
-template class WorkpieceBody<2>;
-template class WorkpieceBody<3>;
+template class RunBody<2>;
+template class RunBody<3>;
 
 } // namespace burnish

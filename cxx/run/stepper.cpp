@@ -80,7 +80,7 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
     fail("Stepper",
          "scheme article with damage, expected implicit or event: pure rates never take off the force that a "
          "damaged point has lost");
-  m_body.set_step_length(m_control.dt());
+  m_body.workpiece().set_step_length(m_control.dt());
   m_tries = 0;
   return try_step();
 }
@@ -136,7 +136,7 @@ template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorX
 }
 
 template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  if (!converged) m_last_rejection = burnish::reason(m_contact, m_diagnosis, m_body.checked(), m_refusal);
+  if (!converged) m_last_rejection = burnish::reason(m_contact, m_diagnosis, &m_body.workpiece(), m_refusal);
   m_refused = false;
   m_refusal.clear();
   switch (m_scheme->solved(converged, u, R)) {
@@ -184,13 +184,13 @@ template <int Dim> Task Stepper<Dim>::accepted() {
   measure_step();
   m_counts.scheme.pileups += m_options.scheme == Scheme::EVENT && m_tries >= MAX_TRIES;
   ++m_counts.steps;
-  m_body.set_step_length(0);
+  m_body.workpiece().set_step_length(0);
   look(m_control.time() - t);
   return ask(Task::RECORD, Phase::RECORD);
 }
 
 template <int Dim> AcceptedStep<Dim> Stepper<Dim>::seen() const {
-  AcceptedStep<Dim> step = accepted_step(m_contact, m_body.checked());
+  AcceptedStep<Dim> step = accepted_step(m_contact, &m_body.workpiece());
   step.t = m_control.time();
   step.last = m_control.finished();
   return step;
@@ -231,7 +231,7 @@ template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::Vector
 }
 
 template <int Dim> Task Stepper<Dim>::end(Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  m_body.set_step_length(0);
+  m_body.workpiece().set_step_length(0);
   warn_of_error();
   if (m_phase != Phase::ENDED && m_phase != Phase::STEP) {
     m_body.revert();

@@ -16,7 +16,7 @@ enum class Task {
           ///< the material cannot follow
   TANGENT, ///< factorize a tangent at u (ContactRun::factorize); refuse() if there is none
   SOLVE, ///< tangent, condense, solve, expand into u (pure rates, or StepperOptions::condensed); refuse() if that fails
-  RECORD,   ///< a step has been accepted: u and time() hold it
+  RECORD,   ///< a step has been accepted: u and control().time() hold it
   FINISHED, ///< the end of the program has been reached
   STOPPED,  ///< the run has ended before: reason() tells why; u holds the last accepted state
 };
@@ -66,7 +66,6 @@ public:
 
   /// The way through the steps from the next one on.
   void set_scheme(Scheme scheme) { m_options.scheme = scheme; }
-
   /// Whose solver takes the iterations from the next one on, see StepperOptions::condensed.
   void set_condensed(bool condensed) { m_options.condensed = condensed; }
 
@@ -78,7 +77,6 @@ public:
   double dt() const { return m_scheme->solve().dt; } ///< FORCES: length of the piece
   Stepping stepping() const { return m_scheme->solve().stepping; }
   int iteration() const { return m_iteration; } ///< FORCES: 0, 1, 2, ... in this equilibrium
-  double time() const { return m_control.time(); }
   const StepControl& control() const { return m_control; }
   const StepperCounts& counts() const { return m_counts; }
   /// Estimated relative error that the length of the steps has made in the plastic strain increments [-]; < 0: none, see

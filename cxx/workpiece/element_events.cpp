@@ -1,5 +1,6 @@
 #include "workpiece/element_events.hpp"
 #include "base/error.hpp"
+#include "workpiece/point_fields.hpp"
 #include "workpiece/point_place.hpp"
 #include <algorithm>
 
@@ -98,7 +99,7 @@ template <int Dim> void keep_plastic(double noise, Workpiece<Dim>& workpiece) {
   require(noise >= 0, "keep_plastic", "noise", noise, ">= 0");
   for (int p = 0; p < workpiece.discretization().num_points(); ++p)
     if (workpiece.state_old().plastic[p] && !workpiece.state().plastic[p] &&
-        workpiece.yield_distance(p) >= -noise)
+        yield_distance(workpiece, p) >= -noise)
       workpiece.set_plastic(p, true);
 }
 

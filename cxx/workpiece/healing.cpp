@@ -5,10 +5,11 @@ namespace burnish {
 
 template <int Dim> long heal_all(Workpiece<Dim>& body, int steps) {
   require(steps >= 1, "heal_all", "steps", steps, ">= 1");
-  if (!body.tracks_integrity()) fail("heal_all", "nothing to heal, expected damage to be defined before");
+  if (!body.state().tracks_integrity())
+    fail("heal_all", "nothing to heal, expected damage to be defined before");
   long healing = 0;
   for (int p = 0; p < body.discretization().num_points(); ++p)
-    if (body.integrity(p) < 1) {
+    if (integrity_of(body.state(), p) < 1) {
       body.change_integrity(p, 1, steps);
       ++healing;
     }

@@ -40,7 +40,7 @@ void PointDamage<Dim>::apply(const std::vector<ElementEvent<Dim>>& events, Workp
     const auto rule = m_rules.find(event.name);
     if (event.change != PointChange::USER || rule == m_rules.end()) continue;
     const auto [goal, steps] = rule->second;
-    const double w = body.integrity(event.point);
+    const double w = integrity_of(body.state(), event.point);
     if (goal == 1 ? w < 1 : goal < w) body.change_integrity(event.point, goal, steps);
   }
 }

@@ -1,5 +1,6 @@
 #include "workpiece/point_fields.hpp"
 #include "base/error.hpp"
+#include <algorithm>
 #include <cmath>
 
 namespace burnish {
@@ -42,20 +43,36 @@ template <int Dim>
 Eigen::VectorXd hardening_slope_field(const Workpiece<Dim>& body, const Eigen::VectorXd& plastic_strain_eq) {
   return hardening_field(body, plastic_strain_eq, &YieldStress::slope);
 }
+template <int Dim>
+Eigen::VectorXd internal_field(const Workpiece<Dim>& body, const std::string& name, int component) {
+  const int place = body.law().internal_place(name, component, "internal_field");
+  return scalars(body, [&](int p) { return point_state(body.state(), p).internal[place]; });
+}
 template <int Dim> Eigen::VectorXd stress_eq_field(const Workpiece<Dim>& body) {
-  return scalars(body, [&](int p) { return body.stress_eq(p); });
+  return scalars(body,
+                 [&](int p) { return equivalent<Dim>(deviator<Dim>(carried_stress(body.state(), p))); });
+}
+template <int Dim> double yield_distance(const Workpiece<Dim>& body, int point) {
+  const PointState<Dim> now = point_state(body.state(), point);
+  return body.law().yield_distance(now.stress, now.internal);
+}
+template <int Dim> double largest_yield_distance(const Workpiece<Dim>& body) {
+  double largest = -1;
+  for (int p = 0; p < body.discretization().num_points(); ++p)
+    largest = std::max(largest, yield_distance(body, p));
+  return largest;
 }
 template <int Dim> Eigen::VectorXd yield_distance_field(const Workpiece<Dim>& body) {
-  return scalars(body, [&](int p) { return body.yield_distance(p); });
+  return scalars(body, [&](int p) { return yield_distance(body, p); });
 }
 template <int Dim> Eigen::VectorXd integrity_field(const Workpiece<Dim>& body) {
-  return scalars(body, [&](int p) { return body.integrity(p); });
+  return scalars(body, [&](int p) { return integrity_of(body.state(), p); });
 }
 template <int Dim> std::vector<double> stress_field(const Workpiece<Dim>& body) {
-  return tensors(body, [&](int p) { return body.stress(p); });
+  return tensors(body, [&](int p) { return carried_stress(body.state(), p); });
 }
 template <int Dim> std::vector<double> piola_field(const Workpiece<Dim>& body) {
-  return tensors(body, [&](int p) { return body.point_piola(p); });
+  return tensors(body, [&](int p) { return carried_piola(body.state(), p); });
 }
 template <int Dim>
 std::vector<double> moduli_field(const Workpiece<Dim>& body, TangentKind kind, double elastic_blend) {
@@ -65,6 +82,12 @@ template <int Dim> std::vector<double> increments_field(const Workpiece<Dim>& bo
   return tensors(body, [&](int p) { return body.law().increments(body.point_step(p)).y; });
 }
 
+template Eigen::VectorXd internal_field<2>(const Workpiece<2>&, const std::string&, int);
+template Eigen::VectorXd internal_field<3>(const Workpiece<3>&, const std::string&, int);
+template double yield_distance<2>(const Workpiece<2>&, int);
+template double yield_distance<3>(const Workpiece<3>&, int);
+template double largest_yield_distance<2>(const Workpiece<2>&);
+template double largest_yield_distance<3>(const Workpiece<3>&);
 template Eigen::VectorXd integrity_field<2>(const Workpiece<2>&);
 template Eigen::VectorXd integrity_field<3>(const Workpiece<3>&);
 template std::vector<double> stress_field<2>(const Workpiece<2>&);

@@ -4,8 +4,16 @@
 
 namespace burnish {
 
-/// Von Mises stress [stress]; q/sigma_y - 1 [-]; num_points.
+/// An internal variable of the law [its unit]; num_points. @param component of a symmetric tensor, in the order of Stress
+/// @throws std::invalid_argument if the law has no such variable (lists those it has), or no such component
+template <int Dim>
+Eigen::VectorXd internal_field(const Workpiece<Dim>& body, const std::string& name, int component = 0);
+/// Von Mises stress of the Kirchhoff stress that the points carry [stress]; num_points.
 template <int Dim> Eigen::VectorXd stress_eq_field(const Workpiece<Dim>& body);
+/// q/sigma_y - 1, of the effective stress: positive outside the yield surface, where only forward Euler leads [-]; of a
+/// point, 0 <= point < num_points, the largest, and of all.
+template <int Dim> double yield_distance(const Workpiece<Dim>& body, int point);
+template <int Dim> double largest_yield_distance(const Workpiece<Dim>& body);
 template <int Dim> Eigen::VectorXd yield_distance_field(const Workpiece<Dim>& body);
 /// Integrity [-], 1 where no damage is defined; Kirchhoff stress that the points carry, num_points x num_stress [stress].
 template <int Dim> Eigen::VectorXd integrity_field(const Workpiece<Dim>& body);

@@ -10,9 +10,7 @@ constexpr double NO_STRESS = 1e-300;
 
 } // namespace
 
-template <int Dim>
-PointVariables<Dim>::PointVariables(const MaterialLaw<Dim>& law)
-    : m_num_internal(law.internal_variables().size()) {
+template <int Dim> PointVariables<Dim>::PointVariables(const MaterialLaw<Dim>& law) {
   const InternalVariables<Dim>& internal = law.internal_variables();
   for (std::size_t k = 0; k < internal.list().size(); ++k) {
     const InternalVariable& variable = internal.list()[k];
@@ -30,7 +28,7 @@ PointVariables<Dim>::PointVariables(const MaterialLaw<Dim>& law)
 template <int Dim>
 typename PointVariables<Dim>::Sample
 PointVariables<Dim>::sample(const Workpiece<Dim>& body, const WorkpieceState<Dim>& state, int point) const {
-  const PointState<Dim> at = point_state(state, m_num_internal, point);
+  const PointState<Dim> at = point_state(state, point);
   Sample sample{at.stress, {}, point_place(body.discretization(), point, state)};
   for (const int offset : m_offsets) sample.scalars.push_back(at.internal[offset]);
   return sample;

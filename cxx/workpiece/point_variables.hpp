@@ -25,8 +25,7 @@ public:
   void values(const Sample& start, const Sample& end, double f, double* result) const;
 
 private:
-  int m_num_internal;         // of the law, per point
-  std::vector<int> m_offsets; // of the scalars among them
+  std::vector<int> m_offsets; // of the scalars among the internal variables of a point
   std::vector<std::string> m_names;
 };
 

@@ -34,7 +34,8 @@ template <int Dim> void add_step_error(const Workpiece<Dim>& workpiece, StepErro
     other.internal = internal.data();
     if (law.update({step.old, step.F, step.ratio, 0, options}, trial, other).status != UpdateStatus::OK)
       continue;
-    const double weight = workpiece.discretization().weight[p], found = workpiece.point_now(p).internal[ep];
+    const double weight = workpiece.discretization().weight[p],
+                 found = point_state(workpiece.state(), p).internal[ep];
     const double grown = found - step.old.internal[ep];
     difference += weight * (internal[ep] - found) * (internal[ep] - found);
     increment += weight * grown * grown;

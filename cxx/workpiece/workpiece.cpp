@@ -66,24 +66,15 @@ Gradient<Dim> deformation_gradient(const Discretization<Dim>& mesh, int element,
   return F;
 }
 
-template <int Dim> Gradient<Dim> piola_of(const WorkpieceState<Dim>& state, int point) {
-  const std::size_t p = point;
-  const Gradient<Dim> F = Eigen::Map<const Gradient<Dim>>(state.F.data() + p * num_gradient<Dim>);
-  const Gradient<Dim> P = first_piola(
-      Stress<Dim>(Eigen::Map<const Stress<Dim>>(state.stress.data() + p * num_stress<Dim>)), inverse(F));
-  if (state.integrity.empty()) return P;
-  return state.integrity[p] * P;
-}
-
 } // namespace
 
 template <int Dim>
 Workpiece<Dim>::Workpiece(Discretization<Dim> discretization, std::shared_ptr<const MaterialLaw<Dim>> law,
                           UpdateOptions options)
-    : m_discretization(valid(std::move(discretization))), m_law(valid(std::move(law))),
-      m_num_internal(m_law->internal_variables().size()), m_options(options), m_assembly(m_discretization),
-      m_axis(m_discretization), m_state_old(initial_state(m_discretization, m_law->internal_variables())),
-      m_state(m_state_old), m_trial(m_discretization.num_points()) {
+    : m_discretization(valid(std::move(discretization))), m_law(valid(std::move(law))), m_options(options),
+      m_assembly(m_discretization), m_axis(m_discretization),
+      m_state_old(initial_state(m_discretization, m_law->internal_variables())), m_state(m_state_old),
+      m_trial(m_discretization.num_points()), m_integrity(m_law->internal_variables().initial()) {
   burnish::require_valid(m_options, "Workpiece");
   if (!m_law->has_moduli()) set_user_defined(true);
 }
@@ -92,14 +83,8 @@ template <int Dim> double Workpiece<Dim>::step_ratio() const {
   return m_state_old.dt > 0 ? m_state.dt / m_state_old.dt : 0;
 }
 
-template <int Dim> PointState<Dim> Workpiece<Dim>::point_old(int point) const {
-  return point_state(m_state_old, m_num_internal, point);
-}
-template <int Dim> PointState<Dim> Workpiece<Dim>::point_now(int point) const {
-  return point_state(m_state, m_num_internal, point);
-}
 template <int Dim> PointStep<Dim> Workpiece<Dim>::point_step(int point) const {
-  return {point_state(start(), m_num_internal, point), point_now(point).F, step_ratio(), 0, m_options};
+  return {point_state(start(), point), point_state(m_state, point).F, step_ratio(), 0, m_options};
 }
 
 /// Deformation gradients at the points of some elements, into m_state. @return the first point that has none
@@ -117,26 +102,26 @@ template <int Dim> UpdateResult Workpiece<Dim>::deform(int first_element, int en
 
 /// Law of the points first..end-1, whose deformation gradients are there.
 template <int Dim> UpdateResult Workpiece<Dim>::update_points(int first, int end, int iteration) {
-  const std::size_t p = first, gradient = p * num_gradient<Dim>, tensor = p * num_stress<Dim>;
+  const int num_internal = m_law->internal_variables().size();
+  const std::size_t p = first, gradient = p * num_gradient<Dim>, tensor = p * num_stress<Dim>,
+                    internal = p * num_internal;
   const WorkpieceState<Dim>& old = start();
   const RangeStep<Dim> step{end - first,
                             old.F.data() + gradient,
                             old.stress.data() + tensor,
-                            old.internal.data() + p * m_num_internal,
+                            old.internal.data() + internal,
                             old.strain_increment.data() + tensor,
                             old.plastic.data() + p,
-                            m_num_internal,
+                            num_internal,
                             m_state.F.data() + gradient,
                             step_ratio(),
                             iteration,
                             m_options};
-  RangeResult found;
-  if (m_user)
-    found = move_points(first, step);
-  else
-    found = m_law->update_range(
-        step, {m_state.stress.data() + tensor, m_state.internal.data() + p * m_num_internal,
-               m_state.strain_increment.data() + tensor, m_state.plastic.data() + p, m_trial.data() + p});
+  const RangeUpdate<Dim> now{m_state.stress.data() + tensor, m_state.internal.data() + internal,
+                             m_state.strain_increment.data() + tensor, m_state.plastic.data() + p,
+                             m_trial.data() + p};
+  const RangeResult found =
+      m_user ? UserPoints<Dim>::move(*m_law, step, now) : m_law->update_range(step, now);
   if (found.point < 0) return {};
   return {found.result.status, first + found.point, found.result.value};
 }
@@ -155,7 +140,7 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
   m_state.dt = dt;
   m_updated = true;
   if (m_user) m_user->expire();
-  if (tracks_integrity()) move_integrity(dt);
+  m_integrity.move(m_state_old, m_state);
   const int per_element = m_discretization.points_per_element, elements = m_discretization.num_elements;
   for (int first = 0; first < elements; first += ELEMENTS_AT_A_TIME) {
     const int end = std::min(first + ELEMENTS_AT_A_TIME, elements);
@@ -176,20 +161,20 @@ template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal_force() const {
   if (m_user && m_updated) m_user->require_stress("Workpiece::internal_force");
   Eigen::VectorXd force = Eigen::VectorXd::Zero(m_discretization.num_dofs());
   for (int p = 0; p < m_discretization.num_points(); ++p)
-    add_force<Dim>(m_discretization, p, piola_of(m_state, p), force);
+    add_force<Dim>(m_discretization, p, carried_piola(m_state, p), force);
   return force;
 }
 
 template <int Dim>
 PiolaTangent<Dim> Workpiece<Dim>::moduli(int point, TangentKind kind, double elastic_blend) const {
   const PointStep<Dim> step = point_step(point);
-  const PointState<Dim> now = point_now(point);
+  const PointState<Dim> now = point_state(m_state, point);
   const PointTrial& trial = m_trial[point];
-  const double w = tracks_integrity() ? m_state.integrity[point] : 1;
+  const double w = integrity_of(m_state, point);
   const auto elastic = [&] { return m_law->tangent(TangentKind::ELASTIC, step, trial, now); };
   if (kind == TangentKind::ELASTIC) return w * elastic();
-  PiolaTangent<Dim> A =
-      m_user ? user_moduli(point) : m_law->tangent(m_updated ? kind : TangentKind::RATE, step, trial, now);
+  PiolaTangent<Dim> A = m_user ? m_user->moduli(point, *m_law, step, now)
+                               : m_law->tangent(m_updated ? kind : TangentKind::RATE, step, trial, now);
   if (now.plastic && elastic_blend > 0 && m_law->has_moduli()) A += elastic_blend * (elastic() - A);
   return 0.5 * w * (A + A.transpose());
 }
@@ -219,11 +204,6 @@ PiolaTangent<Dim> Workpiece<Dim>::point_moduli(int point, TangentKind kind, doub
   return moduli(point, kind, elastic_blend);
 }
 
-template <int Dim> Gradient<Dim> Workpiece<Dim>::point_piola(int point) const {
-  require_point("Workpiece::point_piola", point);
-  return piola_of(m_state, point);
-}
-
 template <int Dim> void Workpiece<Dim>::accept() {
   m_state_old = m_state;
   m_updated = false;
@@ -249,44 +229,47 @@ template <int Dim> void Workpiece<Dim>::set_state(const WorkpieceState<Dim>& sta
   m_updated = false;
 }
 
-template <int Dim>
-int Workpiece<Dim>::offset_of(const std::string& name, int component, const char* where) const {
-  const InternalVariables<Dim>& variables = m_law->internal_variables();
-  const int k = variables.find(name);
-  if (k < 0)
-    fail(where, "law \"" + m_law->name() + "\" has no internal variable \"" + name + "\", expected one of " +
-                    variables.names());
-  const int n = num_components<Dim>(variables.list()[k].kind);
-  require(component >= 0 && component < n, where, "component", component,
-          ("0.." + std::to_string(n - 1)).c_str());
-  return variables.offset(k) + component;
+template <int Dim> void Workpiece<Dim>::set_user_defined(bool user_defined) {
+  if (!user_defined && !m_law->has_moduli())
+    fail("Workpiece::set_user_defined", "law \"" + m_law->name() + "\" has no stress of its own");
+  if (user_defined && tracks_integrity())
+    fail("Workpiece::set_user_defined",
+         "damage is defined, expected a law of the core: the stress that a script keeps "
+         "cannot be forgotten");
+  if (user_defined && !m_user) m_user.emplace(m_discretization);
+  if (!user_defined) m_user.reset();
 }
 
-template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal(const std::string& name, int component) const {
-  const double* first = m_state.internal.data() + offset_of(name, component, "Workpiece::internal");
-  return Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<>>(first, m_discretization.num_points(),
-                                                                    Eigen::InnerStride<>(m_num_internal));
+template <int Dim> GivenPoints<Dim> Workpiece<Dim>::given(const char* where) {
+  if (!m_user) fail(where, "the law of this material is not user-defined, nothing can be given");
+  if (!m_updated) fail(where, "there was no update since the last accepted state, call update first");
+  return {*m_user, *m_law, m_state_old, m_state, where};
 }
 
-template <int Dim> double Workpiece<Dim>::modulus(const std::string& name) const {
-  const auto known = m_law->moduli();
-  std::string list;
-  for (const auto& [one, value] : known) list += (list.empty() ? "" : ", ") + one;
-  if (known.count(name) == 0)
-    fail("Workpiece::modulus", "law \"" + m_law->name() + "\" has no modulus \"" + name +
-                                   "\", expected one of " + (list.empty() ? "none" : list));
-  return known.at(name);
+template <int Dim> void Workpiece<Dim>::track_integrity() {
+  if (m_user)
+    fail("Workpiece::track_integrity", "the law is user-defined, expected a law of the core: the stress that "
+                                       "a script keeps cannot be forgotten");
+  if (tracks_integrity()) return;
+  for (WorkpieceState<Dim>* state : {&m_state_old, &m_state}) {
+    state->integrity.assign(m_discretization.num_points(), 1);
+    state->integrity_rate.assign(m_discretization.num_points(), 0);
+    state->integrity_goal.assign(m_discretization.num_points(), 1);
+  }
 }
 
-template <int Dim> double Workpiece<Dim>::stress_eq(int point) const {
-  require_point("Workpiece::stress_eq", point);
-  return equivalent<Dim>(deviator<Dim>(stress(point)));
-}
-
-template <int Dim> double Workpiece<Dim>::yield_distance(int point) const {
-  require_point("Workpiece::yield_distance", point);
-  const PointState<Dim> now = point_now(point);
-  return m_law->yield_distance(now.stress, now.internal);
+template <int Dim> void Workpiece<Dim>::change_integrity(int point, double goal, int steps) {
+  const char* where = "Workpiece::change_integrity";
+  require_point(where, point);
+  if (!tracks_integrity()) fail(where, "no integrity is tracked, call track_integrity first");
+  if (m_updated) fail(where, "a step is under way, expected a call between steps, as in record");
+  require(goal > 0 && goal <= 1, where, "goal", goal, "0 < goal <= 1");
+  require(steps >= 1, where, "steps", steps, ">= 1");
+  const double w = m_state_old.integrity[point];
+  for (WorkpieceState<Dim>* state : {&m_state_old, &m_state}) {
+    state->integrity_rate[point] = (goal - w) / steps;
+    state->integrity_goal[point] = goal;
+  }
 }
 
 template class Workpiece<2>;

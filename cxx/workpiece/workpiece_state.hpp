@@ -20,6 +20,7 @@ template <int Dim> struct WorkpieceState {
   std::vector<double> integrity;      ///< 0 < w <= 1 [-]: the body carries w times `stress`
   std::vector<double> integrity_rate; ///< change of w a full step; < 0 damage, > 0 healing, 0: at rest
   std::vector<double> integrity_goal; ///< w at which that change ends
+  bool tracks_integrity() const { return !integrity.empty(); }
 };
 
 /// Undeformed and free of stress.
@@ -31,15 +32,27 @@ template <int Dim>
 void require_valid(const WorkpieceState<Dim>& state, const Discretization<Dim>& mesh,
                    const InternalVariables<Dim>& internal, const char* where);
 
-/// One point of it, with the effective stress. The result points into the state. @param num_internal InternalVariables::size()
-template <int Dim>
-PointState<Dim> point_state(const WorkpieceState<Dim>& state, int num_internal, int point) {
-  const std::size_t p = point;
+// One point of it; nobody checks that there is one.
+
+/// With the effective stress; points into the state.
+template <int Dim> PointState<Dim> point_state(const WorkpieceState<Dim>& state, int point) {
+  const std::size_t p = point, num_internal = state.internal.size() / state.plastic.size();
   return {Eigen::Map<const Gradient<Dim>>(state.F.data() + p * num_gradient<Dim>),
           Eigen::Map<const Stress<Dim>>(state.stress.data() + p * num_stress<Dim>),
           state.internal.data() + p * num_internal,
           Eigen::Map<const Stress<Dim>>(state.strain_increment.data() + p * num_stress<Dim>),
           state.plastic[p] != 0};
+}
+template <int Dim> double integrity_of(const WorkpieceState<Dim>& state, int point) {
+  return state.integrity.empty() ? 1 : state.integrity[point];
+}
+/// Kirchhoff stress that the body carries, METHOD.md (1.27), and the first Piola stress of it [stress].
+template <int Dim> Stress<Dim> carried_stress(const WorkpieceState<Dim>& state, int point) {
+  return integrity_of(state, point) * point_state(state, point).stress;
+}
+template <int Dim> Gradient<Dim> carried_piola(const WorkpieceState<Dim>& state, int point) {
+  const PointState<Dim> at = point_state(state, point);
+  return integrity_of(state, point) * first_piola(Stress<Dim>(at.stress), inverse(Gradient<Dim>(at.F)));
 }
 
 } // namespace burnish

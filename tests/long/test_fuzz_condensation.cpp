@@ -36,7 +36,7 @@ bool condensed(Random& random) {
   const auto right = random.chance(0.5) ? RightHandSide::TOTAL : RightHandSide::RATES;
   try {
     const CondensedSystem& system = condensation.condense(
-        K, contact.state, {&contact.prescribed, &contact.prescribed}, u, R, terms, right, random.chance(0.3));
+        {K, contact.state, contact.prescribed, contact.prescribed, u, R, terms, right, random.chance(0.3)});
     EXPECT_EQ(static_cast<int>(system.rhs.size()), system.n);
     EXPECT_EQ(static_cast<int>(system.row_start.size()), system.n + 1);
     for (int row = 0; row < system.n; ++row)

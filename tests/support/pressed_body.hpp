@@ -91,7 +91,7 @@ struct PressedPrism {
       std::make_shared<DrivenTool<3>>("plane", std::make_shared<FlatSurface>());
   std::shared_ptr<ContactSetup<3>> setup;
   std::unique_ptr<ContactRun<3>> contact;
-  WorkpieceBody<3> body{std::make_unique<Workpiece<3>>(mesh, std::make_shared<KirchhoffLaw>(3, 2))};
+  RunBody<3> body{std::make_unique<Workpiece<3>>(mesh, std::make_shared<KirchhoffLaw>(3, 2))};
   NodeBlockMatrix<3> K = body.workpiece().pattern();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(18), R = u;
 

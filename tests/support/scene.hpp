@@ -16,7 +16,7 @@ namespace burnish::test {
 struct Scene {
   std::shared_ptr<ContactSetup<2>> setup;
   std::shared_ptr<DrivenTool<2>> tool; ///< the one added last
-  WorkpieceBody<2> body;
+  RunBody<2> body;
   Diagnosis<2> diagnosis;
   NodeBlockMatrix<2> tangent;
   Eigen::VectorXd u, R;

@@ -13,6 +13,7 @@
 #include "material/j2/law.hpp"
 #include "support/equilibrium.hpp"
 #include "support/structured_mesh.hpp"
+#include "workpiece/point_fields.hpp"
 #include <iostream>
 
 using namespace burnish;
@@ -120,7 +121,7 @@ TEST(C18Upsetting, StressAndStrainAreHomogeneous) {
     Upsetting upsetting(axisymmetric, 2, 2e5, 1000);
     upsetting.force(20);
     const WorkpieceState<2>& state = upsetting.body.state();
-    const Eigen::VectorXd plastic_strain_eq = upsetting.body.internal("plastic_strain_eq");
+    const Eigen::VectorXd plastic_strain_eq = internal_field(upsetting.body, "plastic_strain_eq");
     const double rate = axisymmetric ? 1 : 2 / std::sqrt(3.0);
     EXPECT_NEAR(plastic_strain_eq[0], rate * LOG, 1e-2);
     for (int p = 0; p < plastic_strain_eq.size(); ++p) {

@@ -59,8 +59,8 @@ void look_at_nodes(const AcceptedStep<Dim>& step, const Eigen::VectorXd& left, d
     if (r > largest) largest = r, worst = a;
   }
   findings.largest("residual", sum);
-  if (largest < CONVERGED * step.tolerance) return;
-  const double least = TOLERANCES * step.tolerance;
+  if (largest < CONVERGED * step.allowed.relative) return;
+  const double least = TOLERANCES * step.allowed.relative;
   Finding* finding = findings.beyond(
       "residual", "", sum, {std::max(RESIDUAL.noted, least), std::max(RESIDUAL.far, least)}, step.t);
   if (!finding) return;
@@ -88,8 +88,8 @@ void keep(UnmetState& known, const UnmetState& now) {
 // Friction of all nodes together beyond what they can bear together.
 template <int Dim>
 void look_at_friction(const AcceptedStep<Dim>& step, const Balance& now, FindingList& findings) {
-  if (!std::isfinite(now.friction_limit) || !(now.friction_limit > UNMET_LEAST * step.load)) return;
-  const double least = TOLERANCES * step.tolerance;
+  if (!std::isfinite(now.friction_limit) || !(now.friction_limit > UNMET_LEAST * step.allowed.load)) return;
+  const double least = TOLERANCES * step.allowed.relative;
   const double value = now.friction / now.friction_limit - 1;
   Finding* finding = findings.beyond("friction sum", "", value,
                                      {std::max(UNMET.noted, least), std::max(UNMET.far, least)}, step.t);
@@ -103,8 +103,9 @@ void look_at_friction(const AcceptedStep<Dim>& step, const Balance& now, Finding
 template <int Dim>
 void look_at_tools(const AcceptedStep<Dim>& step, std::vector<UnmetState>& all, FindingList& findings) {
   if (!step.prescribed) return;
-  const Balance now = balance(step.model(), step.body(), step.contact, *step.prescribed, step.u, step.R, {});
-  const double least = TOLERANCES * step.tolerance;
+  const Balance now =
+      balance<Dim>({step.model(), step.body(), step.contact, *step.prescribed, step.u, step.R, {}});
+  const double least = TOLERANCES * step.allowed.relative;
   all.resize(static_cast<std::size_t>(now.tool_residual.size()));
   double worst = 0;
   for (int k = 0; k < static_cast<int>(now.tool_residual.size()); ++k) {
@@ -135,7 +136,7 @@ void look_at_tools(const AcceptedStep<Dim>& step, std::vector<UnmetState>& all, 
 // The internal forces of a body balance one another; what the free nodes have left over does not, nor an internal force
 // that is none (a law or an assembly of a script).
 template <int Dim> void BalanceCheck<Dim>::look(const AcceptedStep<Dim>& step, FindingList& findings) {
-  const double load = std::max(step.load, step.R.cwiseAbs().maxCoeff());
+  const double load = std::max(step.allowed.load, step.R.cwiseAbs().maxCoeff());
   if (!(load > 0)) return;
   Vector<Dim> middle;
   const double size = size_of_body(step, middle);
@@ -149,7 +150,7 @@ template <int Dim> void BalanceCheck<Dim>::look(const AcceptedStep<Dim>& step, F
   const double value =
       std::max(total.force.cwiseAbs().maxCoeff(), total.moment.cwiseAbs().maxCoeff() / size) / load;
   findings.largest("balance", value);
-  const double bound = std::max(IMBALANCE, TOLERANCES * step.tolerance);
+  const double bound = std::max(IMBALANCE, TOLERANCES * step.allowed.relative);
   Finding* finding = findings.beyond("balance", "", value, {NOTED, bound}, step.t);
   if (!finding) return;
   finding->text = sentence("forces and moments on the workpiece are out of balance by ", value,

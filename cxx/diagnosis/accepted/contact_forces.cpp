@@ -6,8 +6,13 @@
 namespace burnish {
 namespace {
 
-constexpr double TENSION = 0.02;  // of a tool's nodes over the largest load of the tool: untrusted
-constexpr double FRICTION = 0.02; // beyond its limit, or along the slip, over the same: untrusted
+struct Condition {
+  const char* check;
+  double bound; // of a violation over the largest load of the tool: beyond it untrusted
+  const char* words;
+};
+constexpr Condition TENSION{"tension", 0.02, "it pulls at a node, by "},
+    FRICTION{"friction", 0.02, "friction beyond its limit, or along the slip, by "};
 
 // A force or a slip that contradicts the contact, the largest of the run.
 struct ViolationState {
@@ -51,19 +56,19 @@ void keep(const AcceptedStep<Dim>& step, const Violation& found, double bound, V
 }
 
 // Of the whole run, over the largest load of the tool.
-void report(const std::string& tool, const char* check, const ViolationState& worst, double load,
-            double bound, const std::string& what, FindingList& findings) {
+void report(const std::string& tool, const Condition& condition, const ViolationState& worst, double load,
+            FindingList& findings) {
   const double value = worst.value / load;
-  findings.largest(check, value);
-  findings.withdraw(check, tool);
-  if (!(value > bound)) return;
-  Finding* finding = findings.report(check, tool, Severity::UNTRUSTED, value, worst.t);
+  findings.largest(condition.check, value);
+  findings.withdraw(condition.check, tool);
+  if (!(value > condition.bound)) return;
+  Finding* finding = findings.report(condition.check, tool, Severity::UNTRUSTED, value, worst.t);
   finding->value = value;
-  finding->bound = bound;
+  finding->bound = condition.bound;
   finding->place = worst.place;
   finding->first = worst.first;
   finding->count = worst.count;
-  finding->text = sentence("tool \"", tool, "\": ", what, value, " of its largest load, at ",
+  finding->text = sentence("tool \"", tool, "\": ", condition.words, value, " of its largest load, at ",
                            place_text(worst.place), ", t = ", worst.t);
 }
 
@@ -87,13 +92,11 @@ template <int Dim> void ContactForcesCheck<Dim>::look(const AcceptedStep<Dim>& s
       if (contact.state == NodeState::SLIDING) friction.take(node.at.m.dot(at.force.T), i);
     }
     known.load = std::max(known.load, load);
-    if (tension.node >= 0) keep(step, tension, TENSION * load, known.tension);
-    if (friction.node >= 0) keep(step, friction, FRICTION * load, known.friction);
+    if (tension.node >= 0) keep(step, tension, TENSION.bound * load, known.tension);
+    if (friction.node >= 0) keep(step, friction, FRICTION.bound * load, known.friction);
     if (!step.last || !(known.load > 0)) continue;
-    report(step.tool_name(tool), "tension", known.tension, known.load, TENSION, "it pulls at a node, by ",
-           findings);
-    report(step.tool_name(tool), "friction", known.friction, known.load, FRICTION,
-           "friction beyond its limit, or along the slip, by ", findings);
+    report(step.tool_name(tool), TENSION, known.tension, known.load, findings);
+    report(step.tool_name(tool), FRICTION, known.friction, known.load, findings);
   }
 }
 

@@ -71,7 +71,7 @@ template <int Dim> bool follow(const AcceptedStep<Dim>& step, int tool, ContactW
   double load = 0;
   const std::vector<Run> runs = runs_of(step, tool);
   for (const Run& run : runs) load += run.load;
-  if (runs.empty() || !(load > step.tolerance * step.load)) return false;
+  if (runs.empty() || !(load > step.allowed.residual())) return false;
   const Run* few = nullptr;
   for (const Run& run : runs)
     if (run.load >= carries * load && (!few || run.nodes < few->nodes)) few = &run;

@@ -38,7 +38,8 @@ private:
 // The law where stored and dissipated energy follow from its state; else null.
 template <int Dim> const MaterialLaw<Dim>* energetic_law(const Workpiece<Dim>& workpiece) {
   const MaterialLaw<Dim>* law = known_law(&workpiece);
-  const bool known = law && !workpiece.tracks_integrity() && law->internal_variables().find("backstress") < 0;
+  const bool known =
+      law && !workpiece.state().tracks_integrity() && law->internal_variables().find("backstress") < 0;
   return known ? law : nullptr;
 }
 
@@ -48,7 +49,7 @@ template <int Dim> double elastic_energy(const Workpiece<Dim>& workpiece, const 
   const Discretization<Dim>& space = workpiece.discretization();
   double sum = 0;
   for (int p = 0; p < space.num_points(); ++p) {
-    const PointState<Dim> point = workpiece.point_old(p);
+    const PointState<Dim> point = point_state(workpiece.state_old(), p);
     const Stress<Dim> tau = point.stress, s = deviator<Dim>(tau);
     const double m = mean<Dim>(tau);
     sum += space.weight[p] * (contract<Dim>(s, s) / (4 * G) + m * m / (2 * K));
@@ -101,7 +102,7 @@ struct Forces {
 template <int Dim> Forces forces_of(const AcceptedStep<Dim>& step) {
   Forces forces;
   forces.support = support_forces(step.model(), step.body(), step.contact, step.R);
-  forces.hold = step.hold.size() > 0 ? step.hold : Eigen::VectorXd::Zero(step.R.size());
+  forces.hold = step.hold.force.size() > 0 ? step.hold.force : Eigen::VectorXd::Zero(step.R.size());
   forces.external = step.internal - step.R - forces.hold;
   return forces;
 }
@@ -169,7 +170,7 @@ template <int Dim> void EnergyCheck<Dim>::look(const AcceptedStep<Dim>& step, Fi
   const double error = energy.largest > 0 ? off / energy.largest : 0;
   if (!law || now) findings.measure("energy", error);
   // what the tolerance of the residual and rounding leave does not count
-  const double left = std::max(step.tolerance * step.load, step.rounding);
+  const double left = std::max(step.allowed.residual(), step.allowed.rounding);
   const double resolved = tolerances * left * step.u.cwiseAbs().maxCoeff();
   if (!step.last || !(error > ENERGY) || !(off > resolved)) return;
   Finding* finding = findings.report("energy", "", Severity::WARNING, error, step.t);

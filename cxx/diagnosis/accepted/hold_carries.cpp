@@ -12,12 +12,12 @@ template <int Dim> class HoldCarries final : public ObserverOf<HoldCarries<Dim>,
 public:
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override {
     findings.withdraw("hold", ""); // it may hand over its load yet
-    Finding* finding = findings.beyond("hold", "", step.held, CARRIES, step.t);
+    Finding* finding = findings.beyond("hold", "", step.hold.share, CARRIES, step.t);
     if (!finding) return;
-    const bool acts = step.hold.size() > 0;
+    const bool acts = step.hold.force.size() > 0;
     finding->text =
-        sentence(acts ? "the hold, which ends at t = " : "when the hold ended at t = ", step.hold_until,
-                 acts ? ", carries " : " it still carried ", step.held,
+        sentence(acts ? "the hold, which ends at t = " : "when the hold ended at t = ", step.hold.until,
+                 acts ? ", carries " : " it still carried ", step.hold.share,
                  " of the load: tools and supports do not hold the workpiece alone");
   }
 };

@@ -31,7 +31,7 @@ template <int Dim> void IdleMesh<Dim>::look(const AcceptedStep<Dim>& step, Findi
   for (int e = 0; e < space.num_elements; ++e) {
     double energy = 0;
     for (int p = e * space.points_per_element; p < (e + 1) * space.points_per_element; ++p) {
-      const Stress<Dim> tau = body.point_old(p).stress, s = deviator<Dim>(tau);
+      const Stress<Dim> tau = point_state(body.state_old(), p).stress, s = deviator<Dim>(tau);
       const double m = mean<Dim>(tau);
       double density = contract<Dim>(s, s) / (4 * G) + m * m / (2 * K);
       if (flow[p] > 0 && yield > 0) density += 0.5 * flow[p] * (yield + law->yield_stress(flow[p]).value);

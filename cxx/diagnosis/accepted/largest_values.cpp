@@ -24,7 +24,7 @@ public:
   void end(const EndedRun<Dim>& run, std::vector<Statement>& list) const override {
     const Workpiece<Dim>& workpiece = *run.step.workpiece;
     if (workpiece.law().internal_variables().find("plastic_strain_eq") >= 0) {
-      const Largest strain = largest(run, workpiece.internal("plastic_strain_eq"), FLOWING);
+      const Largest strain = largest(run, internal_field(workpiece, "plastic_strain_eq"), FLOWING);
       if (strain.point > FLOWING && strain.ratio() > 1 + ONE_POINT)
         say("plastic strain", "flowing volume", strain, list);
     }

@@ -47,12 +47,12 @@ double LockingCheck<Dim>::alternation(const AcceptedStep<Dim>& step, bool everyw
   double jumps = 0, shear = 0;
   for (int e = 0; e < step.mesh().num_elements; ++e) {
     if (!everywhere && !body.plastic[e]) continue;
-    const Stress<Dim> tau = step.workpiece->point_old(e).stress, s = deviator<Dim>(tau);
+    const Stress<Dim> tau = point_state(step.workpiece->state_old(), e).stress, s = deviator<Dim>(tau);
     double around = 0, number = 0;
     for (int v = 0; v <= Dim; ++v) {
       const int other = m_neighbor[e * (Dim + 1) + v];
       if (other < 0 || !(everywhere || body.plastic[other])) continue;
-      around += mean<Dim>(Stress<Dim>(step.workpiece->point_old(other).stress));
+      around += mean<Dim>(Stress<Dim>(point_state(step.workpiece->state_old(), other).stress));
       ++number;
     }
     if (number < Dim) continue;

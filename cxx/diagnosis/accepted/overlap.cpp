@@ -50,14 +50,22 @@ struct Worst {
   ToolDepth at;
 };
 
-void report(const AcceptedStep<2>& step, const std::string& check, int tool, Severity severity, double bound,
-            const Worst& worst, const std::string& what, FindingList& findings) {
-  Finding* finding = findings.report(check, step.tool_name(tool), severity, worst.ratio, step.t);
+struct Verdict {
+  const char* check;
+  Severity severity;
+  double bound;
+  const char* what;
+};
+
+void report(const AcceptedStep<2>& step, int tool, const Verdict& verdict, const Worst& worst,
+            FindingList& findings) {
+  Finding* finding =
+      findings.report(verdict.check, step.tool_name(tool), verdict.severity, worst.ratio, step.t);
   if (!finding) return;
   finding->value = worst.ratio;
-  finding->bound = bound;
+  finding->bound = verdict.bound;
   finding->place = step.place_of(worst.at.x);
-  finding->text = sentence("tool \"", step.tool_name(tool), "\" ", what, " by ", worst.depth, ", ",
+  finding->text = sentence("tool \"", step.tool_name(tool), "\" ", verdict.what, " by ", worst.depth, ", ",
                            worst.ratio, " of the edge there", step.at(worst.at.x));
 }
 
@@ -69,7 +77,7 @@ template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<2>& step) {
   for (const BoundaryEdge& edge : m_edges)
     for (const int node : {edge.a, edge.b})
       if (m_place[node] < 0) m_place[node] = places++;
-  m_candidate = step.model().candidate_of_node(step.mesh().num_nodes);
+  m_candidate = candidate_of_node(step.model().candidates, step.mesh().num_nodes);
   for (std::size_t tool = 0; tool < step.model().tools.size(); ++tool) {
     Watched watched;
     watched.origin = step.poses[tool].origin;
@@ -124,13 +132,16 @@ void OverlapCheck<Dim>::look_at_tool(const AcceptedStep<2>& step, FindingList& f
   findings.largest("overlap", overlap.ratio);
   if (between.ratio > EDGE_DEPTH.noted) {
     const bool far = between.ratio > EDGE_DEPTH.far;
-    report(step, "edge depth", tool, far ? Severity::UNTRUSTED : Severity::WARNING,
-           far ? EDGE_DEPTH.far : EDGE_DEPTH.noted, between,
-           "reaches into the workpiece between two contact nodes", findings);
+    report(step, tool,
+           {"edge depth", far ? Severity::UNTRUSTED : Severity::WARNING,
+            far ? EDGE_DEPTH.far : EDGE_DEPTH.noted, "reaches into the workpiece between two contact nodes"},
+           between, findings);
   }
   if (overlap.ratio > OVERLAP)
-    report(step, "overlap", tool, Severity::UNTRUSTED, OVERLAP, overlap,
-           "overlaps the workpiece where it may not touch it (no contact label, or held nodes)", findings);
+    report(step, tool,
+           {"overlap", Severity::UNTRUSTED, OVERLAP,
+            "overlaps the workpiece where it may not touch it (no contact label, or held nodes)"},
+           overlap, findings);
 }
 
 template <int Dim> void OverlapCheck<Dim>::look(const AcceptedStep<Dim>& step, FindingList& findings) {

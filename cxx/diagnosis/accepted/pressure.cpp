@@ -45,7 +45,7 @@ int tool_of(const AcceptedStep<Dim>& step, const std::vector<int>& candidate, co
 // sum of the forces by itself (METHOD.md 3.20).
 template <int Dim>
 Eigen::VectorXd lacking_at_middles(const AcceptedStep<Dim>& step, const SurfaceReport<Dim>& report) {
-  const std::vector<int> candidate = step.model().candidate_of_node(step.mesh().num_nodes);
+  const std::vector<int> candidate = candidate_of_node(step.model().candidates, step.mesh().num_nodes);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(step.model().tools.size()));
   for (const Facet<Dim>& facet : step.setup.surface()) {
     const std::vector<int> nodes = nodes_of(facet);
@@ -104,7 +104,7 @@ template <int Dim> void PressureCheck<Dim>::look(const AcceptedStep<Dim>& step, 
   const Eigen::VectorXd sums = load + lacking_at_middles(step, report);
   for (int tool = 0; tool < tools; ++tool) {
     PressureState& known = m_pressure[tool];
-    if (!(load[tool] > step.tolerance * step.load)) continue;
+    if (!(load[tool] > step.allowed.residual())) continue;
     const bool most = load[tool] >= known.load || (step.last && load[tool] > carries * known.load);
     if (most) known = {load[tool], sums[tool], step.t};
     if (most) judge(step, tool, known, m_width[tool], findings);

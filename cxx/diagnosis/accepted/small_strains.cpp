@@ -17,7 +17,7 @@ public:
     const Gradient<Dim> I = undeformed<Dim>();
     double squared = 0;
     for (int p = 0; p < step.workpiece->discretization().num_points(); ++p)
-      squared = std::max(squared, (step.workpiece->point_old(p).F - I).squaredNorm());
+      squared = std::max(squared, (point_state(step.workpiece->state_old(), p).F - I).squaredNorm());
     m_gradient = std::max(m_gradient, std::sqrt(squared));
   }
   void end(const EndedRun<Dim>& run, std::vector<Statement>& list) const override {

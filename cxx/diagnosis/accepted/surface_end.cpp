@@ -52,7 +52,7 @@ template <int Dim> void SurfaceEnd<Dim>::look(const AcceptedStep<Dim>& step, Fin
         load += node.force.F.norm();
         ++nodes;
       }
-    if (!(load > step.tolerance * step.load)) continue;
+    if (!(load > step.allowed.residual())) continue;
     EndLoad& end = m_loads[tool];
     end.load = std::max(end.load, load);
     if (static_cast<double>(nodes) >= ALL_UNDER * static_cast<double>(step.contact.nodes.size())) continue;

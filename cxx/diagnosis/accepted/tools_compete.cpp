@@ -22,7 +22,7 @@ void ToolsCompete<Dim>::look_at_node(const AcceptedStep<Dim>& step, const Checke
   for (int other = 0; other < static_cast<int>(model.tools.size()); ++other) {
     if (other == own || !model.may_touch(node.candidate, other)) continue;
     const double gap = model.tools[other]->foot(step.poses[other], node.x, Param<Dim>::Zero()).gap;
-    if (gap >= -step.offset) continue;
+    if (gap >= -step.allowed.offset) continue;
     const std::string a = step.tool_name(own), b = step.tool_name(other);
     Finding* finding = findings.report("contact", "node " + a + " " + b, Severity::WARNING, 0, step.t);
     if (!finding) continue;

@@ -25,7 +25,7 @@ public:
         load += node.force.F.norm();
         largest = std::max(largest, node.force.part.N);
       }
-      if (load > step.tolerance * step.load) look_at_tool(step, tool, largest);
+      if (load > step.allowed.residual()) look_at_tool(step, tool, largest);
     }
   }
   void end(const EndedRun<Dim>& run, std::vector<Statement>& list) const override {

@@ -17,7 +17,7 @@ public:
     const double yield = law->yield_stress(0).value;
     double squared = 0;
     for (int p = 0; p < step.workpiece->discretization().num_points(); ++p) {
-      const Stress<Dim> s = deviator<Dim>(Stress<Dim>(step.workpiece->point_old(p).stress));
+      const Stress<Dim> s = deviator<Dim>(Stress<Dim>(point_state(step.workpiece->state_old(), p).stress));
       squared = std::max(squared, 1.5 * contract<Dim>(s, s));
     }
     if (yield > 0) m_largest = std::max(m_largest, std::sqrt(squared) / yield);

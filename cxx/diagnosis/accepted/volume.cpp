@@ -18,7 +18,7 @@ public:
 template <int Dim> void VolumeCheck<Dim>::look(const AcceptedStep<Dim>& step, FindingList& findings) {
   if (!step.workpiece || step.workpiece->user_defined() || !step.tenth()) return;
   const MaterialLaw<Dim>* law = known_law(step.workpiece);
-  if (!law || step.workpiece->tracks_integrity()) return; // healing sets stress and strain anew
+  if (!law || step.workpiece->state().tracks_integrity()) return; // healing sets stress and strain anew
   const double K = law->moduli().at("K");
   const Discretization<Dim>& space = step.workpiece->discretization();
   const auto strains = plastic_strains(*step.workpiece);
@@ -26,7 +26,7 @@ template <int Dim> void VolumeCheck<Dim>::look(const AcceptedStep<Dim>& step, Fi
   for (int p = 0; p < space.num_points(); ++p) {
     const double strain = strains[p];
     if (!(strain > 0)) continue;
-    const PointState<Dim> point = step.workpiece->point_old(p);
+    const PointState<Dim> point = point_state(step.workpiece->state_old(), p);
     const double excess = std::log(determinant(Gradient<Dim>(point.F))) - mean<Dim>(point.stress) / K;
     change += space.weight[p] * std::abs(excess);
     flow += space.weight[p] * strain;

@@ -1,6 +1,7 @@
 // Stress beyond the yield surface (ALGORITHMS.md 16.5).
 #include "base/sentence.hpp"
 #include "diagnosis/observers.hpp"
+#include "workpiece/point_fields.hpp"
 
 namespace burnish {
 namespace {
@@ -19,7 +20,7 @@ template <int Dim> void YieldCheck<Dim>::look(const AcceptedStep<Dim>& step, Fin
   const std::vector<char>& plastic = step.workpiece->state_old().plastic;
   for (int p = 0; p < static_cast<int>(plastic.size()); ++p) {
     if (!plastic[p]) continue;
-    const double distance = step.workpiece->yield_distance(p);
+    const double distance = yield_distance(*step.workpiece, p);
     if (distance <= worst) continue;
     worst = distance;
     at = p;

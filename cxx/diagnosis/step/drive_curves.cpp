@@ -41,52 +41,47 @@ void thin(std::vector<DrivePoint>& curve) {
 
 } // namespace
 
-template <int Dim>
-void DriveCurves<Dim>::add(const ContactSetup<Dim>& setup, const Eigen::VectorXd& before,
-                           const Eigen::VectorXd& after, const PrescribedValues& old,
-                           const PrescribedValues& prescribed, const Eigen::VectorXd& force,
-                           const Eigen::VectorXd& contact, double t) {
+template <int Dim> void DriveCurves<Dim>::add(const ContactSetup<Dim>& setup, const DrivenStep& step) {
+  const Eigen::VectorXd &before = step.before, &after = step.after, &force = step.force;
   const auto& model = setup.model();
   const auto poses = model.poses(before);
   double driven = 0;
   m_lever.resize(after.size());
   for (int k = 0; k < static_cast<int>(after.size()); ++k) {
     m_lever[k] = lever(model, poses, k);
-    if (prescribed.is_motion[static_cast<std::size_t>(k)])
+    if (step.prescribed.is_motion[static_cast<std::size_t>(k)])
       driven = std::max(driven, m_lever[k] * std::abs(after[k] - before[k]));
   }
   m_driven += driven;
-  follow_branch(setup, before, after, old, prescribed, force);
+  follow_branch(setup, step);
   m_curves.resize(static_cast<std::size_t>(after.size()));
   for (Eigen::Index k = 0; k < after.size(); ++k) {
     auto& curve = m_curves[static_cast<std::size_t>(k)];
-    const double size = contact[model.tool_of(static_cast<int>(k))];
+    const double size = step.contact[model.tool_of(static_cast<int>(k))];
     if (curve.empty() || force[k] == 0 || force[k] * curve.back().force < 0)
       curve.assign(1, {force[k] == 0 ? after[k] : before[k], 0, 0, m_driven});
     curve.push_back({after[k], force[k], size, m_driven});
     thin(curve);
   }
   m_force = force;
-  m_t = t;
+  m_t = step.t;
 }
 
 // Second-order work of the drives: with all else at rest it is that of the workpiece, > 0 where it is stable under dead loads.
 template <int Dim>
-void DriveCurves<Dim>::follow_branch(const ContactSetup<Dim>& setup, const Eigen::VectorXd& before,
-                                     const Eigen::VectorXd& after, const PrescribedValues& old,
-                                     const PrescribedValues& prescribed, const Eigen::VectorXd& force) {
-  const Eigen::VectorXd dq = after - before;
+void DriveCurves<Dim>::follow_branch(const ContactSetup<Dim>& setup, const DrivenStep& step) {
+  const Eigen::VectorXd &force = step.force, dq = step.after - step.before;
   double work = 0, least = 0, driven = 0, moved = 0;
   int most = -1;
-  bool dead = m_force.size() == force.size() && old.value.size() == force.size();
+  bool dead = m_force.size() == force.size() && step.old.value.size() == force.size();
   for (int k = 0; k < static_cast<int>(dq.size()) && dead; ++k) {
     const double way = m_lever[k] * std::abs(dq[k]);
-    if (prescribed.is_motion[static_cast<std::size_t>(k)]) {
+    if (step.prescribed.is_motion[static_cast<std::size_t>(k)]) {
       driven = std::max(driven, way);
       continue;
     }
     moved = std::max(moved, way);
-    dead = is_dead_load(prescribed, k) && !setup.model().coupling_of(k);
+    dead = is_dead_load(step.prescribed, k) && !setup.model().coupling_of(k);
     const double part = (force[k] - m_force[k]) * dq[k];
     work += part;
     if (part < least && force[k] * dq[k] > 0) {
@@ -97,7 +92,7 @@ void DriveCurves<Dim>::follow_branch(const ContactSetup<Dim>& setup, const Eigen
   if (!dead || !(work < 0) || most < 0 || driven > RESTING * moved)
     m_branch = {};
   else if (m_branch.coordinate != most)
-    m_branch = {most, m_t, before[most], m_force[most]};
+    m_branch = {most, m_t, step.before[most], m_force[most]};
 }
 
 template <int Dim>
@@ -163,11 +158,11 @@ public:
       const Eigen::VectorXd f = contact_forces(step.model(), step.contact, step.R, static_cast<int>(tool));
       contact[tool] = f.reshaped(Dim, f.size() / Dim).rowwise().sum().norm();
     }
-    m_curves.add(step.setup, m_q, step.contact.q, m_prescribed, *step.prescribed, step.generalized_force,
-                 contact, step.t);
+    m_curves.add(step.setup, {m_q, step.contact.q, m_prescribed, *step.prescribed, step.generalized_force,
+                              contact, step.t});
     m_q = step.contact.q;
     m_prescribed = *step.prescribed;
-    const std::string branch = step.hold.size() > 0 ? "" : m_curves.unstable(step.setup);
+    const std::string branch = step.hold.force.size() > 0 ? "" : m_curves.unstable(step.setup);
     if (branch.empty()) return;
     Finding* finding =
         findings.report("contact", "falling force", Severity::WARNING, m_curves.branch_way(), step.t);

@@ -21,15 +21,18 @@ struct FallingBranch {
   double q = 0, from = 0; ///< coordinate and force at its start
 };
 
+/// An accepted step of the drives.
+struct DrivenStep {
+  const Eigen::VectorXd &before, &after;    ///< coordinates
+  const PrescribedValues &old, &prescribed; ///< at its start, empty: it is the first step; at its end
+  const Eigen::VectorXd& force;   ///< of the drives at its end, one per coordinate [force, force length]
+  const Eigen::VectorXd& contact; ///< size of the contact force, one per tool [force]
+  double t = 0;                   ///< its end [time]
+};
+
 template <int Dim> class DriveCurves {
 public:
-  /// Takes an accepted step from `before` to `after`.
-  /// @param force     of the drives at its end, one per coordinate [force, force length]
-  /// @param contact   size of the contact force, one per tool [force]
-  /// @param old       values at its start; empty: it is the first step
-  void add(const ContactSetup<Dim>& setup, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-           const PrescribedValues& old, const PrescribedValues& prescribed, const Eigen::VectorXd& force,
-           const Eigen::VectorXd& contact, double t);
+  void add(const ContactSetup<Dim>& setup, const DrivenStep& step);
 
   /// A force that grows, of a coordinate whose force has hardly grown over the last part of its way: nothing balances more.
   /// @param before, prescribed values at the end of the last step, and of the one that fails
@@ -44,9 +47,7 @@ public:
   double branch_way() const;
 
 private:
-  void follow_branch(const ContactSetup<Dim>& setup, const Eigen::VectorXd& before,
-                     const Eigen::VectorXd& after, const PrescribedValues& old,
-                     const PrescribedValues& prescribed, const Eigen::VectorXd& force);
+  void follow_branch(const ContactSetup<Dim>& setup, const DrivenStep& step);
   std::vector<std::vector<DrivePoint>> m_curves; // the first point: where the force began
   Eigen::VectorXd m_force, m_lever; // of the last step: at its end; how far points move, see lever
   FallingBranch m_branch;

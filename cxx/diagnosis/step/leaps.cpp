@@ -49,7 +49,7 @@ SurfacePoints<Dim> points_of_surface(const ContactSetup<Dim>& setup, const Stepp
     points.end.push_back(at(*path.u_end));
     points.candidate.push_back(candidate);
   };
-  const std::vector<int> candidate = setup.model().candidate_of_node(setup.mesh().num_nodes);
+  const std::vector<int> candidate = candidate_of_node(setup.model().candidates, setup.mesh().num_nodes);
   for (const int node : setup.candidates())
     if (free(candidate[node])) add(node, node, 0, candidate[node]);
   for (const Facet<Dim>& facet : setup.surface())

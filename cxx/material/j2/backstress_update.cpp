@@ -15,18 +15,18 @@ StrainPath<Dim> path_of(const J2Parameters& material, const PointScheme& scheme,
 // Forward Euler step of METHOD.md (1.6): with n = xi/q, s += 2G dev(dd) - 3G x n, X += x (C n - gamma X).
 template <int Dim>
 double forward_euler(const J2Parameters& material, const StepKinematics<Dim>& kin,
-                     const Stress<Dim>& elastic_increment, bool yielded, Stress<Dim>& s,
-                     double& plastic_strain_eq, Stress<Dim>& X) {
+                     const Stress<Dim>& elastic_increment, bool yielded, J2End<Dim>& end) {
+  Stress<Dim>&s = end.stress, &X = end.backstress;
   const Stress<Dim> xi = s - X;
   s += elastic_increment;
-  if (!loads<Dim>(material, xi, plastic_strain_eq, kin.strain, yielded)) return 0;
+  if (!loads<Dim>(material, xi, end.plastic_strain_eq, kin.strain, yielded)) return 0;
   const double moving = kinematic_modulus<Dim>(material.kinematic, xi, X), q = equivalent<Dim>(xi);
   const double power = contract<Dim>(xi, kin.strain), G3 = 3 * material.elastic.G;
-  const double c = plastic_factor<Dim>(material, xi, plastic_strain_eq, moving);
+  const double c = plastic_factor<Dim>(material, xi, end.plastic_strain_eq, moving);
   const double x = c * q * power / G3; // METHOD.md (1.7), (1.25)
   s -= c * power * xi;
   X += x * (material.kinematic.modulus / q * xi - material.kinematic.recovery * X);
-  plastic_strain_eq += x;
+  end.plastic_strain_eq += x;
   return x;
 }
 
@@ -61,8 +61,7 @@ J2End<Dim> updated_with_backstress(const J2Parameters& material, const PointSche
   const int substeps = substeps_of(scheme);
   double increment = 0;
   if (scheme.update == StressUpdate::FORWARD_EULER) {
-    increment = forward_euler<Dim>(material, kin, trial.elastic_increment, old.plastic, s,
-                                   result.plastic_strain_eq, X);
+    increment = forward_euler<Dim>(material, kin, trial.elastic_increment, old.plastic, result);
   } else if (substeps == 0) {
     s += trial.elastic_increment;
   } else {

@@ -10,7 +10,8 @@ namespace burnish {
 namespace {
 
 template <int Dim> J2Start<Dim> start_of(const PointStep<Dim>& step) {
-  return {step.old.internal[EP], step.old.strain_increment, step.old.plastic, step.old.internal + BACKSTRESS};
+  return {step.old.stress, step.old.internal[EP], step.old.strain_increment, step.old.plastic,
+          step.old.internal + BACKSTRESS};
 }
 
 template <int Dim>
@@ -103,8 +104,8 @@ PiolaTangent<Dim> J2Law<Dim>::tangent(TangentKind kind, const PointStep<Dim>& st
   }
   const StepKinematics<Dim> kin =
       step_kinematics(step.old.F, Gradient<Dim>(now.F), step.options.strain_frame, m_material.rate);
-  return consistent_tangent<Dim>(m_material, scheme_of(step, trial.used), start_of(step), step.old.stress,
-                                 kin, now.F, now.stress);
+  return consistent_tangent<Dim>(m_material, scheme_of(step, trial.used), start_of(step), kin, now.F,
+                                 now.stress);
 }
 
 template <int Dim> std::map<std::string, double> J2Law<Dim>::moduli() const {

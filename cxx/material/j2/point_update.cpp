@@ -58,10 +58,9 @@ StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const Poi
 
 template <int Dim>
 PiolaTangent<Dim> consistent_tangent(const J2Parameters& material, const PointScheme& scheme,
-                                     const J2Start<Dim>& old, const Stress<Dim>& stress_old,
-                                     const StepKinematics<Dim>& kin, const Gradient<Dim>& F,
-                                     const Stress<Dim>& stress) {
-  const ElasticTrial<Dim> trial = elastic_trial<Dim>(material.elastic, kin, stress_old);
+                                     const J2Start<Dim>& old, const StepKinematics<Dim>& kin,
+                                     const Gradient<Dim>& F, const Stress<Dim>& stress) {
+  const ElasticTrial<Dim> trial = elastic_trial<Dim>(material.elastic, kin, Stress<Dim>(old.stress));
   const StressByIncrement<Dim> moduli = consistent_moduli<Dim>(material, scheme, old, kin, trial);
   return piola_tangent<Dim>(moduli * finite_increment_by_F(kin), stress, inverse(F));
 }
@@ -81,7 +80,7 @@ template J2End<2> updated_point<2>(const J2Parameters&, const PointScheme&, cons
 template StressByIncrement<2> consistent_moduli<2>(const J2Parameters&, const PointScheme&, const J2Start<2>&,
                                                    const StepKinematics<2>&, const ElasticTrial<2>&);
 template PiolaTangent<2> consistent_tangent<2>(const J2Parameters&, const PointScheme&, const J2Start<2>&,
-                                               const Stress<2>&, const StepKinematics<2>&, const Gradient<2>&,
+                                               const StepKinematics<2>&, const Gradient<2>&,
                                                const Stress<2>&);
 template PiolaTangent<2> rate_tangent<2>(const J2Parameters&, const Stress<2>&, double, const Gradient<2>&,
                                          bool, const double*);

@@ -6,8 +6,9 @@
 
 namespace burnish {
 
-/// What the update takes from the start of the step, besides the turned stress.
+/// What the update takes from the start of the step.
 template <int Dim> struct J2Start {
+  Eigen::Map<const Stress<Dim>> stress;           ///< tau [stress]; the turned one is in the trial
   double plastic_strain_eq = 0;                   ///< ep [-]
   Eigen::Map<const Stress<Dim>> strain_increment; ///< dd_p of the step that ended here [-]
   bool plastic = false; ///< on the surface: plastic flow happened in that step, or by an event
@@ -52,12 +53,11 @@ StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const Poi
                                          const ElasticTrial<Dim>& trial);
 
 /// A_iJkL = dP_iJ/dF_kL of updated_point, exact, slightly nonsymmetric [stress].
-/// @param stress_old tau at the start; @param kin of the step to F; @param stress of updated_point [stress]
+/// @param kin of the step to F; @param stress of updated_point [stress]
 template <int Dim>
 PiolaTangent<Dim> consistent_tangent(const J2Parameters& material, const PointScheme& scheme,
-                                     const J2Start<Dim>& old, const Stress<Dim>& stress_old,
-                                     const StepKinematics<Dim>& kin, const Gradient<Dim>& F,
-                                     const Stress<Dim>& stress);
+                                     const J2Start<Dim>& old, const StepKinematics<Dim>& kin,
+                                     const Gradient<Dim>& F, const Stress<Dim>& stress);
 
 /// Tangent of the rates, METHOD.md (1.8), on the reference mesh, with the spin of material.rate; symmetric for JAUMANN
 /// [stress]:

@@ -46,7 +46,7 @@ struct Scene {
     const Vector<2> n(std::cos(angle(i)), std::sin(angle(i)));
     R.segment<2>(2 * i) = N * n + T * Vector<2>(-n.y(), n.x());
   }
-  Balance test() const { return balance(model, body, state, prescribed, u, R, tolerance); }
+  Balance test() const { return balance<2>({model, body, state, prescribed, u, R, tolerance}); }
   /// The slip of node i is counted from ds further along.
   void shift_origin(int i, double ds) {
     state.nodes[i].slip_origin = place_of(*model.tools[0], angle(i) + ds);

@@ -29,8 +29,8 @@ struct Scene {
     contact.settle(spring.body, u);
   }
   const CondensedSystem& condense(RightHandSide right, bool half = false) {
-    return condensation.condense(spring.tangent(u), contact.state, {&contact.prescribed, &before}, u,
-                                 spring.force(u), GeometricTerms::COMPLETE, right, half);
+    return condensation.condense({spring.tangent(u), contact.state, contact.prescribed, before, u,
+                                  spring.force(u), GeometricTerms::COMPLETE, right, half});
   }
   Eigen::VectorXd residual() const { // of the unknowns that are not given
     const auto force = [this](const Eigen::VectorXd& x) { return spring.force(x); };
@@ -146,8 +146,8 @@ TEST(Condensation, BadInput) {
   Scene scene;
   NodeBlockMatrix<2> small = pattern_from_elements<2>(3, 3, {0, 1, 2});
   const auto condense = [&](const NodeBlockMatrix<2>& K, GeometricTerms terms, bool half) {
-    scene.condensation.condense(K, scene.contact.state, {&scene.contact.prescribed, &scene.before}, scene.u,
-                                scene.spring.force(scene.u), terms, RightHandSide::TOTAL, half);
+    scene.condensation.condense({K, scene.contact.state, scene.contact.prescribed, scene.before, scene.u,
+                                 scene.spring.force(scene.u), terms, RightHandSide::TOTAL, half});
   };
   expect_invalid([&] { condense(small, GeometricTerms::COMPLETE, false); },
                  "condense: size of K = 6, expected number of dofs of the contact's space");
@@ -157,10 +157,9 @@ TEST(Condensation, BadInput) {
   Scene smooth(0);
   expect_invalid(
       [&] {
-        smooth.condensation.condense(smooth.spring.tangent(smooth.u), smooth.contact.state,
-                                     {&smooth.contact.prescribed, &smooth.before}, smooth.u,
-                                     smooth.spring.force(smooth.u), GeometricTerms::ARTICLE,
-                                     RightHandSide::TOTAL, true);
+        smooth.condensation.condense(
+            {smooth.spring.tangent(smooth.u), smooth.contact.state, smooth.contact.prescribed, smooth.before,
+             smooth.u, smooth.spring.force(smooth.u), GeometricTerms::ARTICLE, RightHandSide::TOTAL, true});
       },
       "condense: the article's terms are not symmetric");
   expect_invalid([&] { scene.condensation.expand(Eigen::VectorXd::Zero(27)); },

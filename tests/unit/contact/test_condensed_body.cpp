@@ -68,8 +68,8 @@ struct Pressed {
     const auto kind = unknowns(model, state, prescribed, body);
     const Eigen::VectorXd R = force(u);
     Condensation<2> condensation(model, body);
-    const auto computed = dense(condensation.condense(K, state, {&prescribed, &prescribed}, u, R,
-                                                      GeometricTerms::COMPLETE, RightHandSide::TOTAL, false));
+    const auto computed = dense(condensation.condense(
+        {K, state, prescribed, prescribed, u, R, GeometricTerms::COMPLETE, RightHandSide::TOTAL, false}));
     const auto expected = differenced(
         model, body, [this](const Eigen::VectorXd& x) { return force(x); }, state, u, kind, step);
     expect_blocks(computed, expected, kind, tolerance);

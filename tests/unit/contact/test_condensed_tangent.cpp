@@ -16,9 +16,9 @@ struct Sample {
   Eigen::VectorXd u;
   Eigen::MatrixXd tangent(GeometricTerms terms, bool half = false) {
     Condensation<2> condensation(contact.model, spring.body);
-    return dense(condensation.condense(spring.tangent(u), contact.state,
-                                       {&contact.prescribed, &contact.prescribed}, u, spring.force(u), terms,
-                                       RightHandSide::TOTAL, half));
+    return dense(
+        condensation.condense({spring.tangent(u), contact.state, contact.prescribed, contact.prescribed, u,
+                               spring.force(u), terms, RightHandSide::TOTAL, half}));
   }
   std::vector<Unknown> kinds() const {
     return unknowns(contact.model, contact.state, contact.prescribed, spring.body);

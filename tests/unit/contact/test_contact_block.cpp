@@ -82,9 +82,9 @@ struct Scene {
 
 template <class Solver> void compare_with(Scene& scene) {
   Condensation<2> condensation(scene.contact.model, scene.spring.body);
-  const auto& system = condensation.condense(scene.spring.tangent(scene.u), scene.contact.state,
-                                             {&scene.contact.prescribed, &scene.contact.prescribed}, scene.u,
-                                             scene.R, GeometricTerms::COMPLETE, RightHandSide::TOTAL, false);
+  const auto& system = condensation.condense(
+      {scene.spring.tangent(scene.u), scene.contact.state, scene.contact.prescribed, scene.contact.prescribed,
+       scene.u, scene.R, GeometricTerms::COMPLETE, RightHandSide::TOTAL, false});
   Solver solver;
   ASSERT_EQ(solver.factorize(view(system)), FactorStatus::OK);
   const auto step = condensation.expand(solver.solve(system.rhs));

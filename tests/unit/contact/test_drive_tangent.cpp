@@ -90,8 +90,8 @@ struct Driven {
     return J;
   }
   CondensedSystem system(Condensation<2>& condensation, bool half = false) {
-    return condensation.condense(spring.tangent(u), contact.state, {&contact.prescribed, &contact.prescribed},
-                                 u, spring.force(u), GeometricTerms::COMPLETE, RightHandSide::TOTAL, half);
+    return condensation.condense({spring.tangent(u), contact.state, contact.prescribed, contact.prescribed, u,
+                                  spring.force(u), GeometricTerms::COMPLETE, RightHandSide::TOTAL, half});
   }
   Eigen::MatrixXd tangent(bool half = false) {
     Condensation<2> condensation(contact.model, spring.body);
@@ -195,8 +195,8 @@ TEST(Coupling, VirtualWork) {
   Driven driven(0.3);
   const auto& model = driven.contact.model;
   const Eigen::VectorXd R = driven.spring.force(driven.u);
-  const Balance found =
-      balance(model, driven.spring.body, driven.contact.state, driven.contact.prescribed, driven.u, R, {});
+  const Balance found = balance<2>(
+      {model, driven.spring.body, driven.contact.state, driven.contact.prescribed, driven.u, R, {}});
   for (const int k : {R_, PHI, THETA, X}) {
     const auto work = [&](double change) {
       Eigen::VectorXd q = driven.contact.state.q;

@@ -30,8 +30,8 @@ struct Sample {
   CondensedSystem condensed(FrictionTangent tangent, bool half = false,
                             RightHandSide right = RightHandSide::TOTAL) {
     Condensation<2> condensation(contact.model, spring.body);
-    return condensation.condense(spring.tangent(u), contact.state, {&contact.prescribed, &contact.prescribed},
-                                 u, spring.force(u), GeometricTerms::COMPLETE, right, half, tangent);
+    return condensation.condense({spring.tangent(u), contact.state, contact.prescribed, contact.prescribed, u,
+                                  spring.force(u), GeometricTerms::COMPLETE, right, half, tangent});
   }
   /// The friction of every sliding node stays what it is: Tresca's law, k = g(N), unit area.
   Eigen::MatrixXd frozen() const {

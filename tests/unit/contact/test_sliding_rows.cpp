@@ -141,7 +141,7 @@ TEST(SlidingRowsInSpace, TangentsMayBeTurned) {
                  "slip");
     for (const Param<3>& slip : {Param<3>(0.2, 0.1), Param<3>(-0.3, 0.05), Param<3>(0.1, 0.4)})
       for (const NodeState state : {NodeState::SLIDING, NodeState::STICKING})
-        EXPECT_EQ(law.test(state, same, Q.transpose() * slip, n, AREA, tolerance),
-                  law.test(state, force, slip, m, AREA, tolerance));
+        EXPECT_EQ(law.test(state, same.N, {same, AREA}, Q.transpose() * slip, n, tolerance),
+                  law.test(state, force.N, {force, AREA}, slip, m, tolerance));
   }
 }

@@ -41,9 +41,9 @@ struct TiedSample {
   ContactNode<2>& node(int i) { return contact.state.nodes[i]; }
   Eigen::MatrixXd tangent(bool half = false, FrictionTangent friction = FrictionTangent::CONSISTENT) {
     Condensation<2> condensation(contact.model, spring.body);
-    return dense(condensation.condense(spring.tangent(u), contact.state,
-                                       {&contact.prescribed, &contact.prescribed}, u, spring.force(u),
-                                       GeometricTerms::COMPLETE, RightHandSide::TOTAL, half, friction));
+    return dense(condensation.condense({spring.tangent(u), contact.state, contact.prescribed,
+                                        contact.prescribed, u, spring.force(u), GeometricTerms::COMPLETE,
+                                        RightHandSide::TOTAL, half, friction}));
   }
   std::vector<Unknown> kinds() const {
     auto kind = unknowns(contact.model, contact.state, contact.prescribed, spring.body);

@@ -54,7 +54,7 @@ struct WarnedBlock {
   std::vector<Finding> check() {
     const Eigen::VectorXd R = Eigen::VectorXd::Zero(u.size()), Q = Eigen::VectorXd::Zero(state.q.size());
     AcceptedStep<2> step{setup, state, u, R, Q};
-    step.offset = IterationOptions().offset_tolerance * setup.body().spacing;
+    step.allowed.offset = IterationOptions().offset_tolerance * setup.body().spacing;
     diagnosis.set_checks(false);
     diagnosis.begin(step);
     for (const double t : {0.5, 0.75}) {

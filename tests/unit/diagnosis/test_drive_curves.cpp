@@ -39,7 +39,7 @@ struct Press {
     q[k] = place;
     force[k] = Q;
     for (int c = 0; c < 3; ++c) next.value[c] = next.is_motion[static_cast<std::size_t>(c)] ? q[c] : force[c];
-    curves.add(setup, before, q, last, next, force, Eigen::VectorXd::Constant(1, contact), t += 0.1);
+    curves.add(setup, {before, q, last, next, force, Eigen::VectorXd::Constant(1, contact), t += 0.1});
     last = next;
     q_last = q;
   }

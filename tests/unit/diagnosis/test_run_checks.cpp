@@ -33,8 +33,8 @@ struct Pressed : Scene {
     const auto& state = contact().accepted();
     AcceptedStep<2> step{contact().setup(), state.contact,           displacement,
                          residual,          state.generalized_force, &workpiece()};
-    step.load = contact().iteration().balance().memory().scale;
-    step.tolerance = 1e-4;
+    step.allowed.load = contact().iteration().balance().memory().scale;
+    step.allowed.relative = 1e-4;
     step.t = 1; // of no length: no energy is added
     step.last = true;
     step.prescribed = prescribed;
@@ -120,7 +120,7 @@ TEST(RunChecks, ForceThatNothingCarries) {
   Eigen::VectorXd R = state.R;
   int free = 0; // a node inside: neither held nor a candidate
   const auto& model = scene.contact().setup().model();
-  const auto candidate = model.candidate_of_node(scene.contact().setup().mesh().num_nodes);
+  const auto candidate = candidate_of_node(model.candidates, scene.contact().setup().mesh().num_nodes);
   while (scene.contact().setup().body().fixed[2 * free] || candidate[free] >= 0) ++free;
   R[2 * free + 1] += 0.1 * scene.contact().iteration().balance().memory().scale;
   const FindingList findings = scene.look(state.u, R);

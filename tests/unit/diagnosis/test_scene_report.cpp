@@ -25,7 +25,7 @@ struct Reported : Scene {
   }
   AcceptedStep<2> step() {
     AcceptedStep<2> step = accepted_step<2>(contact(), &workpiece());
-    step.tolerance = 1e-4;
+    step.allowed.relative = 1e-4;
     return step;
   }
 };

@@ -104,9 +104,9 @@ TEST(Corrector, AdvanceIsCorrectOnALinearBody) {
   way.prepare();
   Condensation<2> condensation(sparse.contact.model, sparse.spring.body);
   const auto& prescribed = sparse.contact.prescribed;
-  const auto& system = condensation.condense(
-      sparse.spring.tangent(sparse.u), sparse.iteration->state(), {&prescribed, &prescribed}, sparse.u,
-      sparse.spring.force(sparse.u), GeometricTerms::COMPLETE, RightHandSide::TOTAL, false);
+  const auto& system = condensation.condense({sparse.spring.tangent(sparse.u), sparse.iteration->state(),
+                                              prescribed, prescribed, sparse.u, sparse.spring.force(sparse.u),
+                                              GeometricTerms::COMPLETE, RightHandSide::TOTAL, false});
   UnsymmetricSolver solver;
   ASSERT_EQ(solver.factorize(view(system)), FactorStatus::OK);
   way.advance(condensation.expand(solver.solve(system.rhs)), sparse.u);

@@ -57,7 +57,7 @@ struct Carried {
     node.slip_direction = along * model.tools[0]->surface().frame(node.place).E;
   }
   Prediction<2> predict_step(double dt, bool carry = true) const {
-    return Predictor<2>(mesh.space, model, body).predict(prescribed, state, u, history, dt, carry);
+    return Predictor<2>(mesh.space, model, body).predict(prescribed, state, u, history, dt, {carry});
   }
 };
 
@@ -166,7 +166,7 @@ TEST(Predictor, IncrementTurnsWithThePivot) {
   for (int a = 0; a < mesh.space.num_nodes; ++a) history.du.segment<2>(2 * a) = increment(angle_of(a));
   const Eigen::VectorXd u = Eigen::VectorXd::Zero(body.X.size());
   const auto result = Predictor<2>(mesh.space, model, body)
-                          .predict({{1, 1, 1}, Vector<3>(50, 1.6 + turn, 0)}, state, u, history, 1, true);
+                          .predict({{1, 1, 1}, Vector<3>(50, 1.6 + turn, 0)}, state, u, history, 1, {});
   for (int a = 0; a < mesh.space.num_nodes; ++a) {
     const double behind = angle_of(a) - turn;
     if (mesh.fixed[2 * a] || behind > M_PI / 2 + 0.4) continue;

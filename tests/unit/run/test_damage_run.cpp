@@ -47,7 +47,7 @@ struct Crumbling : Scene {
     for (;;) {
       const Task task = stepper.next(u, R);
       if (task == Task::FINISHED || task == Task::STOPPED) return task;
-      if (task == Task::RECORD && stepper.time() > t_stop) return task;
+      if (task == Task::RECORD && stepper.control().time() > t_stop) return task;
       if (task == Task::FORCES && stepper.target() > refuse_from) {
         refuse_from = 2;
         stepper.refuse("by the test");

@@ -2,6 +2,7 @@
 // an approach that fails change nothing.
 #include "support/rolling.hpp"
 #include "unit/finite_difference.hpp"
+#include "workpiece/point_fields.hpp"
 
 using namespace burnish;
 using namespace burnish::test;
@@ -24,7 +25,7 @@ struct CoarseRun {
     return options;
   }
   void note() {
-    history.push_back(stepper.time());
+    history.push_back(stepper.control().time());
     for (const double q : rolling.scene.tool->q()) history.push_back(q);
     for (const double Q : rolling.scene.tool->generalized_force()) history.push_back(Q);
   }
@@ -36,7 +37,7 @@ struct CoarseRun {
       on_task();
       if (task == Task::RECORD) note();
       if (task == Task::FINISHED || task == Task::STOPPED) return task;
-      if (task == Task::RECORD && stepper.time() > t_stop) return task;
+      if (task == Task::RECORD && stepper.control().time() > t_stop) return task;
       answer(task, rolling.scene, stepper, rolling.program());
     }
   }
@@ -94,7 +95,7 @@ TEST_P(EveryScheme, QueriesChangeNothing) {
                        contact_width(contact);
                        contact_speed(contact);
                        asked.rolling.scene.body.state();
-                       asked.rolling.scene.body.largest_yield_distance();
+                       largest_yield_distance(asked.rolling.scene.body.workpiece());
                      }),
             Task::FINISHED);
   expect_same(plain, asked);

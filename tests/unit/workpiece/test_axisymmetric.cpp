@@ -3,6 +3,7 @@
 #include "unit/workpiece/patch.hpp"
 #include "workpiece/element_events.hpp"
 #include "workpiece/nodal_average.hpp"
+#include "workpiece/point_fields.hpp"
 
 using namespace burnish;
 using namespace burnish::test;
@@ -131,7 +132,7 @@ TEST(Axisymmetric, ConstantStrainIsExact) { // with the axis (r = 0) and without
         EXPECT_NEAR(stress[0], stress[2], tolerance * stress.norm()); // radial = hoop
         // no force inside or on the axis; the outer side carries P_rr, the ends P_zz
         double side = 0, end = 0;
-        const Gradient<2> P = body.point_piola(0);
+        const Gradient<2> P = carried_piola(body.state(), 0);
         const Eigen::VectorXd force = body.internal_force();
         for (int n = 0; n < mesh.num_nodes; ++n) {
           const Vector<2> X = mesh.node(n);
@@ -177,8 +178,8 @@ TEST(Axisymmetric, ForceIsTheWorkOfTheStress) { // f . du = sum V0 P dF over the
     moved.update(1e-3 * du, 1, 0); // only for its F - I = dF
     double work = 0;
     for (int p = 0; p < mesh.num_points(); ++p) {
-      work +=
-          mesh.weight[p] * body.point_piola(p).dot(1e3 * (gradient_at(moved.state(), p) - undeformed<2>()));
+      work += mesh.weight[p] *
+              carried_piola(body.state(), p).dot(1e3 * (gradient_at(moved.state(), p) - undeformed<2>()));
     }
     EXPECT_NEAR(body.internal_force().dot(du) / work, 1, 1e-12);
   }
@@ -248,7 +249,7 @@ TEST(Axisymmetric, AStepCutAtTheYieldEventEndsOnTheSurface) {
   ASSERT_EQ(static_cast<int>(events.size()), body.discretization().num_points());
   body.revert();
   body.update(events[0].fraction * u, 1, 0);
-  EXPECT_NEAR(body.yield_distance(events[0].point), 0, 1e-12);
+  EXPECT_NEAR(yield_distance(body, events[0].point), 0, 1e-12);
   const int p = events[0].point;
   const double* X = &body.discretization().point[2 * p]; // where it was found: an inner point of P2
   EXPECT_NEAR(events[0].x[0], X[0] * (1 + 0.02 * events[0].fraction), 1e-14);

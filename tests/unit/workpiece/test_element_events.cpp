@@ -1,6 +1,7 @@
 #include "unit/material/j2/point_walk.hpp"
 #include "unit/workpiece/patch.hpp"
 #include "workpiece/element_events.hpp"
+#include "workpiece/point_fields.hpp"
 
 using namespace burnish;
 using namespace burnish::test;
@@ -68,7 +69,7 @@ TEST(ElementEvents, AStepCutAtTheYieldEventEndsOnTheSurface) { // stressed, turn
       const Eigen::VectorXd end = element.body.state().displacement;
       element.body.revert();
       element.body.update(start + events[0].fraction * (end - start), events[0].fraction, 0);
-      EXPECT_NEAR(element.body.yield_distance(0), 0, 1e-12) << "size " << size;
+      EXPECT_NEAR(yield_distance(element.body, 0), 0, 1e-12) << "size " << size;
     }
   }
 }

@@ -3,6 +3,7 @@
 #include "unit/finite_difference.hpp"
 #include "unit/workpiece/event_element.hpp"
 #include "workpiece/healing.hpp"
+#include "workpiece/point_fields.hpp"
 
 using namespace burnish;
 using namespace burnish::test;
@@ -11,7 +12,7 @@ namespace {
 
 /// One triangle as a run sees it.
 struct Body {
-  WorkpieceBody<2> run;
+  RunBody<2> run;
   explicit Body(double yield_stress = 1.93e8)
       : run(std::make_unique<Workpiece<2>>(Element::mesh(3), Element::law(yield_stress))) {}
   Workpiece<2>& workpiece() { return run.workpiece(); }
@@ -26,7 +27,7 @@ struct Body {
               UpdateStatus::OK);
     run.accept();
   }
-  double w() { return workpiece().integrity(0); }
+  double w() { return integrity_of(workpiece().state(), 0); }
 };
 
 } // namespace
@@ -65,7 +66,7 @@ TEST(PointDamage, HealedPointsCrumbleAgain) {
   EXPECT_NEAR(body.w(), 0.5005, 1e-15);
   body.go(0.01);
   EXPECT_EQ(body.w(), 1);
-  EXPECT_LT(body.workpiece().internal("plastic_strain_eq")[0], 1e-4);
+  EXPECT_LT(internal_field(body.workpiece(), "plastic_strain_eq")[0], 1e-4);
   body.go(0.03);
   EXPECT_EQ(body.user().number("crumble"), 2);
   body.go(0.03);
@@ -146,7 +147,7 @@ TEST(PointDamage, Errors) {
                  "integrity = 0, expected 0 < integrity < 1; at 0 nodes would have no stiffness");
   expect_invalid([&] { damage("crumble", 1, 1); }, "integrity = 1");
   expect_invalid([&] { damage("crumble", 0.1, 0); }, "steps = 0, expected >= 1");
-  EXPECT_FALSE(body.workpiece().tracks_integrity()) << "nothing has changed";
+  EXPECT_FALSE(body.workpiece().state().tracks_integrity()) << "nothing has changed";
   damage("crumble", 0.1, 1);
   expect_invalid([&] { damage("crumble", 0.2, 1); }, "\"crumble\" damages or heals already");
   expect_invalid([&] { rules.heal(body.user(), "crumble", 1); }, "\"crumble\" damages or heals already");

@@ -1,5 +1,6 @@
 // Events by a formula on the state of a point: roots on known paths, firing again, several at once, errors.
 #include "unit/workpiece/event_element.hpp"
+#include "workpiece/point_fields.hpp"
 #include <Eigen/Eigenvalues>
 #include <numeric>
 
@@ -57,7 +58,7 @@ TEST(PointEvents, WhatTheNamesMean) {
     Eigen::Matrix3d sigma;
     sigma << t[0], t[3], 0, t[3], t[1], 0, 0, 0, t[2];
     const Eigen::Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sigma).eigenvalues();
-    const std::map<std::string, double> expected = {{"seq", element.body.stress_eq(0)},
+    const std::map<std::string, double> expected = {{"seq", stress_eq_field(element.body)[0]},
                                                     {"sm", sigma.trace() / 3},
                                                     {"sxx", t[0]},
                                                     {"syy", t[1]},
@@ -103,13 +104,13 @@ TEST(PointEvents, FiresAgainOnlyAfterFallingBelow) {
 TEST(PointEvents, FallsAndRisesInOneStep) {
   Element element(NEVER_YIELDS);
   element.step_to(stretch(0.01));
-  const double c = 0.5 * element.body.stress_eq(0);
+  const double c = 0.5 * stress_eq_field(element.body)[0];
   element.body.revert();
   element.add("seq - c", "user", {{"c", c}});
   element.go_to(stretch(0.01));
   EXPECT_EQ(element.events.number("user"), 1);
   element.step_to(stretch(-0.01));
-  const double q0 = 2 * c, q1 = element.body.stress_eq(0); // through zero at q0/(q0 + q1)
+  const double q0 = 2 * c, q1 = stress_eq_field(element.body)[0]; // through zero at q0/(q0 + q1)
   EXPECT_NEAR(fraction(element.find()), (q0 + c) / (q0 + q1), 1e-12);
   element.accept();
   EXPECT_EQ(element.events.number("user"), 2);
@@ -227,7 +228,7 @@ TEST(PointEvents, TriaxialityAtRest) {
   double e = 0;
   while (element.events.number("damage") == 0 && e < 0.5) element.go_to(stretch(e += 0.01));
   const double plastic_strain_eq = element.plastic_strain_eq();
-  const double D = 0.1 * std::exp(-1.5 * mean<2>(element.stress()) / element.body.stress_eq(0));
+  const double D = 0.1 * std::exp(-1.5 * mean<2>(element.stress()) / stress_eq_field(element.body)[0]);
   EXPECT_GE(plastic_strain_eq, D);
   EXPECT_LT(plastic_strain_eq, D + 0.01);
 }

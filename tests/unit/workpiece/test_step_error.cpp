@@ -1,6 +1,7 @@
 // The estimate of what the length of the steps costs: order, and where there is none.
 #include "unit/material/j2/point_walk.hpp"
 #include "unit/workpiece/patch.hpp"
+#include "workpiece/point_fields.hpp"
 #include "workpiece/step_error.hpp"
 
 using namespace burnish;
@@ -26,7 +27,7 @@ StepErrorState walk(int n, StressUpdate update, double& plastic_strain_eq, doubl
     body.accept();
     if (k == 2 && size > 1e-3) error = {}; // the corner from the stretch to the circle
   }
-  plastic_strain_eq = body.internal("plastic_strain_eq")[0];
+  plastic_strain_eq = internal_field(body, "plastic_strain_eq")[0];
   return error;
 }
 

@@ -35,8 +35,8 @@ struct Pair {
     return v;
   }
   void give_stress() {
-    for (int c = 0; c < 4; ++c) user.give_stress(c, stress(c), "give");
-    user.give_internal("plastic_strain_eq", 0, core.internal("plastic_strain_eq"), "give");
+    for (int c = 0; c < 4; ++c) user.given("give").stress(c, stress(c));
+    user.given("give").internal("plastic_strain_eq", 0, internal_field(core, "plastic_strain_eq"));
   }
   Eigen::VectorXd field(const std::vector<double>& all, int component, int size) const {
     Eigen::VectorXd v(core.discretization().num_points());
@@ -46,7 +46,7 @@ struct Pair {
   void give_moduli(int from_row = 0) {
     const std::vector<double> A = moduli_field(core, TangentKind::CONSISTENT);
     for (int i = 0; i < 4; ++i)
-      for (int j = from_row > 0 ? 0 : i; j < 4; ++j) user.give_moduli(i, j, field(A, 5 * i + j, 25), "give");
+      for (int j = from_row > 0 ? 0 : i; j < 4; ++j) user.given("give").moduli(i, j, field(A, 5 * i + j, 25));
   }
 };
 double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return (a - b).norm() / a.norm(); }
@@ -71,7 +71,7 @@ TEST(UserPoints, ForceTangentAndStateAreThoseOfTheLawThatWasGiven) {
       pair.core.accept();
       pair.user.accept();
     }
-    EXPECT_GT(pair.core.internal("plastic_strain_eq").maxCoeff(), 0.003);
+    EXPECT_GT(internal_field(pair.core, "plastic_strain_eq").maxCoeff(), 0.003);
   }
 }
 
@@ -79,7 +79,7 @@ TEST(UserPoints, PiolaStressServesAsWell) {
   Pair pair;
   pair.move(0.01);
   const std::vector<double> P = piola_field(pair.core);
-  for (int c : {0, 1, 2, 3}) pair.user.give_piola(c, pair.field(P, c, 5), "give");
+  for (int c : {0, 1, 2, 3}) pair.user.given("give").piola(c, pair.field(P, c, 5));
   EXPECT_LT(difference(pair.core.internal_force(), pair.user.internal_force()), 1e-14);
   for (int p = 0; p < 24; ++p)
     for (int c : {0, 1, 3})
@@ -97,14 +97,14 @@ TEST(UserPoints, DerivativesByTheIncrementsGiveTheConsistentTangent) {
   for (int c = 0; c < 4; ++c) {
     Eigen::VectorXd t(points);
     for (int p = 0; p < points; ++p) t[p] = stress_at(core.state(), p)[c];
-    pair.user.give_stress(c, t, "give");
+    pair.user.given("give").stress(c, t);
     for (int y = 0; y < 4; ++y) {
       double modulus = c == y ? 2 * elastic.G : 0;
       if (c < 3 && y < 3) modulus += elastic.K - 2 * elastic.G / 3;
-      pair.user.give_jacobian(c, y, Eigen::VectorXd::Constant(points, modulus), "give");
+      pair.user.given("give").jacobian(c, y, Eigen::VectorXd::Constant(points, modulus));
     }
     // the first step starts without stress: nothing turns
-    pair.user.give_jacobian(c, 4, Eigen::VectorXd::Zero(points), "give");
+    pair.user.given("give").jacobian(c, 4, Eigen::VectorXd::Zero(points));
   }
   EXPECT_LT(difference(values(core), values(pair.user)), 1e-14);
 }
@@ -123,8 +123,8 @@ TEST(UserPoints, ALawWithoutCoreHasItsOwnVariables) {
   Pair pair(3, std::make_shared<UserLaw<2>>(internal_names(" damage, alpha ")));
   EXPECT_EQ(pair.user.law().internal_variables().names(), "plastic_strain_eq, damage, alpha");
   pair.move(0.01);
-  pair.user.give_internal("damage", 0, Eigen::VectorXd::Constant(8, 0.25), "give");
-  EXPECT_EQ(pair.user.internal("damage"), Eigen::VectorXd::Constant(8, 0.25));
+  pair.user.given("give").internal("damage", 0, Eigen::VectorXd::Constant(8, 0.25));
+  EXPECT_EQ(internal_field(pair.user, "damage"), Eigen::VectorXd::Constant(8, 0.25));
   EXPECT_EQ(element_events(pair.user, 0.).size(), 0u);
   EXPECT_THROW(pair.user.set_user_defined(false), std::invalid_argument);
 }
@@ -140,25 +140,25 @@ TEST(UserPoints, SaysWhatIsMissingOrWrong) {
     }
   };
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(24);
-  says([&] { pair.user.give_stress(0, ones, "give"); }, "call update first");
-  says([&] { pair.core.give_stress(0, ones, "give"); }, "not user-defined");
+  says([&] { pair.user.given("give").stress(0, ones); }, "call update first");
+  says([&] { pair.core.given("give").stress(0, ones); }, "not user-defined");
   pair.move(0.01);
-  pair.user.give_stress(0, ones, "give");
+  pair.user.given("give").stress(0, ones);
   says([&] { pair.user.internal_force(); }, "component yy of the stress");
   says([&] { values(pair.user); }, "modulus d P_xx/d F_xx");
-  pair.user.give_jacobian(0, 0, ones, "give");
+  pair.user.given("give").jacobian(0, 0, ones);
   says([&] { values(pair.user); }, "tau_xx by the increment of yy");
-  says([&] { pair.user.give_stress(4, ones, "give"); }, "0..3");
-  says([&] { pair.user.give_moduli(0, 5, ones, "give"); }, "column = 5");
-  says([&] { pair.user.give_stress(0, Eigen::VectorXd::Ones(23), "give"); }, "24, the number of points");
-  says([&] { pair.user.give_internal("damage", 0, ones, "give"); }, "no internal variable");
+  says([&] { pair.user.given("give").stress(4, ones); }, "0..3");
+  says([&] { pair.user.given("give").moduli(0, 5, ones); }, "column = 5");
+  says([&] { pair.user.given("give").stress(0, Eigen::VectorXd::Ones(23)); }, "24, the number of points");
+  says([&] { pair.user.given("give").internal("damage", 0, ones); }, "no internal variable");
   Eigen::VectorXd bad = ones;
   bad[7] = std::numeric_limits<double>::quiet_NaN();
-  says([&] { pair.user.give_stress(3, bad, "give"); },
+  says([&] { pair.user.given("give").stress(3, bad); },
        "Kirchhoff stress xy is nan at point 7, reference place (");
   says(
       [&] {
-        for (int c = 0; c < 4; ++c) pair.user.give_piola(c, (c + 1) * ones, "give");
+        for (int c = 0; c < 4; ++c) pair.user.given("give").piola(c, (c + 1) * ones);
       },
       "not symmetric at point 0");
 }

@@ -2,6 +2,7 @@
 #include "unit/material/j2/point_walk.hpp"
 #include "unit/workpiece/patch.hpp"
 #include "workpiece/point_events.hpp"
+#include "workpiece/point_fields.hpp"
 #include <limits>
 
 using namespace burnish;
@@ -74,7 +75,7 @@ TEST(WorkpieceState, ACopyOfTheStateGoesOnToTheSameBits) {
     EXPECT_TRUE(same(first.state_old(), second.state_old()));
     for (Workpiece<2>* body : {&first, &second}) body->update(target(8, 0), 2, 0);
     EXPECT_EQ(tangent_of(first), tangent_of(second));
-    EXPECT_GT(first.internal("plastic_strain_eq").maxCoeff(), 0.02);
+    EXPECT_GT(internal_field(first, "plastic_strain_eq").maxCoeff(), 0.02);
   }
 }
 
@@ -100,12 +101,12 @@ TEST(WorkpieceState, QueriesChangeNothing) {
 TEST(WorkpieceState, InternalVariablesByName) {
   Workpiece<2> body = workpiece(6);
   body.update(bent(body.discretization(), 1, 0.01), 1, 0);
-  const Eigen::VectorXd plastic_strain_eq = body.internal("plastic_strain_eq");
+  const Eigen::VectorXd plastic_strain_eq = internal_field(body, "plastic_strain_eq");
   ASSERT_EQ(plastic_strain_eq.size(), 24);
   for (int p = 0; p < 24; ++p) EXPECT_EQ(plastic_strain_eq[p], plastic_strain_eq_at(body.state(), p));
   EXPECT_EQ(body.law().internal_variables().list()[0].unit, "-");
-  expect_invalid([&] { body.internal("damage"); },
-                 "Workpiece::internal: law \"J2\" has no internal variable \"damage\", expected one of "
+  expect_invalid([&] { internal_field(body, "damage"); },
+                 "internal_field: law \"J2\" has no internal variable \"damage\", expected one of "
                  "plastic_strain_eq");
 }
 

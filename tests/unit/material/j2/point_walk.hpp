@@ -71,7 +71,8 @@ struct PointWalk {
 
   StepKinematics<2> kinematics(const AnyGradient& F) const { return step_kinematics(old.F, F, frame); }
   J2Start<2> start() const {
-    return {old.plastic_strain_eq, Eigen::Map<const Stress<2>>(old.strain_increment.data()), old.plastic};
+    return {Eigen::Map<const Stress<2>>(old.stress.data()), old.plastic_strain_eq,
+            Eigen::Map<const Stress<2>>(old.strain_increment.data()), old.plastic};
   }
   ElasticTrial<2> trial(const AnyGradient& F) const {
     return elastic_trial<2>(material.elastic, kinematics(F), old.stress);
@@ -81,7 +82,7 @@ struct PointWalk {
   }
   Gradient<2> piola(const AnyGradient& F) const { return first_piola(at(F).stress, inverse(F)); }
   PiolaTangent<2> tangent(const AnyGradient& F) const {
-    return consistent_tangent<2>(material, scheme, start(), old.stress, kinematics(F), F, at(F).stress);
+    return consistent_tangent<2>(material, scheme, start(), kinematics(F), F, at(F).stress);
   }
   /// dP/dF by finite differences.
   PiolaTangent<2> measured_tangent(const AnyGradient& F, double step) const {
