@@ -1,6 +1,6 @@
 #pragma once
 // Whoever looks at a run and moves nothing: a check, a warning, a cause of failed steps, a statement of the report. Each is
-// one file and one line in the list of observers.cpp.
+// one file and one line in the list of observers.hpp.
 #include "diagnosis/accepted_step.hpp"
 #include "diagnosis/failed_step.hpp"
 #include "diagnosis/findings.hpp"
