@@ -30,7 +30,8 @@
   X(yield_check)                                                                                             \
   X(volume_check)                                                                                            \
   X(locking_check)                                                                                           \
-  X(energy_check)
+  X(energy_check)                                                                                            \
+  X(turning_check)
 
 /// Statements, ALGORITHMS.md 17.
 #define BURNISH_STATEMENTS(X)                                                                                \

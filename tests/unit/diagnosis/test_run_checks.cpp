@@ -190,6 +190,19 @@ TEST(RunChecks, EnergyFromNowhere) {
   EXPECT_GT(find(findings, "energy")->value, 0.5);
 }
 
+TEST(RunChecks, AnAngleInDegrees) {
+  Pressed scene;
+  const auto& accepted = scene.contact().accepted();
+  EXPECT_FALSE(find(scene.look(), "turning"));
+  ContactRunState<2> state = scene.contact().state();
+  state.contact.q[2] -= 0.6; // the next look sees the tool turned
+  scene.contact().set_state(state);
+  const FindingList findings = scene.look_again(accepted.u, accepted.R);
+  ASSERT_TRUE(find(findings, "turning"));
+  EXPECT_NEAR(find(findings, "turning")->value, 0.6, 1e-12);
+  EXPECT_EQ(find(findings, "turning")->severity, Severity::WARNING);
+}
+
 TEST(RunChecks, InvertedElementEndsTheRunAndADistortedOneIsNotTrusted) {
   Pressed scene;
   const auto& state = scene.contact().accepted();
