@@ -47,8 +47,13 @@ bool event(const Method<M, EventTag>& m, string* const& name, string* const& for
       if (*name == name_of(static_cast<EventKind>(kind)))
         fail("material.event", "name \"" + *name + "\" is that of a built-in kind of event");
     MaterialObject& object = m->get();
-    called("material.event",
-           [&] { object.body->user().add(object.workpiece(), *name, *formula, object.parameters); });
+    const int true_now = called("material.event", [&] {
+      return object.body->user().add(object.workpiece(), *name, *formula, object.parameters);
+    });
+    if (true_now > 0)
+      cout << "burnish: warning: event \"" << *name << "\": its formula is >= 0 at " << true_now << " of "
+           << object.workpiece().discretization().num_points()
+           << " points already: it happens there only after it has been below" << endl;
     return true;
   });
 }

@@ -31,7 +31,8 @@
   X(volume_check)                                                                                            \
   X(locking_check)                                                                                           \
   X(energy_check)                                                                                            \
-  X(turning_check)
+  X(turning_check)                                                                                           \
+  X(damage_under_force)
 
 /// Statements, ALGORITHMS.md 17.
 #define BURNISH_STATEMENTS(X)                                                                                \

@@ -90,7 +90,7 @@ const PointEventState& event_named(const PointEventsState& state, const std::str
 } // namespace
 
 template <int Dim>
-void PointEvents<Dim>::add(const Workpiece<Dim>& body, const std::string& name, const std::string& formula,
+int PointEvents<Dim>::add(const Workpiece<Dim>& body, const std::string& name, const std::string& formula,
                            const std::map<std::string, double>& parameters) {
   check_name(name);
   for (const PointEventState& known : m_state)
@@ -105,8 +105,10 @@ void PointEvents<Dim>::add(const Workpiece<Dim>& body, const std::string& name, 
     variables.values(at, at, 0, values.data());
     event.above.push_back(parsed(values.data()) >= 0);
   }
+  const auto above = std::count(event.above.begin(), event.above.end(), 1);
   m_formulas.push_back(parsed);
   m_state.push_back(std::move(event));
+  return static_cast<int>(above);
 }
 
 template <int Dim> std::vector<ElementEvent<Dim>> PointEvents<Dim>::find(const Workpiece<Dim>& body) const {

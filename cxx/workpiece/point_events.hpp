@@ -31,10 +31,11 @@ public:
   bool empty() const { return m_formulas.empty(); }
   /// Registers an event, between steps; points whose formula is >= 0 in body.state_old() are above already.
   /// @param parameters numbers by name
+  /// @returns the number of such points
   /// @throws std::invalid_argument if the name is empty, taken or holds a comma, quote or line break (it goes
   /// into tables); for a wrong formula, or one that is not finite somewhere now (see Formula)
-  void add(const Workpiece<Dim>& body, const std::string& name, const std::string& formula,
-           const std::map<std::string, double>& parameters = {});
+  int add(const Workpiece<Dim>& body, const std::string& name, const std::string& formula,
+          const std::map<std::string, double>& parameters = {});
 
   /// All events of the step that the last update made, by fraction; several per point and name if it rises
   /// again. @throws std::invalid_argument quoting formula and values where the formula is not finite

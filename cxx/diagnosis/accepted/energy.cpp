@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-constexpr double ENERGY = 0.1; // error of the energy over the largest work: warning
+constexpr Bounds ENERGY{0.1, 0.5}; // error of the energy over the largest work
 
 // Energies of the run so far [force length].
 struct EnergyState {
@@ -172,11 +172,9 @@ template <int Dim> void EnergyCheck<Dim>::look(const AcceptedStep<Dim>& step, Fi
   // what the tolerance of the residual and rounding leave does not count
   const double left = std::max(step.allowed.residual(), step.allowed.rounding);
   const double resolved = tolerances * left * step.u.cwiseAbs().maxCoeff();
-  if (!step.last || !(error > ENERGY) || !(off > resolved)) return;
-  Finding* finding = findings.report("energy", "", Severity::WARNING, error, step.t);
+  if (!step.last || !(off > resolved)) return;
+  Finding* finding = findings.beyond("energy", "", error, ENERGY, step.t);
   if (!finding) return;
-  finding->value = error;
-  finding->bound = ENERGY;
   finding->text = sentence("energy is not balanced: ", given, " was put in, ", taken,
                            " is stored and dissipated in the workpiece, ", energy.friction,
                            " in friction; the error is ", error, " of the largest: take shorter steps");

@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-constexpr Bounds LOCKING{1}; // alternation of the mean stress over the von Mises stress
+constexpr Bounds LOCKING{1, 20}; // alternation of the mean stress over the von Mises stress
 
 template <int Dim> class LockingCheck final : public ObserverOf<LockingCheck<Dim>, Dim> {
 public:

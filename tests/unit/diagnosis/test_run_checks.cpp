@@ -193,6 +193,7 @@ TEST(RunChecks, EnergyFromNowhere) {
 TEST(RunChecks, AnAngleInDegrees) {
   Pressed scene;
   const auto& accepted = scene.contact().accepted();
+  scene.prescribed = &scene.contact().step().prescribed;
   EXPECT_FALSE(find(scene.look(), "turning"));
   ContactRunState<2> state = scene.contact().state();
   state.contact.q[2] -= 0.6; // the next look sees the tool turned
