@@ -91,7 +91,7 @@ const PointEventState& event_named(const PointEventsState& state, const std::str
 
 template <int Dim>
 int PointEvents<Dim>::add(const Workpiece<Dim>& body, const std::string& name, const std::string& formula,
-                           const std::map<std::string, double>& parameters) {
+                          const std::map<std::string, double>& parameters) {
   check_name(name);
   for (const PointEventState& known : m_state)
     if (known.name == name) fail(POINT_EVENTS, "name \"" + name + "\" is taken");

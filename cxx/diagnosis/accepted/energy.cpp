@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-constexpr Bounds ENERGY{0.1, 0.5}; // error of the energy over the largest work
+constexpr Bounds ENERGY{0.1}; // error of the energy over the largest work
 
 // Energies of the run so far [force length].
 struct EnergyState {
