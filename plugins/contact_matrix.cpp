@@ -24,10 +24,10 @@
 //     ! no matrix has been condensed yet
 //   C.elasticblend   part of elastic moduli that the next tangent should have in plastic points, after losses of definiteness | -
 //   C.blendexhausted   true: no more of that helps
-//   C.stepsperfactor(steps)   as stepsperfactor= of rcContact, from the next step on
-//     steps     that one factor serves at most | - | | 1 to 1000000
-//   C.frictiontangent(name)   as frictiontangent= of rcContact, from the next iteration on
-//     name      "consistent", "symmetric", "lagged"
+//   C.set(name, value)   another value of a setting of rcContact, from the next iteration on
+//     name      "stepsperfactor", say
+//     value     a number, or a word where it is a choice
+//     ! no setting of rcContact
 //   C.cut(u, fraction)   a step of pure rates is shortened: everything is linear in it
 //     u         in, out | length
 //     fraction   part that is kept | - | | 0 < fraction <= 1
@@ -35,6 +35,7 @@
 #include "base/error.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
+#include "settings.hpp"
 #include "solver/asymmetry.hpp"
 #include "solver/block_symmetry.hpp"
 #include "types.hpp"
@@ -58,11 +59,13 @@ struct Condense {
     const CpuTimer timer(contact.condense_seconds);
     const auto& blocks = contact.blocks(view_of(K, n, "contact.condense"), "contact.condense");
     if (symmetric) require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.condense");
+    Settings terms;
+    set_choice(terms, setting("terms"), a.text("terms", "complete"), "contact.condense");
     const auto right = a.boolean("rates", false) ? RightHandSide::RATES : RightHandSide::TOTAL;
     const auto& system = called("contact.condense", [&]() -> const CondensedSystem& {
       return contact.run().condensed().condense(blocks, to_dofs(u, n, "contact.condense", "u"),
-                                                to_dofs(R, n, "contact.condense", "R"),
-                                                terms_of(a.text("terms", "complete")), right, symmetric);
+                                                to_dofs(R, n, "contact.condense", "R"), terms.iteration.terms,
+                                                right, symmetric);
     });
     contact.condensed = &system;
     contact.rhs.assign(system.rhs.data(), system.rhs.data() + system.rhs.size());
@@ -121,22 +124,21 @@ double expand(Stack, const Method<ContactHandle, ExpandTag>& m, const KN_<double
   });
 }
 
-IterationOptions& options_of(ContactObject& contact) {
-  return contact.started() ? contact.run().iteration().options() : contact.options;
-}
-
-struct FrictionTangentTag {};
-bool set_friction_tangent(const Method<ContactHandle, FrictionTangentTag>& m, string* const& name) {
+struct SetTag {};
+template <class Value>
+bool set(const Method<ContactHandle, SetTag>& m, string* const& name, const Value& value) {
   return guarded([&] {
-    options_of(m->get()).friction_tangent = friction_tangent_of(*name);
-    return true;
-  });
-}
-
-struct StepsPerFactorTag {};
-bool set_steps_per_factor(const Method<ContactHandle, StepsPerFactorTag>& m, const long& steps) {
-  return guarded([&] {
-    options_of(m->get()).steps_per_factor = steps_per_factor_of(steps);
+    const Setting& one = setting(*name);
+    if (std::string(one.owner) != "rcContact") fail("contact.set", *name + " is no setting of rcContact");
+    ContactObject& contact = m->get();
+    IterationOptions& options = contact.started() ? contact.run().iteration().options() : contact.options;
+    Settings all;
+    all.iteration = options;
+    if constexpr (std::is_arithmetic_v<Value>)
+      set_number(all, one, static_cast<double>(value), "contact", *name);
+    else
+      set_choice(all, one, *value, "contact");
+    options = all.iteration;
     return true;
   });
 }
@@ -154,17 +156,6 @@ bool cut(Stack, const Method<ContactHandle, CutTag>& m, const KN_<double>& u, co
 
 } // namespace
 
-FrictionTangent friction_tangent_of(const std::string& name) {
-  if (name == "consistent") return FrictionTangent::CONSISTENT;
-  if (name == "lagged") return FrictionTangent::LAGGED;
-  fail("contact", "unknown frictiontangent \"" + name + "\", expected \"consistent\" or \"lagged\"");
-}
-
-int steps_per_factor_of(long steps) {
-  require(steps >= 1 && steps <= 1000000, "contact", "stepsperfactor", steps, "1 to 1000000");
-  return static_cast<int>(steps);
-}
-
 void register_contact_matrix() {
   using H = ContactHandle;
   using Array = KN_<double>;
@@ -181,12 +172,10 @@ void register_contact_matrix() {
   Add<H*>("rhs", ".", new OneOperator1s_<Array, H*>(right_hand_side));
   add_method<H, CutTag>("cut",
                         [] { return new OneOperator3s_<bool, Method<H, CutTag>, Array, double>(cut); });
-  add_method<H, FrictionTangentTag>("frictiontangent", [] {
-    return new OneOperator2_<bool, Method<H, FrictionTangentTag>, string*>(set_friction_tangent);
-  });
-  add_method<H, StepsPerFactorTag>("stepsperfactor", [] {
-    return new OneOperator2_<bool, Method<H, StepsPerFactorTag>, long>(set_steps_per_factor);
-  });
+  add_method<H, SetTag>(
+      "set", [] { return new OneOperator3_<bool, Method<H, SetTag>, string*, double>(set<double>); },
+      [] { return new OneOperator3_<bool, Method<H, SetTag>, string*, long>(set<long>); },
+      [] { return new OneOperator3_<bool, Method<H, SetTag>, string*, string*>(set<string*>); });
   add_method<H, ExpandTag>(
       "expand", [] { return new OneOperator3s_<double, Method<H, ExpandTag>, Array, Array>(expand); });
 }

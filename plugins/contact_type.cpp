@@ -8,24 +8,12 @@
 //     labels=   several of them | - | required, or label= | labels of the mesh
 //     fixed=    nonzero where the displacement is given, one per degree of freedom | - | none
 //     friction=   Coulomb coefficient of the tools that are added without a law of their own | - | 0 | >= 0
-//     tolerance=   residual over the load | - | 1e-4 | 0 < tolerance < 1; above 1e-2 only with loose=true
-//     gaptolerance=   gap and slip over the spacing of the nodes | - | 1e-6 | 0 < gaptolerance < 1
-//     maxiterations=   bound on the iterations of a step | - | 25 | 1 to 1000000
-//     memory=   of the Anderson mixing, 0: none | - | 8 | 0 to 1000
-//     terms=    geometric terms (METHOD.md 3.6) | | "complete" | "complete", "article", "none"
-//     frictiontangent=   friction in the matrix of an iteration, the result is the same (METHOD.md 3.21): "lagged": on the
-//       right-hand side | | "consistent" | "consistent", "lagged"
-//     stepsperfactor=   implicit: steps that one factor of the tangent serves at most; a loss of stability may be noticed so
-//       many steps later | - | 1 | 1 to 1000000
-//     tied=     P2: stick and slip at corners, by forces shared with the mid nodes, instead of node by node | | false
 //     axisymmetric=   x is the radius, y the axis, as in rcMaterial | | false
 //     surfaceplaces=   where the mid nodes of P2 edges lie on the true curve: Vh [X, Y] = [...]; X[] | length |
 //       on the curve through the vertices, arc by arc
 //     straight=   P2: mid nodes on the edges of the mesh | | false
 //     loose=    true: a tolerance above 1e-2 is taken | | false
 //     ! the contact surface is missing: label=... or labels=...
-//     ! , expected "complete", "article" or "none"
-//     ! , expected "consistent" or "lagged"
 //     ! the space must be [P1,P1] or [P2,P2]
 //   C.add(t)   lets a tool touch the surface, or the part of it with the labels; before the first step
 //     t         the tool, with coordinates
@@ -61,6 +49,7 @@
 #include "formula/formula.hpp"
 #include "mesh/mesh_match.hpp"
 #include "named.hpp"
+#include "settings.hpp"
 #include "types.hpp"
 #include <algorithm>
 #include <set>
@@ -82,8 +71,9 @@ std::vector<long> labels_of(const Named& a, const char* where) {
 constexpr double LOOSE = 1e-2; // largest tolerance that nobody has to confirm
 
 struct MakeContact {
-  static const int n = 16;
-  static basicAC_F0::name_and_type names[n];
+  static std::vector<basicAC_F0::name_and_type> list;
+  static const int n;
+  static basicAC_F0::name_and_type* const names;
   static Made<ContactObject> call(const Named& a, pfes* space) {
     const std::vector<long> labels = labels_of(a, "contact");
     if (labels.empty()) fail("contact", "the contact surface is missing: label=... or labels=...");
@@ -94,24 +84,10 @@ struct MakeContact {
           to_dofs(a.array("fixed"), static_cast<long>(fixed.size()), "contact", "fixed");
       for (std::size_t d = 0; d < fixed.size(); ++d) fixed[d] = flags[static_cast<long>(d)] != 0;
     }
-    IterationOptions options;
-    options.tolerance = a.real("tolerance", options.tolerance);
-    require(options.tolerance > 0 && options.tolerance < 1, "contact", "tolerance", options.tolerance,
-            "0 < tolerance < 1");
+    const IterationOptions options = settings_of(a, "rcContact", "contact").iteration;
     require(options.tolerance <= LOOSE || a.boolean("loose", false), "contact", "tolerance",
             options.tolerance,
             "<= 1e-2: beyond it the result may be wrong many times over; loose=true takes it all the same");
-    options.gap_tolerance = a.real("gaptolerance", options.gap_tolerance);
-    require(options.gap_tolerance > 0 && options.gap_tolerance < 1, "contact", "gaptolerance",
-            options.gap_tolerance, "0 < gaptolerance < 1");
-    options.max_iterations =
-        static_cast<int>(a.integer("maxiterations", options.max_iterations, 1, 1000000, "contact"));
-    options.anderson_memory =
-        static_cast<int>(a.integer("memory", options.anderson_memory, 0, 1000, "contact"));
-    options.terms = terms_of(a.text("terms", "complete"));
-    options.friction_tangent = friction_tangent_of(a.text("frictiontangent", "consistent"));
-    options.steps_per_factor = steps_per_factor_of(a.integer("stepsperfactor", 1));
-    options.tied = a.boolean("tied", options.tied);
     auto object = std::make_shared<ContactObject>();
     object->friction = called("rcContact", [&] { return make_coulomb(a.real("friction", 0)); });
     for (const long label : labels) facets_with(mesh, {label}, "contact"); // each must be there
@@ -130,15 +106,17 @@ struct MakeContact {
     return made(a.stack(), std::move(object));
   }
 };
-basicAC_F0::name_and_type MakeContact::names[] = {
-    {"label", &typeid(long)},          {"labels", &typeid(KN_<long>)},
-    {"fixed", &typeid(KN_<double>)},   {"friction", &typeid(double)},
-    {"tolerance", &typeid(double)},    {"gaptolerance", &typeid(double)},
-    {"maxiterations", &typeid(long)},  {"memory", &typeid(long)},
-    {"terms", &typeid(string*)},       {"frictiontangent", &typeid(string*)},
-    {"stepsperfactor", &typeid(long)}, {"tied", &typeid(bool)},
-    {"axisymmetric", &typeid(bool)},   {"surfaceplaces", &typeid(KN_<double>)},
-    {"straight", &typeid(bool)},       {"loose", &typeid(bool)}};
+std::vector<basicAC_F0::name_and_type> MakeContact::list =
+    setting_names("rcContact", {{"label", &typeid(long)},
+                                {"labels", &typeid(KN_<long>)},
+                                {"fixed", &typeid(KN_<double>)},
+                                {"friction", &typeid(double)},
+                                {"axisymmetric", &typeid(bool)},
+                                {"surfaceplaces", &typeid(KN_<double>)},
+                                {"straight", &typeid(bool)},
+                                {"loose", &typeid(bool)}});
+const int MakeContact::n = static_cast<int>(list.size());
+basicAC_F0::name_and_type* const MakeContact::names = list.data();
 
 // Edges of the labels that a tool may touch; empty: all.
 std::vector<Facet<2>> reach_of(const Named& a, const ContactObject& contact) {
@@ -248,13 +226,6 @@ double ContactObject::linear_seconds() const {
 const ContactRun<2>& ContactObject::running(const char* where) const {
   if (!m_run) fail(where, "no state yet: call approach or begin first");
   return *m_run;
-}
-
-GeometricTerms terms_of(const std::string& name) {
-  if (name == "complete") return GeometricTerms::COMPLETE;
-  if (name == "article") return GeometricTerms::ARTICLE;
-  if (name == "none") return GeometricTerms::NONE;
-  fail("contact", "unknown terms \"" + name + "\", expected \"complete\", \"article\" or \"none\"");
 }
 
 void register_contact() {

@@ -19,8 +19,6 @@
 //     C=        modulus of the back stress | stress | required with a backstress | finite > 0
 //     gamma=    recovery of the back stress, armstrongfrederick | - | required with it | finite >= 0
 //     rate=     corotational rate of the stress | | "jaumann" | "jaumann", "greennaghdi", "logarithmic"
-//     update=   stress update (ALGORITHMS.md 2) | | "substepped" | "substepped", "single", "euler"
-//     pathlimit=   curvature of the strain path, 0: straight | - | 1.5 | >= 0, may be infinite
 //     axisymmetric=   x >= 0 is the radius, y the axis, [u, v] = [u_r, u_z], no torsion; forces are those of the whole ring.
 //       The script prescribes u_r = 0 on the axis: on(axis, u=0) | | false
 //     law=      "user": the script gives stress and moduli, M.stress, M.moduli; with G, nu, sigY, H it has J2's yield
@@ -29,7 +27,6 @@
 //     ! , expected J2 or user
 //     ! , or a formula in ep
 //     ! give either hardening or plasticstrain and yieldstress
-//     ! , expected "substepped", "single" or "euler"
 //   M.update(u, dt, iteration)   stress at u from the accepted state; 0, or 1: inverted element, or no return to the yield
 //       surface, rcLastError says which | -
 //     u         displacement | length
@@ -64,17 +61,11 @@
 #include "matrix.hpp"
 #include "mesh/mesh_match.hpp"
 #include "named.hpp"
+#include "settings.hpp"
 #include "types.hpp"
 
 namespace burnish {
 namespace {
-
-StressUpdate update_of(const std::string& name) {
-  if (name == "substepped") return StressUpdate::SUBSTEPPED;
-  if (name == "single") return StressUpdate::SINGLE;
-  if (name == "euler") return StressUpdate::FORWARD_EULER;
-  fail("material", "unknown update \"" + name + "\", expected \"substepped\", \"single\" or \"euler\"");
-}
 
 struct MakeMaterial {
   static std::vector<basicAC_F0::name_and_type> all_names() {
@@ -84,10 +75,8 @@ struct MakeMaterial {
       list.push_back({name, &typeid(string*)});
     for (const char* name : {"plasticstrain", "yieldstress"}) list.push_back({name, &typeid(NumberList*)});
     list.push_back({"softening", &typeid(bool)});
-    list.push_back({"update", &typeid(string*)});
-    list.push_back({"pathlimit", &typeid(double)});
     list.push_back({"axisymmetric", &typeid(bool)});
-    return list;
+    return setting_names("rcMaterial", list);
   }
   static bool law_is_users(const Named& a) {
     const std::string law = a.text("law", "J2");
@@ -115,9 +104,7 @@ struct MakeMaterial {
     const bool user = law_is_users(a);
     // a user-defined law with elastic moduli and a yield stress has J2's yield surface for the events of elements
     auto law = user && input.numbers.empty() ? user_law(a) : make_law<2>(input, "rcMaterial");
-    UpdateOptions options;
-    options.update = update_of(a.text("update", "substepped"));
-    options.path_limit = a.real("pathlimit", options.path_limit);
+    const UpdateOptions options = settings_of(a, "rcMaterial", "material").update;
     const bool axisymmetric = a.boolean("axisymmetric", false);
     auto object = std::make_shared<MaterialObject>();
     auto workpiece = std::make_unique<Workpiece<2>>(

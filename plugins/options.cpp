@@ -21,7 +21,8 @@
 //     ! it has not been read as a number, its range cannot be checked
 //   rcPositive(names)   refuses values that are not > 0, or in one unit and more than a factor of 1e8 apart
 //     names     "-R -E", options read before
-//   rcOptionsEnd(dummy)   refuses unknown options; with -h the help is printed and the script ends there, with -options list
+//   rcOptionsEnd(dummy)   refuses unknown options; those named like a setting of rcContact, stepcontrol or rcMaterial, -stepsperfactor 2, go
+//       before what the script gives there; with -h the help is printed and the script ends there, with -options list
 //       all options with their values, as one line of JSON
 //     dummy     not read
 //   rcOptionUsed(name, words)   whether the script uses one of the names, outside of comments; if not, the option is refused
@@ -44,6 +45,7 @@
 #include "script/text.hpp"
 #include "script/words.hpp"
 #include "script_options.hpp"
+#include "settings.hpp"
 #include <cstdlib>
 
 extern KN<String>* pkarg; // FreeFEM's ARGV
@@ -87,6 +89,7 @@ bool options_end(const long&) {
   return guarded([&] {
     const std::string list =
         script_options().text("-options", "", "", "list: prints all options with their values, as JSON");
+    accept_settings();
     script_options().refuse_unknown();
     if (script_options().wants_help()) {
       cout << "options of " << script_options().script() << ", with defaults and units:\n"

@@ -3,25 +3,8 @@
 //   > rcRun(C, M, u[], S, program, record)
 //   stepcontrol(tend)   the program runs from t = 0 to tend
 //     tend      end of the program | time | | > 0
-//     dtmax=    largest step | time | tend/100 | finite > 0
-//     dtmin=    smallest step: a run that needs a shorter one ends | time | 1e-7 tend | 0 < dtmin <= dtmax
-//     dtfirst=   first step: the whole program where nothing flows | time | a quarter of dtmax | dtmin <= dtfirst <= dtmax
-//     stepsperwidth=   steps at least while the contact rolls its width, 0: no such limit | - | 14 | >= 0
-//     accuracy=   chooses the steps by the relative error of the plastic strain increments, S.error | - | fixed by dtmax and
-//       the contact width | finite > 0
 //     output=   instants that a step ends at, real[int] | time | none
-//     scheme=   way through a step | | "implicit" | "implicit", "event", "article"
-//     elementevents=   yield and unloading of points: "log": located in every accepted step and logged; "cut": the step is
-//       cut at them and at user-defined events | | "none", with scheme article "cut" | "none", "log", "cut", "default"
-//     eventtolerance=   events this close to the earliest one are taken with it, fraction of the step | - | 1e-3 | finite > 0
-//     eventnoise=   stress that the residual's tolerance leaves, over the yield stress (event steps) | - | 1e-4 | finite > 0
-//     nodesperstep=   a rolling step is at least this many node spacings long | - | 1 | finite > 0
-//     widthsteps=   as stepsperwidth, for narrow contacts: the contact counts as that many spacings wide | - | 14 | finite > 0
 //     fallback=   of older scripts: without effect, implicit steps do without it now | - | 0 | 0
-//     maxpieces=   article: pieces of a step between events | - | 100 | 1 to 999999
-//     maxretries=   article: changes of state at one instant | - | 4 | 1 to 999999
-//     ! , expected implicit, event or article
-//     ! , expected none, log, cut or default
 //   S.start(C, M)   a run begins
 //     C         contact
 //     M         material on the same mesh
@@ -37,9 +20,6 @@
 //     on        true or false | | false
 //   S.scheme(name)   another scheme from the next step on
 //     name      "implicit", "event", "article"
-//   S.accuracy(value)   as accuracy=, before S.start
-//     value     relative error | - | | finite > 0
-//     ! the run has been started, state an accuracy before
 //   S.refuse(text)   the task cannot be done: the step is tried shorter
 //     text      why
 //   S.stop(text)   ends the run at the accepted state
@@ -49,26 +29,13 @@
 #include "step_control.hpp"
 #include "base/error.hpp"
 #include "named.hpp"
+#include "settings.hpp"
 #include <algorithm>
 
 namespace burnish {
 namespace {
 
 using H = StepControlHandle;
-
-Scheme scheme_of(const std::string& name) {
-  if (name == "implicit") return Scheme::IMPLICIT;
-  if (name == "event") return Scheme::EVENT;
-  if (name == "article") return Scheme::ARTICLE;
-  fail("stepcontrol", "unknown scheme \"" + name + "\", expected implicit, event or article");
-}
-ElementEvents elements_of(const std::string& name, Scheme scheme) {
-  if (name == "default") return scheme == Scheme::ARTICLE ? ElementEvents::CUT : ElementEvents::NONE;
-  if (name == "none") return ElementEvents::NONE;
-  if (name == "log") return ElementEvents::LOG;
-  if (name == "cut") return ElementEvents::CUT;
-  fail("stepcontrol", "unknown elementevents \"" + name + "\", expected none, log, cut or default");
-}
 
 // Errors name the options as scripts do: dt_min is dtmin there.
 std::unique_ptr<StepControl> control_of(const StepControlOptions& options) {
@@ -82,70 +49,30 @@ std::unique_ptr<StepControl> control_of(const StepControlOptions& options) {
 }
 
 struct MakeStepControl {
-  static const int n = 15;
-  static basicAC_F0::name_and_type names[n];
-  static double positive(const Named& a, const char* name, double otherwise) {
-    if (!a.has(name)) return otherwise;
-    const double value = a.real(name, 0);
-    require(std::isfinite(value) && value > 0, "stepcontrol", name, value, "a finite number > 0");
-    return value;
-  }
-  static int count(const Named& a, const char* name, int otherwise) {
-    const long value = a.integer(name, otherwise);
-    require(value > 0 && value < 1000000, "stepcontrol", name, value, "1 to 999999");
-    return static_cast<int>(value);
-  }
+  static std::vector<basicAC_F0::name_and_type> list;
+  static const int n;
+  static basicAC_F0::name_and_type* const names;
   static H* call(const Named& a, H* handle, double t_end) {
     handle->init();
-    StepControlOptions control;
-    control.t_end = t_end;
-    control.dt_max = positive(a, "dtmax", control.dt_max);
-    control.dt_min = positive(a, "dtmin", control.dt_min);
-    control.dt_first = positive(a, "dtfirst", control.dt_first);
-    control.steps_per_width = a.real("stepsperwidth", control.steps_per_width);
-    control.accuracy = positive(a, "accuracy", control.accuracy);
+    Settings settings = settings_of(a, "stepcontrol", "stepcontrol");
+    settings.control.t_end = t_end;
     if (a.has("output")) {
       const Eigen::VectorXd times = to_vector(a.array("output"), "stepcontrol", "output");
-      control.output_times.assign(times.data(), times.data() + times.size());
+      settings.control.output_times.assign(times.data(), times.data() + times.size());
     }
-    auto object = std::make_shared<ControlObject>();
-    StepperOptions& options = object->options;
-    options.scheme = scheme_of(a.text("scheme", "implicit"));
-    options.events.elements = elements_of(a.text("elementevents", "default"), options.scheme);
-    options.events.event_tolerance = positive(a, "eventtolerance", options.events.event_tolerance);
-    options.events.event_noise = positive(a, "eventnoise", options.events.event_noise);
-    options.nodes_per_step = positive(a, "nodesperstep", options.nodes_per_step);
-    options.width_steps = positive(a, "widthsteps", options.width_steps);
     require(a.integer("fallback", 0) == 0, "stepcontrol", "fallback", a.integer("fallback", 0),
             "0: implicit steps do without it now");
-    options.events.max_pieces = count(a, "maxpieces", options.events.max_pieces);
-    options.events.max_retries = count(a, "maxretries", options.events.max_retries);
-    object->control = control_of(control);
+    auto object = std::make_shared<ControlObject>();
+    object->options = settings.stepper;
+    object->control = control_of(settings.control);
     handle->set(std::move(object));
     return handle;
   }
 };
-basicAC_F0::name_and_type MakeStepControl::names[] = {
-    {"accuracy", &typeid(double)},       {"dtmax", &typeid(double)},          {"dtmin", &typeid(double)},
-    {"stepsperwidth", &typeid(double)},  {"output", &typeid(KN_<double>)},    {"scheme", &typeid(string*)},
-    {"elementevents", &typeid(string*)}, {"eventtolerance", &typeid(double)}, {"eventnoise", &typeid(double)},
-    {"nodesperstep", &typeid(double)},   {"widthsteps", &typeid(double)},     {"maxpieces", &typeid(long)},
-    {"maxretries", &typeid(long)},       {"fallback", &typeid(long)},         {"dtfirst", &typeid(double)}};
-
-// Before start: the control is made anew.
-struct AccuracyTag {};
-bool set_accuracy(const Method<H, AccuracyTag>& m, const double& accuracy) {
-  return guarded([&] {
-    ControlObject& object = m->get();
-    if (object.stepper) fail("stepcontrol.accuracy", "the run has been started, state an accuracy before");
-    require(std::isfinite(accuracy) && accuracy > 0, "stepcontrol.accuracy", "accuracy", accuracy,
-            "a finite number > 0");
-    StepControlOptions options = object.control->options();
-    options.accuracy = accuracy;
-    object.control = std::make_unique<StepControl>(0, options);
-    return true;
-  });
-}
+std::vector<basicAC_F0::name_and_type> MakeStepControl::list =
+    setting_names("stepcontrol", {{"output", &typeid(KN_<double>)}, {"fallback", &typeid(long)}});
+const int MakeStepControl::n = static_cast<int>(list.size());
+basicAC_F0::name_and_type* const MakeStepControl::names = list.data();
 
 struct StartTag {};
 bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, MaterialHandle* const& material) {
@@ -225,7 +152,9 @@ struct SchemeTag {};
 bool set_scheme(const Method<H, SchemeTag>& m, string* const& name) {
   return guarded([&] {
     ControlObject& object = m->get();
-    object.options.scheme = scheme_of(*name);
+    Settings settings;
+    set_choice(settings, setting("scheme"), *name, "stepcontrol");
+    object.options.scheme = settings.stepper.scheme;
     if (object.stepper) object.stepper->set_scheme(object.options.scheme);
     return true;
   });
@@ -265,8 +194,6 @@ void register_step_control() {
                            [] { return new OneOperator2_<bool, Method<H, RefuseTag>, string*>(refuse); });
   add_method<H, SchemeTag>("scheme",
                            [] { return new OneOperator2_<bool, Method<H, SchemeTag>, string*>(set_scheme); });
-  add_method<H, AccuracyTag>(
-      "accuracy", [] { return new OneOperator2_<bool, Method<H, AccuracyTag>, double>(set_accuracy); });
   add_method<H, CondensedTag>(
       "condensed", [] { return new OneOperator2_<bool, Method<H, CondensedTag>, bool>(set_condensed); });
   add_method<H, StopTag>("stop", [] { return new OneOperator2_<bool, Method<H, StopTag>, string*>(stop); });

@@ -82,9 +82,4 @@ burnish::Mesh<2> mesh_of(pfes* const& space, const char* where, bool axisymmetri
 /// FreeFEM's mesh of the space, shared with the script. @throws std::invalid_argument for an empty space
 std::shared_ptr<const ::Mesh> shared_mesh(pfes* const& space, const char* where);
 
-/// "complete", "article" or "none". @throws std::invalid_argument for another name
-GeometricTerms terms_of(const std::string& name);
-FrictionTangent friction_tangent_of(const std::string& name);
-int steps_per_factor_of(long steps);
-
 } // namespace burnish

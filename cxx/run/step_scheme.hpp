@@ -9,13 +9,14 @@ namespace burnish {
 
 /// When events of quadrature points (yield, unloading) are located.
 enum class ElementEvents {
+  DEFAULT, ///< CUT with Scheme::ARTICLE, NONE otherwise
   NONE,
   LOG, ///< in every accepted step, logged with the contact events; the step stays whole
   CUT, ///< the step is cut at them, and at user-defined ones (an implicit step only logs)
 };
 
 struct SchemeOptions {
-  ElementEvents elements = ElementEvents::NONE;
+  ElementEvents elements = ElementEvents::DEFAULT;
   double event_tolerance =
       1e-3; ///< events this close to the earliest one are taken with it, fraction of the step
   double event_noise =

@@ -24,6 +24,9 @@ Stepper<Dim>::Stepper(ContactRun<Dim>& contact, RunBody<Dim>& body, Diagnosis<Di
       m_options(options), m_implicit(contact, body, m_options.events, m_counts.scheme),
       m_event(contact, body, m_options.events, m_counts.scheme),
       m_article(contact, body, m_options.events, m_counts.scheme), m_scheme(&m_implicit) {
+  ElementEvents& elements = m_options.events.elements;
+  if (elements == ElementEvents::DEFAULT)
+    elements = m_options.scheme == Scheme::ARTICLE ? ElementEvents::CUT : ElementEvents::NONE;
   m_diagnosis.restart();
   m_body.start();
 }
@@ -43,7 +46,7 @@ template <int Dim> Task Stepper<Dim>::next(Eigen::VectorXd& u, Eigen::VectorXd& 
   case Phase::RECORD:
     return begin_step();
   case Phase::PROGRAM:
-    return done ? begin_solve(u, R) : solved(false, u, R);
+    return done ? begin_solve(u) : solved(false, u, R);
   case Phase::SOLVE:
   case Phase::LAW:
     return done ? ask_forces() : solved(false, u, R);
@@ -101,7 +104,7 @@ template <int Dim> Task Stepper<Dim>::ask_forces() {
   return ask(Task::FORCES, Phase::FORCES);
 }
 
-template <int Dim> Task Stepper<Dim>::begin_solve(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+template <int Dim> Task Stepper<Dim>::begin_solve(Eigen::VectorXd& u) {
   const Solve& solve = m_scheme->solve();
   if (solve.stepping == Stepping::IMPLICIT && m_contact.iteration().options().steps_per_factor > 1 &&
       m_control.is_last())

@@ -100,7 +100,7 @@ private:
   Task ask(Task task, Phase phase);
   Task try_step();
   Task ask_forces();
-  Task begin_solve(Eigen::VectorXd& u, Eigen::VectorXd& R);
+  Task begin_solve(Eigen::VectorXd& u);
   Task check(Eigen::VectorXd& u, Eigen::VectorXd& R);
   Task correct(Eigen::VectorXd& u, Eigen::VectorXd& R);
   Task solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R);

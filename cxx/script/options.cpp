@@ -161,13 +161,21 @@ std::string ScriptOptions::text(const std::string& name, const std::string& othe
 void ScriptOptions::refuse_unknown() const {
   for (const Given& given : m_given) {
     std::string list;
-    bool known = false;
+    bool known = among(m_accepted, given.name);
     for (const Option& option : m_options) {
       known = known || option.name == given.name;
       list += " " + option.name;
     }
     if (!known) throw std::invalid_argument("unknown option " + given.name + ", expected one of" + list);
   }
+}
+
+bool ScriptOptions::reads_setting(const std::string& name) {
+  if (!given(name) || among(m_settings, name)) return given(name);
+  for (const Option& option : m_options)
+    if (option.name == name) return false;
+  m_settings.push_back(name);
+  return true;
 }
 
 std::string ScriptOptions::help() const {
@@ -182,6 +190,9 @@ std::string ScriptOptions::help() const {
     text << "  " << std::left << std::setw(static_cast<int>(name)) << o.name << "  "
          << std::setw(static_cast<int>(value)) << (o.value.empty() ? "\"\"" : o.value) << "  "
          << std::setw(static_cast<int>(unit)) << o.unit << "  " << o.meaning << "\n";
+  if (!m_accepted.empty()) text << "settings that go before those of the script:\n ";
+  for (const std::string& name : m_accepted) text << " " << name;
+  text << (m_accepted.empty() ? "" : "\n");
   return text.str();
 }
 

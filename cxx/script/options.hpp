@@ -37,7 +37,11 @@ public:
   /// The same, > 0, 1e-15 to 1e15; those in the same unit, lengths of one body, at most a factor of 1e8 apart.
   void positive(const std::string& names) const;
 
-  /// @throws std::invalid_argument naming a word that is no option that was asked for, and those that are
+  /// An option that needs not be asked for: it is read later, by reads_setting.
+  void accept(const std::string& name) { m_accepted.push_back(name); }
+  /// A setting of that name is among the words, and the script has not asked for it itself.
+  bool reads_setting(const std::string& name);
+  /// @throws std::invalid_argument naming a word that is no option that was asked for or accepted, and those that are
   void refuse_unknown() const;
   bool wants_help() const { return m_help; } ///< -h or --help is among the words
   /// One line an option: name, value, unit, meaning.
@@ -57,8 +61,9 @@ private:
   const Option& number(const std::string& name) const;
 
   std::string m_script;
-  std::vector<Given> m_given;    // words of the script in pairs, without FreeFEM's own
-  std::vector<Option> m_options; // asked for
+  std::vector<Given> m_given;                      // words of the script in pairs, without FreeFEM's own
+  std::vector<Option> m_options;                   // asked for
+  std::vector<std::string> m_accepted, m_settings; // m_settings: those of them that were asked for as such
   bool m_help = false;
 };
 

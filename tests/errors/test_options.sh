@@ -36,7 +36,7 @@ rolling 20 'option -inner is 1|expected 2 to' -inner 1
 rolling 20 'option -graded is -1|expected 0 to 0.0012' -graded -1
 refuse 20 'pure rates are solved once and need frictiontangent="consistent"' "$BURNISH" cases/rolling/rolling.edp -out "$SCRATCH/late" -inner 3 -outer 16 -sides 3 -pictures 0 -scheme article -frictiontangent lagged
 shear() { refuse 20 "$1" "$BURNISH" cases/shear/shear.edp -out "$SCRATCH/r" "${@:2}"; }
-for option in element scheme tolerance accuracy series forms assembly solver model; do
+for option in element scheme tolerance series forms assembly solver model; do
   shear "option -$option is given, but the script does not use it|occurs nowhere in cases/shear/shear.edp" -$option 1
 done
 refuse 20 'option -steps is given, but the script does not use it: rcLeastSteps' "$BURNISH" cases/rolling-contact/rolling-contact.edp -steps 10

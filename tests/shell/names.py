@@ -11,9 +11,13 @@ import os
 import re
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../edp/manual/reference"))
+from settings import SOURCE, read_settings  # noqa: E402
+
 NAMES, ALGORITHMS = "cxx/NAMES.md", "cxx/ALGORITHMS.md"
 WRITERS = ["edp/cases/rcOutput.idp", "edp/cases/rcSummary.idp", "edp/run/rcRunState.idp", "cxx/contact/events.cpp",
            "cxx/output/workpiece_file.cpp", "cxx/output/contact_files.cpp"]
+SHORT = [("anderson_memory", "memory"), ("elements", "elementevents")]  # their structures say the rest
 OPTION_FILES = ["cxx/iteration/options.hpp", "cxx/run/step_control.hpp", "cxx/run/stepper.hpp",
                 "cxx/run/step_scheme.hpp", "cxx/material/update_options.hpp"]
 
@@ -196,10 +200,28 @@ class Checker:
             for script in coded(cells[3]):
                 if not self.has_script(script):
                     self.fail(ALGORITHMS, line, "the script name %s does not occur" % script)
+        seen |= self.check_settings(known)
         for structure, members in known.items():
             for name in members:
                 if (structure, name) not in seen:
-                    self.fail(ALGORITHMS, 1, "the table of options lacks %s of %s" % (name, structure))
+                    self.fail(ALGORITHMS, 1, "%s of %s is neither a setting nor in the table of options" % (name, structure))
+
+    def check_settings(self, known):
+        """Names of settings follow the rule of NAMES.md, numbers are the defaults of their structures."""
+        owner = {"iteration": "IterationOptions", "control": "StepControlOptions", "stepper": "StepperOptions",
+                 "events": "SchemeOptions", "update": "UpdateOptions"}
+        seen = set()
+        for one in read_settings(self.root):
+            structure = owner[one.path.split(".")[-2]]
+            self.count += 1
+            default = known[structure].get(one.member, "")
+            seen.add((structure, one.member))
+            if one.name not in by_rule(one.member) | {pair[1] for pair in SHORT if pair[0] == one.member}:
+                self.fail(SOURCE, 1, "%s and %s break the rule of NAMES.md" % (one.member, one.name))
+            word = bare(default).lower() if one.choices else default
+            if default != "0" and not same(one.default.strip('"'), word) and one.name != "update":
+                self.fail(SOURCE, 1, "%s is %s in %s" % (one.name, default, structure))
+        return seen
 
     def check_constants(self):
         """`NAME` (number) in ALGORITHMS.md against constexpr NAME = number; of arrays all numbers."""

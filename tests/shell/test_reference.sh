@@ -29,8 +29,8 @@ change() { # file, what sed does to it, what must be said then
   wanted+=("$3")
 }
 change plugins/contact_type.cpp '/^\/\/   C.couple/,/^\/\/     ! relations/d' "no entry for method contact.couple(string, string)"
-change plugins/contact_type.cpp '/^\/\/     tied=/,/^\/\/     axis/{/axis/!d}' "rcContact: no line for the parameter tied="
-change plugins/contact_type.cpp 's/^\(\/\/     memory= .*\)| 8 |/\1| 9 |/' "rcContact memory= has the default 9, in the code 8"
+change plugins/contact_type.cpp '/^\/\/     straight=/,/^\/\/     loose/{/loose/!d}' "rcContact: no line for the parameter straight="
+change plugins/contact_type.cpp 's/^\(\/\/     friction= .*\)| 0 |/\1| 1 |/' "rcContact friction= has the default 1, in the code 0"
 change edp/manual/reference/callables.txt '/^member tool.q /d' "callables.txt lacks \"member tool.q -> real[int]\""
 change edp/run/rcNotes.idp '/^\/\/   rcNotedMean/d' "no entry for function rcNotedMean(string) of edp/run/rcNotes.idp"
 change edp/run/rcRunState.idp 's/^\/\/   rcQuiet /\/\/   rcSilent /' "nothing callable is rcSilent"

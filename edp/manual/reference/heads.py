@@ -16,6 +16,8 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from settings import read_settings
+
 OBJECTS = {"t": "tool", "C": "contact", "M": "material", "S": "stepcontrol"}
 FIELDS = re.compile(r"(?:^|\s)\|(?=\s|$)")
 
@@ -154,7 +156,15 @@ def read_heads(top):
     for path in paths:
         if path.name != "callables.txt":
             heads.append(Reader(path, str(path.relative_to(top))).head)
+    add_settings(heads, read_settings(top))
     return heads
+
+
+def add_settings(heads, settings):
+    """The settings are parameters of what they belong to, before those with a rule of their own: those with | in their head."""
+    for entry in (entry for head in heads for entry in head.entries):
+        own = [one for one in settings if one.owner == entry.signatures[0].key]
+        entry.parameters += [Line(one.name + "=", one.line) for one in own if entry.signatures[0].arguments != []]
 
 
 if __name__ == "__main__":
