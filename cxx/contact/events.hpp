@@ -2,6 +2,7 @@
 // Contact events inside a step: everything is linear in the fraction of the step; the earliest one is located
 // and all within its tolerance are taken together (METHOD.md 4.2, ALGORITHMS.md 10).
 #include "contact/body_view.hpp"
+#include "contact/contact_model.hpp"
 #include "contact/tolerances.hpp"
 #include <algorithm>
 #include <string>

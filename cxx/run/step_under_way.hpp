@@ -2,6 +2,7 @@
 // A step between begin and accept.
 #include "contact/contact_state.hpp"
 #include "iteration/options.hpp"
+#include "iteration/predictor.hpp"
 #include "run/event_log.hpp"
 
 namespace burnish {

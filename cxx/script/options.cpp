@@ -16,8 +16,9 @@ const std::vector<std::string> FREEFEM{"-f",    "-v",     "-nw",  "-ng",        
 const std::vector<std::string> FREEFEM_WITH_VALUE{"-f", "-v", "-glut", "-fglut", "-gff", "-check_plugin"};
 
 constexpr double LARGEST =
-    1e15;                     // of a length, a force, a modulus in any unit; its reciprocal is the smallest
-constexpr double APART = 1e8; // of two numbers in one unit; FreeFEM numbers places in a mesh by 31 bits
+    1e15; // of a length, a force, a modulus in any unit; its reciprocal is the smallest
+constexpr std::size_t LINE = 110; // letters of the help
+constexpr double APART = 1e8;     // of two numbers in one unit; FreeFEM numbers places in a mesh by 31 bits
 
 bool among(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
@@ -190,9 +191,18 @@ std::string ScriptOptions::help() const {
     text << "  " << std::left << std::setw(static_cast<int>(name)) << o.name << "  "
          << std::setw(static_cast<int>(value)) << (o.value.empty() ? "\"\"" : o.value) << "  "
          << std::setw(static_cast<int>(unit)) << o.unit << "  " << o.meaning << "\n";
-  if (!m_accepted.empty()) text << "settings that go before those of the script:\n ";
-  for (const std::string& name : m_accepted) text << " " << name;
-  text << (m_accepted.empty() ? "" : "\n");
+  if (!m_accepted.empty())
+    text
+        << "settings that go before those of the script (burnish help rcContact, stepcontrol, rcMaterial):\n";
+  std::string line;
+  for (const std::string& name : m_accepted) {
+    if (line.size() + name.size() > LINE) {
+      text << line << "\n";
+      line.clear();
+    }
+    line += " " + name;
+  }
+  if (!line.empty()) text << line << "\n";
   return text.str();
 }
 

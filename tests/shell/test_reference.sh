@@ -61,7 +61,8 @@ says 0 "burnish help [NAME]" --help
 says 0 "Coulomb coefficient" help contact.add
 says 0 "interrupted by Ctrl-C" help exit
 says 0 "final.stick_share" help summary
-says 0 "-frictiontangent string " help u-channel
+says 0 "stepsperfactor=" help rcContact
+says 0 "-assembly        string " help u-channel
 says 0 "edp/manual/sweeps.md" help sweep
 says 0 "edp/manual/pictures.md" help sequence.png
 says 20 "near it: contact.add" help contact.ad

@@ -1,4 +1,5 @@
 // A mesh coarser than the stress gradient, where the tools carried most (ALGORITHMS.md 17.2).
+#include "base/sentence.hpp"
 #include "diagnosis/observers.hpp"
 #include "workpiece/stress_error.hpp"
 

@@ -1,4 +1,5 @@
 // Largest values that are those of one point: no node confirms them (ALGORITHMS.md 17.2).
+#include "base/sentence.hpp"
 #include "diagnosis/observers.hpp"
 #include "workpiece/nodal_average.hpp"
 #include "workpiece/point_fields.hpp"

@@ -1,4 +1,5 @@
 // The last node of an open contact surface carries load: what lies beyond it touches nothing (ALGORITHMS.md 17.2).
+#include "base/sentence.hpp"
 #include "diagnosis/observers.hpp"
 #include <map>
 
