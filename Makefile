@@ -32,36 +32,17 @@ LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3 -lginac -lcln
 # (from OpenCASCADE 7.8 on: -lTKDESTEP for the first two)
 OCC_LIBRARIES ?= -lTKSTEP -lTKXSBase -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
 
-# gcc collects garbage a tenth of its time otherwise
-COLLECT := $(if $(findstring clang,$(shell $(CXX) --version)),,--param ggc-min-heapsize=1000000)
-FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -ffp-contract=off -Wall -Wextra -Wno-subobject-linkage $(COLLECT) -I. -Icxx \
-        -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) -isystem $(OCC_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)
-PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
-
-# --- sources and products ----------------------------------------------------------------------------------
-sources   = $(sort $(shell find $(wildcard $(1)) -name '*.cpp' 2>/dev/null </dev/null))
-# Up to $(GROUP) files of a folder are compiled as one, .ci/group. A group is one word, a|b|c; its object is named after
-# the first and the last, so that no object is taken for another group's.
-groups    = $(shell printf '%s\n' $(1) | awk -v most=$(GROUP) '{ folder = $$0; sub("/[^/]*$$", "", folder); \
-              if (folder != last || ++n > most) { printf " "; n = 1 } else printf "|"; printf "%s", $$0; last = folder }')
-members   = $(subst |, ,$(1))
-object    = $(BUILD)/obj/$(basename $(firstword $(members)))$(if $(word 2,$(members)),..$(basename $(notdir $(lastword $(members))))).o
-objects   = $(if $(strip $(1)),$(foreach g,$(call groups,$(1)),$(call object,$(g))))
 SUITES   := unit plugin verification regression long labs viewers manual
 PROGRAMS := unit verification long benchmark
 CORE     := $(BUILD)/libburnish.a
 PLUGIN   := $(BUILD)/plugins/burnish.so
-# gmsh is linked with this one only, which the core opens when a .geo file is to be read; it looks for it beside
-# itself, then in ../plugins; so it is with OpenCASCADE and CAD files
+# the core opens these two when a .geo or a CAD file is to be read; it looks for them beside itself, then in ../plugins
 GMSH     := $(BUILD)/plugins/burnish_gmsh.so
 CAD      := $(BUILD)/plugins/burnish_cad.so
 WRAPPER  := $(BUILD)/burnish
-GMSH_SOURCES   := cxx/cad/companion_gmsh/burnish_gmsh.cpp
-CAD_SOURCES    := cxx/cad/companion_occ/burnish_cad.cpp
-CXX_SOURCES    := $(filter-out $(GMSH_SOURCES) $(CAD_SOURCES),$(call sources,cxx))
-PLUGIN_SOURCES := $(sort $(wildcard plugins/*.cpp))
-$(foreach p,$(PROGRAMS),$(eval SOURCES_$(p) := $(if $(wildcard tests/$(p)),$(call sources,tests/$(p)))))
-ALL_SOURCES := $(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
+# flags, lists of sources and their objects, rules of compilation
+include .ci/compile.mk
+.DEFAULT_GOAL := build
 
 # What a suite runs: its GoogleTest program (every .cpp of its folder), and every .edp and .sh of its folders.
 # Helpers are .idp, .hpp and .py files, or live in tests/support; stray is what would be skipped silently.
@@ -75,46 +56,10 @@ stray     = $(filter-out tests/run_scripts.sh tests/support/% tests/benchmark/% 
 FORMATTED = cxx plugins tests -name '*.[ch]pp'
 CASES     = $(sort $(patsubst cases/%/,%,$(dir $(wildcard cases/*/*.edp))))
 
-# --- environment of every script: our folders first, then FreeFEM's ------------------------------------------
+# what the programs in .ci/ take from here
 EDP_FOLDERS := run cases mesh rivals
-space   := $(subst ,, )
-LOAD    := $(abspath $(BUILD)/plugins);$(FREEFEM_LOAD)
-INCLUDE := $(CURDIR)/edp;$(subst $(space),;,$(addprefix $(CURDIR)/edp/,$(EDP_FOLDERS)));$(FREEFEM_IDP)
-export FF_LOADPATH    := $(LOAD)
-export FF_INCLUDEPATH := $(INCLUDE)
-export PYTHON
+export PYTHON CXX FREEFEM FREEFEM_LOAD FREEFEM_IDP EDP_FOLDERS PREFIX DESTDIR LDFLAGS JOBS MAKE
 export OPENBLAS_NUM_THREADS ?= 1
-
-define WRAPPER_TEXT
-#!/bin/sh
-# $(notdir $(WRAPPER)) SCRIPT.edp [OPTIONS]: runs a FreeFEM script with Burnish's folders set. Made by make.
-usage() {
-  echo "usage: burnish SCRIPT.edp [OPTIONS]      runs a FreeFEM script with Burnish"
-  echo "       burnish SCRIPT.edp -h             lists the script's options with default, unit and meaning"
-  echo "       burnish help [NAME]               the reference: contact.add, rcRun, tolerance=, summary, exit, ..."
-  echo "       burnish new NAME                  makes a folder NAME with a scene that runs, to be changed"
-  echo "FreeFEM's own options, such as -v 1 (its messages) and -wg (its windows), go before the script."
-}
-case $$1 in
-  help) shift; exec "$${PYTHON:-$(PYTHON)}" -B "$(CURDIR)/edp/manual/reference/help.py" "$$@" ;;
-  new) shift; exec "$${PYTHON:-$(PYTHON)}" -B "$(CURDIR)/edp/template/new.py" "$$@" ;;
-esac
-script=
-for word in "$$@"; do
-  case $$word in *.edp) script=$$word; break ;; esac
-done
-if [ -z "$$script" ]; then
-  case $$1 in -h | --help) usage; exit 0 ;; esac
-  { [ $$# -gt 0 ] && echo "burnish: no script among the words \"$$*\": expected a file that ends in .edp"; usage; } >&2
-  exit 20
-fi
-[ -f "$$script" ] && [ -r "$$script" ] || { echo "burnish: no script \"$$script\" that can be read" >&2; exit 20; }
-export FF_LOADPATH="$(LOAD)$${FF_LOADPATH:+;$$FF_LOADPATH}"
-export FF_INCLUDEPATH="$(INCLUDE)$${FF_INCLUDEPATH:+;$$FF_INCLUDEPATH}"
-export BURNISH_TOP="$(CURDIR)" BURNISH="$${BURNISH:-$(abspath $(WRAPPER))}" PYTHON="$${PYTHON:-$(PYTHON)}" OPENBLAS_NUM_THREADS="$${OPENBLAS_NUM_THREADS:-1}"
-exec $(FREEFEM) -nw -v 0 "$$@"
-endef
-export WRAPPER_TEXT
 
 # --- commands --------------------------------------------------------------------------------------------------
 # Recursion with all cores, unless the user said -j; the lock keeps two makes out of one folder.
@@ -123,12 +68,18 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
 .PHONY: build run run-fine figures tables sweep explore stability chart references chart-quick bench-peers test $(SUITES:%=test-%) bench bench-growth install uninstall docs packages format format-check clean help FORCE
-.PHONY: compile programs sanitize sanitized fuzz
+.PHONY: compile programs compile-programs sanitize sanitized fuzz test-alone
 .DELETE_ON_ERROR:
 .SUFFIXES:
 
 build: packages ## build the core, the plugin and the wrapper build/burnish (also plain make)
 	$(COMPILE) compile
+
+programs: packages ## build the test programs of make test
+	$(COMPILE) compile compile-programs
+
+compile: $(CORE) $(WRAPPER) $(PLUGIN) $(GMSH) $(CAD)
+compile-programs: $(call program,unit) $(call program,verification)
 
 run: case-rolling ## example 1 of the article with default options; results in out/rolling
 
@@ -147,13 +98,12 @@ tables: build ## measure the tables in the READMEs of cases/rolling and cases/pl
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) cases/tables.py $(OPTIONS)
 
 sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3", or find the option BY for a TARGET: cases/sweep/sweep.sh
+explore: export EXPLORE=1
+explore: build ## a sweep as one page, out/sweep/CASE/explore.html: sliders for the varied options; pictures and curves follow
+sweep explore:
 	@CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' SAMPLES='$(SAMPLES)' \
 	  SEED='$(SEED)' TARGET='$(TARGET)' BY='$(BY)' TOLERANCE='$(TOLERANCE)' \
 	  BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
-
-explore: build ## a sweep as one page, out/sweep/CASE/explore.html: sliders for the varied options; pictures and curves follow
-	@EXPLORE=1 CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' SAMPLES='$(SAMPLES)' \
-	  SEED='$(SEED)' BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
 
 stability: build ## the map of what can go wrong, out/stability/map.png; OPTIONS="--only snap --references --store": tests/stability/run.py
 	@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) tests/stability/run.py $(OPTIONS)
@@ -183,42 +133,23 @@ test-regression: ## coarse cases against stored numbers, tests/regression
 test-long: ## slow tests, tests/long
 test-labs: ## scripts, answers, plots and notebooks of the labs in cases/labs (three minutes)
 test-manual: ## the commands that the manual prints, the long ones, too (some minutes)
+test-alone: packages ## every header and source file compiles by itself (ten minutes)
+	@.ci/alone $(FLAGS) $(PLUGIN_FLAGS)
 test-viewers: ## files and pages in the programs that show them, VTK and Chromium, tests/viewers (installs both)
 $(SUITES:%=test-%): test-%: packages
+	$(if $(BESIDE),@$(PACKAGES) $(BESIDE))
 	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
 	@$(TEST) $(call suite,$*)
 
 test-manual: export TIMEOUT ?= 3000
-test-viewers: viewers
-test-labs: notebooks
-.PHONY: viewers notebooks
-viewers:
-	@$(PACKAGES) viewers
-notebooks:
-	@$(PACKAGES) labs
+test-viewers: BESIDE = viewers
+test-labs: BESIDE = labs
 
-# FreeFEM itself is not instrumented: the run-time libraries come before it. What it leaks, how it pairs new with free and
-# what it defines twice is not ours.
-SANITIZED   = $(BUILD)/sanitize
-# Of undefined behavior what the sanitizer of addresses does not see; the rest doubles the time to compile.
-UNDEFINED   = bounds,shift,signed-integer-overflow,integer-divide-by-zero,float-cast-overflow,return,bool,enum,unreachable,vla-bound
-SANITIZERS  = -fsanitize=address,$(UNDEFINED) -fno-sanitize-recover=$(UNDEFINED)
-SANITIZER_LIBRARIES = $(shell $(CXX) -print-file-name=libasan.so):$(shell $(CXX) -print-file-name=libubsan.so)
-START_SANITIZER     = $(abspath $(SANITIZED))/start_sanitizer.so
-# What limits the memory: the sanitizer needs terabytes of addresses.
-UNSANITIZED         = MemoryLimit*
-export ASAN_OPTIONS  ?= detect_leaks=0:alloc_dealloc_mismatch=0:detect_odr_violation=0
-export UBSAN_OPTIONS ?= print_stacktrace=1
 sanitize: packages ## unit, verification and plugin tests and one case with the sanitizers of addresses and undefined behavior (an hour)
-	+@$(MAKE) -s --no-print-directory BUILD='$(SANITIZED)' PACKAGES=true LDFLAGS='$(LDFLAGS) $(SANITIZERS)' \
-	  OPTIMIZE='-O1 -g1 -fno-omit-frame-pointer $(SANITIZERS)' TEST_OPTIMIZE='-O1' \
-	  FREEFEM='env LD_PRELOAD=$(SANITIZER_LIBRARIES):$(START_SANITIZER) $(FREEFEM)' sanitized
+	+@.ci/sanitize $(BUILD)/sanitize
 
-sanitized: compile programs $(BUILD)/start_sanitizer.so
-	@TIMEOUT=3000 GTEST_FILTER='-$(UNSANITIZED)' $(TEST) $(call suite,unit verification plugin) tests/regression/hertz.sh
-
-$(BUILD)/start_sanitizer.so: tests/support/start_sanitizer.cpp
-	@$(CXX) -shared -fPIC -Wl,-z,initfirst $< -o $@
+sanitized: compile compile-programs
+	@$(TEST) $(call suite,unit verification plugin) tests/regression/hertz.sh
 
 fuzz: build ## mutated formulas, CAD files, matrices, scripts, a quarter of an hour: FUZZ_SECONDS=480 SEED=1
 	@$(PACKAGES) fuzz
@@ -234,24 +165,11 @@ bench: build ## kernels and whole scenes against the ratios of the last release 
 bench-growth: build ## time and memory of some ten steps from 1 000 to 130 000 nodes (ten minutes); OPTIONS="--most 20"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/benchmark/bench.py --growth $(OPTIONS)
 
-# What a script needs at run time: plugin, script library, pictures and sweeps, the wrapper with the paths of that place.
-SHARE = $(DESTDIR)$(PREFIX)/share/burnish
 install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines for plain FreeFem++ are printed
-	@install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/burnish $(SHARE)/cases
-	@install -m 644 $(PLUGIN) $(GMSH) $(CAD) $(DESTDIR)$(PREFIX)/lib/burnish
-	@rm -rf $(SHARE)/edp $(SHARE)/plugins $(SHARE)/cases && install -d $(SHARE)/cases
-	@cp -r edp $(SHARE)/edp && cp -r cases/plotting cases/sweep $(SHARE)/cases && find $(SHARE) -name __pycache__ -exec rm -rf {} +
-	@cp --parents plugins/*.cpp cases/*/*.edp cases/*/*.idp $(SHARE)  # their heads and options: burnish help
-	@sed -e 's#$(abspath $(BUILD))/plugins#@@/lib/burnish#g' -e 's#$(abspath $(WRAPPER))#@@/bin/burnish#g' \
-	  -e 's#$(CURDIR)#@@/share/burnish#g' -e 's#@@#$(PREFIX)#g' $(WRAPPER) >$(DESTDIR)$(PREFIX)/bin/burnish
-	@chmod 755 $(DESTDIR)$(PREFIX)/bin/burnish
-	@printf '%s\n' 'loadpath += "$(PREFIX)/lib/burnish"' 'loadpath += "$(FREEFEM_LOAD)"' \
-	  $(foreach d,edp $(EDP_FOLDERS:%=edp/%),'includepath += "$(PREFIX)/share/burnish/$(d)"') 'includepath += "$(FREEFEM_IDP)"' >$(SHARE)/freefem++.pref
-	@echo "installed: $(PREFIX)/bin/burnish SCRIPT.edp. For plain FreeFem++ add to ~/.freefem++.pref the lines of $(PREFIX)/share/burnish/freefem++.pref:"
-	@cat $(SHARE)/freefem++.pref
+	@.ci/install $(PLUGIN) $(GMSH) $(CAD)
 
 uninstall: ## remove what make install has put there
-	rm -rf $(DESTDIR)$(PREFIX)/bin/burnish $(DESTDIR)$(PREFIX)/lib/burnish $(SHARE)
+	rm -rf $(DESTDIR)$(PREFIX)/bin/burnish $(DESTDIR)$(PREFIX)/lib/burnish $(DESTDIR)$(PREFIX)/share/burnish
 
 docs: ## the manual as a site, out/docs/index.html: works offline, without JavaScript
 	@$(PACKAGES) docs
@@ -279,76 +197,3 @@ clean: ## remove everything built (results in out/ stay)
 help: ## this list
 	@awk -F':.*## ' '/^[a-z%-]+:.*## / {sub("%", "NAME", $$1); printf "make %-18s %s\n", $$1, $$2}' Makefile
 
-# --- rules of compilation ----------------------------------------------------------------------------------------
-compile: $(CORE) $(WRAPPER) $(PLUGIN) $(GMSH) $(CAD)
-programs: $(call program,unit) $(call program,verification)
-
-# $(call keep,TEXT): write TEXT to the target only if it changed, so that only real changes rebuild
-keep = @mkdir -p $(@D) && { [ -f $@ ] && printf '%s\n' "$(1)" | cmp -s - $@ || printf '%s\n' "$(1)" >$@; }
-$(BUILD)/flags: FORCE
-	$(call keep,$(CXX) $(FLAGS) $(TEST_OPTIMIZE) $(PLUGIN_FLAGS) $(LIBRARIES))
-$(BUILD)/sources: FORCE
-	$(call keep,$(ALL_SOURCES))
-$(WRAPPER): FORCE
-	$(call keep,$$WRAPPER_TEXT)
-	@[ -x $@ ] || chmod +x $@
-
-$(BUILD)/obj/plugins/%: GROUP_FLAGS = $(PLUGIN_FLAGS)
-$(BUILD)/obj/tests/%:   GROUP_FLAGS = -Itests $(TEST_OPTIMIZE)
-$(foreach g,$(call groups,$(ALL_SOURCES)),$(eval $(call object,$(g)): $(call members,$(g))))
-$(BUILD)/obj/%.o: $(BUILD)/flags .ci/group
-	@mkdir -p $(@D)
-	@echo "compile $(patsubst $(BUILD)/obj/%.o,%,$@)"
-	@.ci/group $(filter %.cpp,$^) >$(@:.o=.cc)
-	@$(CXX) $(FLAGS) $(GROUP_FLAGS) $(READ_BEFORE) -MMD -MP -c $(@:.o=.cc) -o $@
-
-# Eigen and the standard library are read once for the core, once with FreeFEM's headers for the plugin, and once with GoogleTest
-# for the tests: a third of the time.
-$(BUILD)/obj/cxx/%:              READ_BEFORE = -include $(BUILD)/read/core.hpp
-$(BUILD)/obj/plugins/%:          READ_BEFORE = -include $(BUILD)/read/plugins.hpp
-$(BUILD)/obj/tests/unit/%:         READ_BEFORE = -include $(BUILD)/read/tests.hpp
-$(BUILD)/obj/tests/verification/%: READ_BEFORE = -include $(BUILD)/read/tests.hpp
-$(call objects,$(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES)): $(BUILD)/read/core.hpp.gch
-$(call objects,$(PLUGIN_SOURCES)): $(BUILD)/read/plugins.hpp.gch
-$(call objects,$(SOURCES_unit) $(SOURCES_verification)): $(BUILD)/read/tests.hpp.gch
-$(BUILD)/read/core.hpp.gch:  cxx/base/precompiled.hpp
-$(BUILD)/read/plugins.hpp.gch: plugins/precompiled.hpp cxx/base/precompiled.hpp
-$(BUILD)/read/plugins.hpp.gch: GROUP_FLAGS = $(PLUGIN_FLAGS)
-$(BUILD)/read/tests.hpp.gch: tests/support/precompiled.hpp cxx/base/precompiled.hpp
-$(BUILD)/read/tests.hpp.gch: GROUP_FLAGS = -Itests $(TEST_OPTIMIZE)
-$(BUILD)/read/%.hpp.gch: $(BUILD)/flags
-	@mkdir -p $(@D)
-	@echo "read    $(firstword $(filter %/precompiled.hpp,$^))"
-	@cp $(firstword $(filter %/precompiled.hpp,$^)) $(BUILD)/read/$*.hpp
-	@$(CXX) $(FLAGS) $(GROUP_FLAGS) -x c++-header $(BUILD)/read/$*.hpp -o $@
-
-# Linked under another name and moved: a program that is running keeps the old file.
-$(CORE): $(call objects,$(CXX_SOURCES)) $(BUILD)/sources
-	@rm -f $@ && ar rcs $@ $(filter %.o,$^)
-$(PLUGIN): $(call objects,$(PLUGIN_SOURCES)) $(CORE)
-	$(if $(PLUGIN_SOURCES),,$(error no sources in plugins/))
-	@mkdir -p $(@D)
-	@echo "link    $@"
-	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
-
-$(CAD): $(call objects,$(CAD_SOURCES)) $(CORE)
-	@mkdir -p $(@D)
-	@echo "link    $@"
-	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
-
-$(GMSH): $(call objects,$(GMSH_SOURCES))
-	@mkdir -p $(@D)
-	@echo "link    $@"
-	@$(CXX) -shared $(LDFLAGS) $^ -lgmsh -o $@.new && mv $@.new $@
-
-define program_rule
-$(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(CORE) | $(GMSH) $(CAD)
-	@mkdir -p $$(@D)
-	@echo "link    $$@"
-	@$$(CXX) $$(LDFLAGS) $$(filter %.o,$$^) $$(CORE) $(2) -pthread -Wl,--as-needed $$(LIBRARIES) -o $$@.new \
-	  && mv $$@.new $$@
-endef
-$(foreach p,unit verification long,$(eval $(call program_rule,$(p),-lgtest_main -lgtest)))
-$(eval $(call program_rule,benchmark,-lbenchmark_main -lbenchmark))
-
--include $(patsubst %.o,%.d,$(call objects,$(ALL_SOURCES)))

@@ -60,7 +60,7 @@ template <int Dim> void FoldingCheck<Dim>::look_at_plane(const AcceptedStep<2>& 
     return begin(p) != begin(q) ? begin(p) < begin(q) : p.a < q.a;
   });
   double worst = 0;
-  Vector<2> place = low, x;
+  Vector<2> place = low, x = low;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const double last = end(edges[i]), lowest = std::min(edges[i].from[1 - k], edges[i].to[1 - k]),
                  highest = std::max(edges[i].from[1 - k], edges[i].to[1 - k]);

@@ -1,0 +1,92 @@
+# How Burnish is compiled: included by the Makefile, which has the places and the products.
+# gcc collects garbage a tenth of its time otherwise
+COLLECT := $(if $(findstring clang,$(shell $(CXX) --version)),,--param ggc-min-heapsize=1000000)
+FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -ffp-contract=off -Wall -Wextra -Wno-subobject-linkage $(COLLECT) -I. -Icxx \
+        -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) -isystem $(OCC_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)
+PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
+
+sources   = $(sort $(shell find $(wildcard $(1)) -name '*.cpp' 2>/dev/null </dev/null))
+# Up to $(GROUP) files of a folder are compiled as one, .ci/group. A group is one word, a|b|c; its object is named after
+# the first and the last, so that no object is taken for another group's.
+groups    = $(shell printf '%s\n' $(1) | awk -v most=$(GROUP) '{ folder = $$0; sub("/[^/]*$$", "", folder); \
+              if (folder != last || ++n > most) { printf " "; n = 1 } else printf "|"; printf "%s", $$0; last = folder }')
+members   = $(subst |, ,$(1))
+object    = $(BUILD)/obj/$(basename $(firstword $(members)))$(if $(word 2,$(members)),..$(basename $(notdir $(lastword $(members))))).o
+objects   = $(if $(strip $(1)),$(foreach g,$(call groups,$(1)),$(call object,$(g))))
+GMSH_SOURCES   := cxx/cad/companion_gmsh/burnish_gmsh.cpp
+CAD_SOURCES    := cxx/cad/companion_occ/burnish_cad.cpp
+CXX_SOURCES    := $(filter-out $(GMSH_SOURCES) $(CAD_SOURCES),$(call sources,cxx))
+PLUGIN_SOURCES := $(sort $(wildcard plugins/*.cpp))
+$(foreach p,$(PROGRAMS),$(eval SOURCES_$(p) := $(if $(wildcard tests/$(p)),$(call sources,tests/$(p)))))
+ALL_SOURCES := $(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
+
+# --- rules of compilation ----------------------------------------------------------------------------------------
+# $(call keep,TEXT): write TEXT to the target only if it changed, so that only real changes rebuild
+keep = @mkdir -p $(@D) && { [ -f $@ ] && printf '%s\n' "$(1)" | cmp -s - $@ || printf '%s\n' "$(1)" >$@; }
+$(BUILD)/flags: FORCE
+	$(call keep,$(CXX) $(FLAGS) $(TEST_OPTIMIZE) $(PLUGIN_FLAGS) $(LIBRARIES))
+$(BUILD)/sources: FORCE
+	$(call keep,$(ALL_SOURCES))
+$(WRAPPER): FORCE
+	@.ci/wrapper '$(CURDIR)' '$(abspath $(BUILD)/plugins)' '$(abspath $@)' >$@.new && chmod +x $@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
+$(BUILD)/obj/plugins/%: GROUP_FLAGS = $(PLUGIN_FLAGS)
+$(BUILD)/obj/tests/%:   GROUP_FLAGS = -Itests $(TEST_OPTIMIZE)
+$(foreach g,$(call groups,$(ALL_SOURCES)),$(eval $(call object,$(g)): $(call members,$(g))))
+$(BUILD)/obj/%.o: $(BUILD)/flags .ci/group
+	@mkdir -p $(@D)
+	@echo "compile $(patsubst $(BUILD)/obj/%.o,%,$@)"
+	@.ci/group $(filter %.cpp,$^) >$(@:.o=.cc)
+	@$(CXX) $(FLAGS) $(GROUP_FLAGS) $(READ_BEFORE) -MMD -MP -c $(@:.o=.cc) -o $@
+
+# Eigen and the standard library are read once for the core, once with FreeFEM's headers for the plugin, and once with GoogleTest
+# for the tests: a third of the time.
+$(BUILD)/obj/cxx/%:              READ_BEFORE = -include $(BUILD)/read/core.hpp
+$(BUILD)/obj/plugins/%:          READ_BEFORE = -include $(BUILD)/read/plugins.hpp
+$(BUILD)/obj/tests/unit/%:         READ_BEFORE = -include $(BUILD)/read/tests.hpp
+$(BUILD)/obj/tests/verification/%: READ_BEFORE = -include $(BUILD)/read/tests.hpp
+$(call objects,$(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES)): $(BUILD)/read/core.hpp.gch
+$(call objects,$(PLUGIN_SOURCES)): $(BUILD)/read/plugins.hpp.gch
+$(call objects,$(SOURCES_unit) $(SOURCES_verification)): $(BUILD)/read/tests.hpp.gch
+$(BUILD)/read/core.hpp.gch:  cxx/base/precompiled.hpp
+$(BUILD)/read/plugins.hpp.gch: plugins/precompiled.hpp cxx/base/precompiled.hpp
+$(BUILD)/read/plugins.hpp.gch: GROUP_FLAGS = $(PLUGIN_FLAGS)
+$(BUILD)/read/tests.hpp.gch: tests/support/precompiled.hpp cxx/base/precompiled.hpp
+$(BUILD)/read/tests.hpp.gch: GROUP_FLAGS = -Itests $(TEST_OPTIMIZE)
+$(BUILD)/read/%.hpp.gch: $(BUILD)/flags
+	@mkdir -p $(@D)
+	@echo "read    $(firstword $(filter %/precompiled.hpp,$^))"
+	@cp $(firstword $(filter %/precompiled.hpp,$^)) $(BUILD)/read/$*.hpp
+	@$(CXX) $(FLAGS) $(GROUP_FLAGS) -x c++-header $(BUILD)/read/$*.hpp -o $@
+
+# Linked under another name and moved: a program that is running keeps the old file.
+$(CORE): $(call objects,$(CXX_SOURCES)) $(BUILD)/sources
+	@rm -f $@ && ar rcs $@ $(filter %.o,$^)
+$(PLUGIN): $(call objects,$(PLUGIN_SOURCES)) $(CORE)
+	$(if $(PLUGIN_SOURCES),,$(error no sources in plugins/))
+	@mkdir -p $(@D)
+	@echo "link    $@"
+	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
+
+$(CAD): $(call objects,$(CAD_SOURCES)) $(CORE)
+	@mkdir -p $(@D)
+	@echo "link    $@"
+	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
+
+$(GMSH): $(call objects,$(GMSH_SOURCES))
+	@mkdir -p $(@D)
+	@echo "link    $@"
+	@$(CXX) -shared $(LDFLAGS) $^ -lgmsh -o $@.new && mv $@.new $@
+
+define program_rule
+$(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(CORE) | $(GMSH) $(CAD)
+	@mkdir -p $$(@D)
+	@echo "link    $$@"
+	@$$(CXX) $$(LDFLAGS) $$(filter %.o,$$^) $$(CORE) $(2) -pthread -Wl,--as-needed $$(LIBRARIES) -o $$@.new \
+	  && mv $$@.new $$@
+endef
+$(foreach p,unit verification long,$(eval $(call program_rule,$(p),-lgtest_main -lgtest)))
+$(eval $(call program_rule,benchmark,-lbenchmark_main -lbenchmark))
+
+-include $(patsubst %.o,%.d,$(call objects,$(ALL_SOURCES)))
