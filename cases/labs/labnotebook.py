@@ -13,7 +13,6 @@ from pathlib import Path
 
 TOP = Path(os.environ.get("BURNISH_TOP") or Path(__file__).resolve().parents[2])
 BURNISH = os.environ.get("BURNISH") or str(TOP / "build/burnish")
-SOLUTIONS = {"lab.edp": "solution.edp", "danger.edp": "solution-danger.edp"}
 
 
 SHOWN = ("answer:", "error of pressure", "predicted:", "locks here")      # lines of a run that a cell prints
@@ -32,9 +31,12 @@ class Lab:
 
     def run(self, script="lab.edp", folder="", status=0, **options):
         """Runs, prints what follows the warnings; the output. status: the exit status that is expected."""
+        path = self.source / script
         if os.environ.get("LAB_SOLUTION"):
-            script = SOLUTIONS.get(script, script)
-        words = [BURNISH, str(self.source / script), "-out", str(self.out / folder)]
+            import solve
+            solve.solve(self.source, self.out / "scripts")
+            path = self.out / "scripts" / solve.solution_of(path)
+        words = [BURNISH, str(path), "-out", str(self.out / folder)]
         words += [word for name, value in options.items() for word in ("-" + name, f"{value}")]
         done = subprocess.run(words, cwd=TOP, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True)
