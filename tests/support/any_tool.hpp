@@ -45,8 +45,8 @@ inline Eigen::VectorXd summed_forces(Scene& scene) {
   return sum;
 }
 
-/// T2: under motion, then under the forces that were read from the second step on, and the way back to the motion.
-/// T4 on the way: the summed nodal forces are those that the tool reports, and those that the program asks for.
+/// Duality: under motion, then under the forces that were read from the second step on, and the way back to the motion.
+/// On the way: the summed nodal forces are those that the tool reports, and those that the program asks for.
 inline void check_duality(const AnyTool& tool, const std::vector<int>& loaded, double mu = 0.3) {
   const auto moved = placed(tool, mu), driven = placed(tool, mu);
   const auto& names = tool.coordinates->names();
@@ -68,7 +68,7 @@ inline void check_duality(const AnyTool& tool, const std::vector<int>& loaded, d
   }
   EXPECT_LE(worst, 1e-9 * std::max(1., travel));
   EXPECT_GE(travel, 0.05);
-  EXPECT_LE(unbalanced, 1e-8) << "T4: summed nodal forces against the program";
+  EXPECT_LE(unbalanced, 1e-8) << "summed nodal forces against the program";
   for (const int c : loaded) {
     double largest = 0;
     for (const auto& force : moved->force) largest = std::max(largest, std::abs(force[c]));
@@ -79,7 +79,7 @@ inline void check_duality(const AnyTool& tool, const std::vector<int>& loaded, d
       *moved, [&](int k) { return driven->u[k]; }, 1e-9);
 }
 
-/// T3: both tools, moved along their paths, give the same displacements.
+/// Invariance: both tools, moved along their paths, give the same displacements.
 inline void check_same(AnyTool a, AnyTool b, double tolerance = 1e-9, double mu = 0.3) {
   a.approach = b.approach = ""; // an approach along another coordinate would touch elsewhere
   const auto first = placed(a, mu), second = placed(b, mu);

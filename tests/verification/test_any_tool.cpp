@@ -84,29 +84,29 @@ AnyTool crank() {
 
 } // namespace
 
-TEST(T2AnyTool, CircleOfArcs) {
+TEST(AnyToolDuality, CircleOfArcs) {
   check_duality(cartesian(circle_of_arcs()), {0, 1});
   check_duality(polar(circle_of_arcs()), {0, 2});
 }
-TEST(T2AnyTool, FormulaCoordinates) {
+TEST(AnyToolDuality, FormulaCoordinates) {
   for (const auto& loaded : std::vector<std::vector<int>>{{0}, {2}, {0, 1}, {0, 2}})
     check_duality(polar_by_formula(circle()), loaded);
 }
-TEST(T2AnyTool, CadCurves) {
+TEST(AnyToolDuality, CadCurves) {
   check_duality(polar(circle_of_step()), {0, 2});
   check_duality(rolling_lobe(), {0, 1});
   check_duality(rolling_lobe(), {1, 2});
 }
-TEST(T2AnyTool, CrankWithACrownedPunch) { check_duality(crank(), {0}); }
+TEST(AnyToolDuality, CrankWithACrownedPunch) { check_duality(crank(), {0}); }
 
-TEST(T3AnyTool, CircleAsArcs) { check_same(cartesian(circle()), cartesian(circle_of_arcs())); }
-TEST(T3AnyTool, CircleFromCad) { check_same(cartesian(circle()), cartesian(circle_of_step())); }
-TEST(T3AnyTool, PolarByFormula) {
+TEST(AnyToolInvariance, CircleAsArcs) { check_same(cartesian(circle()), cartesian(circle_of_arcs())); }
+TEST(AnyToolInvariance, CircleFromCad) { check_same(cartesian(circle()), cartesian(circle_of_step())); }
+TEST(AnyToolInvariance, PolarByFormula) {
   check_same(polar(circle()), polar_by_formula(circle()));
   check_same(cartesian(circle()), polar_by_formula(circle()));
 }
 // One coordinate drives position and turn together.
-TEST(T3AnyTool, PathAsOneCoordinate) {
+TEST(AnyToolInvariance, PathAsOneCoordinate) {
   AnyTool one = cartesian(circle()), three = one;
   one.coordinates =
       by_formula("k", {"1.7 + a*k", "4.51 - b*k", "0.1 - c*k"}, {{"a", 0.012}, {"b", 0.006}, {"c", 0.005}});

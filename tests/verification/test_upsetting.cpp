@@ -1,9 +1,9 @@
-// C18: frictionless upsetting to half the height, J2 with linear hardening, as a homogeneous deformation of a
+// Frictionless upsetting to half the height, J2 with linear hardening, as a homogeneous deformation of a
 // distorted mesh: bottom held, top moved down, sides free, ends frictionless. Force against L = ln(h0/h).
 //
 // Cylinder. One stress, tau < 0 along the axis; elastic and plastic strain add up in the logarithms:
 //   L = ep + |tau|/E, |tau| = Y + H ep, so |tau| = (Y + H L)/(1 + H/E), and with P = tau/F_axial exactly
-//   F = (Y + H L)/(1 + H/E) A0 h0/h, A0 = pi R^2;   C18 is the limit H/E -> 0.
+//   F = (Y + H L)/(1 + H/E) A0 h0/h, A0 = pi R^2;   METHOD.md 8, C18, is the limit H/E -> 0.
 //
 // Block in plane strain, rigid-plastic limit. No stress across (xx), no strain out of the plane (zz): flow
 // along the deviator makes s_zz = 0, so tau_zz = tau_yy/2 and
@@ -77,7 +77,7 @@ double block(double H) {
 
 } // namespace
 
-TEST(C18Upsetting, CylinderSecondOrderInTheStep) {
+TEST(Upsetting, CylinderSecondOrderInTheStep) {
   const double E = 2e5, H = 1000;
   for (int order : {1, 2}) {
     double before = 0;
@@ -93,14 +93,14 @@ TEST(C18Upsetting, CylinderSecondOrderInTheStep) {
   }
 }
 
-TEST(C18Upsetting, CylinderWithoutElasticity) { // the formula of C18: off by H/E
+TEST(Upsetting, CylinderWithoutElasticity) { // the formula above: off by H/E
   for (double H : {0., 200.}) {
     const double E = 2e6, c18 = cylinder(1e99, H);
     EXPECT_NEAR(Upsetting(true, 2, E, H).force(80) / c18, 1 - H / E, 2e-5) << "H = " << H;
   }
 }
 
-TEST(C18Upsetting, BlockInPlaneStrainTendsToTheRigidPlasticForce) {
+TEST(Upsetting, BlockInPlaneStrainTendsToTheRigidPlasticForce) {
   const double H = 200;
   for (int order : {1, 2}) {
     double before = 0;
@@ -116,7 +116,7 @@ TEST(C18Upsetting, BlockInPlaneStrainTendsToTheRigidPlasticForce) {
   }
 }
 
-TEST(C18Upsetting, StressAndStrainAreHomogeneous) {
+TEST(Upsetting, StressAndStrainAreHomogeneous) {
   for (bool axisymmetric : {true, false}) {
     Upsetting upsetting(axisymmetric, 2, 2e5, 1000);
     upsetting.force(20);

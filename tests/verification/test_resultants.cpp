@@ -1,4 +1,4 @@
-// T4: at every accepted step, the nodal contact forces balance what the program applies to the tool,
+// At every accepted step, the nodal contact forces balance what the program applies to the tool,
 //   sum_n X_k . F_n = Q_k,
 // to the run's residual tolerance; with implicit and with event stepping, at 1e-4 (the default) and at 1e-8.
 #include "support/rolling.hpp"
@@ -86,7 +86,7 @@ void check_resultants(Scheme scheme, double tolerance) {
 
 } // namespace
 
-TEST(T4Resultants, Implicit) { check_resultants(Scheme::IMPLICIT, 1e-4); }
-TEST(T4Resultants, ImplicitTight) { check_resultants(Scheme::IMPLICIT, 1e-8); }
-TEST(T4Resultants, Event) { check_resultants(Scheme::EVENT, 1e-4); }
-TEST(T4Resultants, EventTight) { check_resultants(Scheme::EVENT, 1e-8); }
+TEST(Resultants, Implicit) { check_resultants(Scheme::IMPLICIT, 1e-4); }
+TEST(Resultants, ImplicitTight) { check_resultants(Scheme::IMPLICIT, 1e-8); }
+TEST(Resultants, Event) { check_resultants(Scheme::EVENT, 1e-4); }
+TEST(Resultants, EventTight) { check_resultants(Scheme::EVENT, 1e-8); }

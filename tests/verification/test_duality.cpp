@@ -1,4 +1,4 @@
-// T2: prescribe q(t) and read Q(t); prescribe that Q(t) and recover q(t). Elastic block, tools with friction.
+// Prescribe q(t) and read Q(t); prescribe that Q(t) and recover q(t). Elastic block, tools with friction.
 #include "support/rolled_block.hpp"
 
 using namespace burnish;
@@ -57,21 +57,21 @@ Vector<3> polar_punch(int k) { return polar_place(punch_path(k), PIVOT); }
 
 } // namespace
 
-TEST(T2Duality, PunchCartesianAllUnderForce) {
+TEST(Duality, PunchCartesianAllUnderForce) {
   check_duality(punch(), std::make_shared<Cartesian>(), punch_path, {0, 1, 2});
 }
 
-TEST(T2Duality, PunchPolarAllUnderForce) {
+TEST(Duality, PunchPolarAllUnderForce) {
   check_duality(punch(), std::make_shared<Polar>(PIVOT), polar_punch, {0, 1, 2});
 }
 
 // A roller under a dead load and a torque is in neutral equilibrium along its way: one coordinate is moved.
-TEST(T2Duality, RollerCartesian) {
+TEST(Duality, RollerCartesian) {
   for (const auto& loaded : std::vector<std::vector<int>>{{0}, {1}, {2}, {0, 1}, {1, 2}})
     check_duality(roller(), std::make_shared<Cartesian>(), roller_path, loaded);
 }
 
-TEST(T2Duality, RollerPolar) {
+TEST(Duality, RollerPolar) {
   for (const auto& loaded : std::vector<std::vector<int>>{{0}, {1}, {2}, {0, 1}, {0, 2}})
     check_duality(roller(), std::make_shared<Polar>(PIVOT), polar_roller, loaded);
 }

@@ -1,4 +1,4 @@
-// T3: the nodal solution does not depend on how the tool is described: Cartesian or polar coordinates,
+// The nodal solution does not depend on how the tool is described: Cartesian or polar coordinates,
 // another pivot, a turned frame, another reference point of the tool.
 #include "support/rolled_block.hpp"
 
@@ -35,7 +35,7 @@ std::unique_ptr<RolledBlock> polar(const Vector<2>& pivot) {
 
 } // namespace
 
-TEST(T3Invariance, PolarAgainstCartesian) {
+TEST(Invariance, PolarAgainstCartesian) {
   const auto a = cartesian(), b = polar(Vector<2>(2.2, -3));
   ASSERT_FALSE(HasFatalFailure());
   expect_same_displacement(
@@ -49,14 +49,14 @@ TEST(T3Invariance, PolarAgainstCartesian) {
   }
 }
 
-TEST(T3Invariance, MovedPivot) {
+TEST(Invariance, MovedPivot) {
   const auto a = polar(Vector<2>(2.2, -3)), b = polar(Vector<2>(-6, 11));
   ASSERT_FALSE(HasFatalFailure());
   expect_same_displacement(
       *a, [&](int k) { return b->u[k]; }, 1e-9);
 }
 
-TEST(T3Invariance, TurnedFrame) {
+TEST(Invariance, TurnedFrame) {
   const double turn = 0.7;
   const auto a = cartesian(), b = cartesian(turn);
   ASSERT_FALSE(HasFatalFailure());
@@ -72,7 +72,7 @@ TEST(T3Invariance, TurnedFrame) {
 }
 
 // Pressing force and torque: y, angle of a Cartesian tool; r, theta of a polar one straight above its pivot.
-TEST(T3Invariance, UnderForce) {
+TEST(Invariance, UnderForce) {
   const auto press = [](std::shared_ptr<const Coordinates<2>> coordinates, const Vector<3>& start,
                         const std::string& down) {
     auto block = std::make_unique<RolledBlock>(circle(), std::move(coordinates), MU);
@@ -97,7 +97,7 @@ TEST(T3Invariance, UnderForce) {
 }
 
 // A tilting punch, wider than the block, described about two points of its frame.
-TEST(T3Invariance, MovedReferencePoint) {
+TEST(Invariance, MovedReferencePoint) {
   const auto press = [](const Vector<2>& reference) {
     const Vector<2> a(4, 0), b(-4, 0);
     auto block = std::make_unique<RolledBlock>(std::make_shared<Segment>(a - reference, b - reference),
