@@ -264,7 +264,7 @@ def channel_mesh():
         angle = r.result("wall off the vertical, sprung back") if ended else None
         rows.append([name, f"{r.result('punch force against bending and friction'):.2f}" if ended else "",
                      f"{r.result('largest punch force, both halves'):.2f}" if ended else "", "" if angle is None else f"{angle:.3f} deg",
-                     f"{r.result('thickness of the wall'):.4f}" if ended else "", f"{r.steps} ({r.counts['rejected']})", r.cpu, r.stopped()])
+                     f"{r.result('thickness of the wall'):.4f}" if ended else "", f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()])
     return table(["elements", "punch force (half 0.7 to 1)", "largest, both halves", "wall, sprung back", "thickness of the wall",
                   "steps (rejected)", "CPU s", ""], rows)
 

@@ -196,6 +196,8 @@ std::string ScriptOptions::help() const {
         << "settings that go before those of the script (burnish help rcContact, stepcontrol, rcMaterial):\n";
   std::string line;
   for (const std::string& name : m_accepted) {
+    if (std::any_of(m_options.begin(), m_options.end(), [&](const Option& o) { return o.name == name; }))
+      continue;
     if (line.size() + name.size() > LINE) {
       text << line << "\n";
       line.clear();

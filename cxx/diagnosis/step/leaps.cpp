@@ -53,9 +53,8 @@ SurfacePoints<Dim> points_of_surface(const ContactSetup<Dim>& setup, const Stepp
   for (const int node : setup.candidates())
     if (free(candidate[node])) add(node, node, 0, candidate[node]);
   for (const Facet<Dim>& facet : setup.surface())
-    for (int v = 0; v < Dim; ++v) {
+    for (int v = 0; v < Dim * (Dim - 1) / 2; ++v) { // its edges
       const int a = facet.vertex[v], b = facet.vertex[(v + 1) % Dim];
-      if (Dim == 2 && v == 1) break;
       if (!free(candidate[a]) || !free(candidate[b])) continue;
       const double length =
           (setup.body().position(*path.u_end, b) - setup.body().position(*path.u_end, a)).norm();
