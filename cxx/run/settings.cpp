@@ -11,6 +11,7 @@ constexpr double ANY = std::numeric_limits<double>::infinity();
 constexpr Range POSITIVE{0, ANY, true, "a finite number > 0"};
 constexpr Range NOT_NEGATIVE{0, ANY, false, ">= 0"};
 constexpr Range FRACTION{0, 1, true, "0 < value < 1"};
+constexpr Range BELOW_ONE{0, 0.999999, false, "0 <= value < 1"};
 constexpr Range COUNT{1, 1000000, false, "1 to 1000000"};
 constexpr Range MEMORY{0, 1000, false, "0 to 1000"};
 constexpr Range NONE{0, 1, false, "0 or 1"}; // of a choice or a flag
@@ -73,6 +74,9 @@ const std::vector<Setting>& table() { // made when first used: FreeFEM's names o
    "events this close to the earliest one are taken with it, fraction of the step", AT(stepper.events.event_tolerance)},
   {"eventnoise", "stepcontrol", "-", "9.2", "1e-4", POSITIVE,
    "stress that the residual's tolerance leaves, over the yield stress (event steps)", AT(stepper.events.event_noise)},
+  {"jumps", "stepcontrol", "-", "9.4", "0", BELOW_ONE,
+   "implicit: where no equilibrium is near, the body may jump to the next one; the largest part of the tools' work that jumps may "
+   "dissipate, 0: none are made", AT(stepper.events.jumps)},
   {"maxpieces", "stepcontrol", "-", "9.3", "100", COUNT,
    "article: pieces of a step between events", AT(stepper.events.max_pieces)},
   {"maxretries", "stepcontrol", "-", "9.3", "4", COUNT,
