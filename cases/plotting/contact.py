@@ -12,7 +12,7 @@ IN_CONTACT = ("touched", "sliding", "sticking")
 
 # event: color, marker, size
 EVENT_MARKS = {"touch": (BLUE, "o", 1.0), "release": (ORANGE, "s", 1.0), "slip-to-stick": (GREEN, "^", 1.2),
-               "stick-to-slip": (RED, "v", 1.2), "next-piece": (PURPLE, "D", 1.0), "yield": (GRAY, ".", 0.5),
+               "stick-to-slip": (RED, "v", 1.2), "next-piece": (PURPLE, "D", 1.0), "jump": (RED, "*", 2.0), "yield": (GRAY, ".", 0.5),
                "unloading": (SKY, ".", 0.5)}
 
 

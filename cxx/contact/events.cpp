@@ -18,6 +18,8 @@ const char* name_of(EventKind kind) {
     return "stick-to-slip";
   case EventKind::NEXT_PIECE:
     return "next-piece";
+  case EventKind::JUMP:
+    return "jump";
   case EventKind::YIELD:
     return "yield";
   case EventKind::UNLOADING:

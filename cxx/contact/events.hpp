@@ -16,6 +16,7 @@ enum class EventKind : char {
   SLIP_TO_STICK,
   STICK_TO_SLIP,
   NEXT_PIECE,
+  JUMP, ///< to an equilibrium that is not near: node is that with the largest way, of the mesh
   YIELD,
   UNLOADING,
   USER

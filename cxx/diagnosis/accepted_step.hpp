@@ -39,6 +39,7 @@ template <int Dim> struct AcceptedStep {
   const Eigen::VectorXd& generalized_force;  ///< on the tools [force, force length]
   const Workpiece<Dim>* workpiece = nullptr; ///< null: the forms of a script, of which nothing is known
   SeenHold hold{};
+  double jumped = 0, drives = 0; ///< dissipated by jumps, work of the tools, of the run so far [force length]
   StepTolerance allowed{};
   double t = 0, dt = 0;                         ///< its end and its length [time]
   bool last = false;                            ///< the program is at its end

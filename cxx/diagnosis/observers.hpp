@@ -32,7 +32,8 @@
   X(locking_check)                                                                                           \
   X(energy_check)                                                                                            \
   X(turning_check)                                                                                           \
-  X(damage_under_force)
+  X(damage_under_force)                                                                                      \
+  X(jumps)
 
 /// Statements, ALGORITHMS.md 17.
 #define BURNISH_STATEMENTS(X)                                                                                \

@@ -131,8 +131,8 @@ template <int Dim> std::string words(const Failure& f, const ContactModel<Dim>& 
   }
   return sentence("; the workpiece, to which supports leave a rigid motion, hangs on ", f.count,
                   f.count == 1 ? " node" : " nodes",
-                  " in contact and may slip from one to the next: a holder, another support, or a finer mesh "
-                  "there");
+                  " in contact and may slip from one to the next: a holder, another support, a finer mesh "
+                  "there, or jumps=0.01 of stepcontrol, which lets it");
 }
 
 template <int Dim>

@@ -29,9 +29,9 @@ const CondensedSystem& CondensedStep<Dim>::condense(const NodeBlockMatrix<Dim>& 
   if (!R.allFinite()) fail("contact.condense", "the force array contains NaN or Inf");
   ++m_iteration.counts().condensations;
   m_way.prepare();
-  return m_condensation.condense({m_loads.with_hold(K, m_step.end()), m_iteration.state(), m_step.prescribed,
-                                  m_step.prescribed_start, u, m_loads.residual(u, m_step.end(), R), terms,
-                                  right, half, m_iteration.options().friction_tangent});
+  return m_condensation.condense(
+      {m_loads.with_springs(K, m_step.end()), m_iteration.state(), m_step.prescribed, m_step.prescribed_start,
+       u, m_loads.residual(u, m_step.end(), R), terms, right, half, m_iteration.options().friction_tangent});
 }
 
 template <int Dim> double CondensedStep<Dim>::expand(const Eigen::VectorXd& z, Eigen::VectorXd& u) {

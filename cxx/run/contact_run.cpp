@@ -222,7 +222,7 @@ template <int Dim> StepStatus ContactRun<Dim>::checked(Eigen::VectorXd& u, const
   if (m_step.stepping != Stepping::RATES) status = m_iteration.check(u, m_loads.residual(u, m_step.end(), R));
   if (status == StepStatus::BACKTRACKED) m_corrector.forget_mixing();
   if (status == StepStatus::ITERATE && !m_corrector.serves(u)) return StepStatus::REFACTORIZE;
-  if (status != StepStatus::CONVERGED) return status;
+  if (status != StepStatus::CONVERGED || m_loads.viscosity.stiffness > 0) return status; // a march may leap
   const Failure leap = leaps(u);
   return leap ? m_iteration.give_up(leap) : status;
 }
@@ -256,7 +256,7 @@ template <int Dim>
 FactorStatus ContactRun<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
   m_step.require_begun("contact.factorize");
   const bool fits = K.size() == m_setup->body().X.size(); // else refused by who asks
-  return m_corrector.factorize(fits ? m_loads.with_hold(K, m_step.end()) : K, u);
+  return m_corrector.factorize(fits ? m_loads.with_springs(K, m_step.end()) : K, u);
 }
 
 template class ContactRun<2>;

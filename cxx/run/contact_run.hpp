@@ -9,6 +9,13 @@
 
 namespace burnish {
 
+/// What jumps have taken (ALGORITHMS.md 9.4).
+struct JumpMemory {
+  long number = 0;
+  double dissipated = 0; ///< by their viscosity [force length]
+  double work = 0;       ///< of the tools on the body so far [force length]
+};
+
 /// All that the contact needs to go on after an accepted step. A copy goes on to the same bits.
 template <int Dim> struct ContactRunState {
   ContactState<Dim> contact;
@@ -19,6 +26,7 @@ template <int Dim> struct ContactRunState {
   Eigen::VectorXd support_displacement; ///< prescribed at the end of the last step; empty: none [length]
   Eigen::VectorXd external;             ///< nodal forces of the last step; empty: none [force]
   HoldState hold;
+  JumpMemory jumps;
   LoadMemory load;
   FactorMemory<Dim> factor;
   // what has been found and counted
@@ -71,6 +79,8 @@ public:
   /// A step of no length: the states change by these events, nothing moves.
   void accept_events(const std::vector<ContactEvent<Dim>>& events);
   void revert();
+  /// The accepted state was reached by a jump from the displacement `before`: logs it. @param dissipated [force length]
+  void add_jump(const Eigen::VectorXd& before, double dissipated);
   /// The same step by a sparse solver of the caller's choice.
   CondensedStep<Dim>& condensed() { return m_condensed; }
 

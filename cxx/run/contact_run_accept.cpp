@@ -81,9 +81,13 @@ void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& in
     take_events(events, u, state);
     log.add(events);
   }
+  const Eigen::VectorXd& force = m_iteration.balance().last().generalized_force;
+  for (Eigen::Index k = 0; k < force.size(); ++k)
+    if (!m_setup->model().coupling_of(static_cast<int>(k))) // what follows hands its force on
+      m_accepted.jumps.work += 0.5 * (m_accepted.generalized_force[k] + force[k]) * m_accepted.history.dq[k];
   take_areas(state, u);
   m_accepted.contact = state;
-  m_accepted.generalized_force = m_iteration.balance().last().generalized_force;
+  m_accepted.generalized_force = force;
   m_accepted.load = m_iteration.balance().memory();
   m_accepted.factor = m_corrector.memory();
   m_accepted.factor.tangent =
@@ -107,6 +111,24 @@ template <int Dim> void ContactRun<Dim>::accept_events(const std::vector<Contact
   m_step.log.events.clear();
 }
 
+template <int Dim> void ContactRun<Dim>::add_jump(const Eigen::VectorXd& before, double dissipated) {
+  JumpMemory& jumps = m_accepted.jumps;
+  ++jumps.number;
+  jumps.dissipated += dissipated;
+  ContactEvent<Dim> event;
+  event.t = m_step.end();
+  event.fraction = 1;
+  event.kind = EventKind::JUMP;
+  double most = -1;
+  for (int node = 0; node < m_setup->mesh().num_nodes; ++node) {
+    const double way = (m_accepted.u - before).template segment<Dim>(Dim * node).norm();
+    if (way > most) event.node = node;
+    most = std::max(most, way);
+  }
+  event.x = m_setup->body().position(m_accepted.u, event.node);
+  m_accepted.log.add({event});
+}
+
 template <int Dim> void ContactRun<Dim>::revert() {
   m_iteration.state() = m_accepted.contact;
   LoadMemory& load = m_iteration.balance().memory();
@@ -127,6 +149,7 @@ template <int Dim> void ContactRun<Dim>::revert() {
       const Eigen::VectorXd&, const Eigen::VectorXd&, double, double) const;                                 \
   template void ContactRun<Dim>::accept(const Eigen::VectorXd&, const Eigen::VectorXd&,                      \
                                         const std::vector<ContactEvent<Dim>>&);                              \
+  template void ContactRun<Dim>::add_jump(const Eigen::VectorXd&, double);                                   \
   template void ContactRun<Dim>::accept_events(const std::vector<ContactEvent<Dim>>&);                       \
   template void ContactRun<Dim>::revert();
 BURNISH_INSTANTIATE(2)

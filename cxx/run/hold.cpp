@@ -5,21 +5,6 @@
 #include <sstream>
 
 namespace burnish {
-namespace {
-
-// Volume of an element with straight edges: per unit of thickness in the plane, of the whole ring if axisymmetric.
-template <int Dim> double volume_of(const Mesh<Dim>& mesh, int element) {
-  constexpr double factorial = Dim == 2 ? 2 : 6, pi = 3.14159265358979323846;
-  const int* nodes = mesh.element(element);
-  Tensor<Dim> edges;
-  double radius = 0;
-  for (int c = 0; c < Dim; ++c) edges.col(c) = mesh.node(nodes[c + 1]) - mesh.node(nodes[0]);
-  for (int c = 0; c <= Dim; ++c) radius += mesh.node(nodes[c])[0] / (Dim + 1);
-  return std::abs(edges.determinant()) / factorial * (mesh.axisymmetric ? 2 * pi * radius : 1);
-}
-
-} // namespace
-
 template <int Dim> void Hold<Dim>::set(double stiffness, double until) {
   require(std::isfinite(stiffness) && stiffness > 0, "contact.hold", "stiffness", stiffness,
           "a finite number > 0");
@@ -27,20 +12,6 @@ template <int Dim> void Hold<Dim>::set(double stiffness, double until) {
   m_state = HoldState{};
   m_state.stiffness = stiffness;
   m_state.until = until;
-  measure();
-}
-
-template <int Dim> void Hold<Dim>::set_state(const HoldState& state) {
-  m_state = state;
-  if (state.stiffness > 0) measure();
-}
-
-// Every node of an element has the same part of its volume.
-template <int Dim> void Hold<Dim>::measure() {
-  m_volume = Eigen::VectorXd::Zero(m_mesh.num_nodes);
-  for (int e = 0; e < m_mesh.num_elements; ++e)
-    for (int a = 0; a < m_mesh.nodes_per_element; ++a)
-      m_volume[m_mesh.element(e)[a]] += volume_of(m_mesh, e) / m_mesh.nodes_per_element;
 }
 
 template <int Dim> void Hold<Dim>::begin(double t, const Eigen::VectorXd& u) {
@@ -59,11 +30,8 @@ template <int Dim> double Hold<Dim>::factor(double t) const {
 }
 
 template <int Dim> Eigen::VectorXd Hold<Dim>::force(const Eigen::VectorXd& u, double factor) const {
-  Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size());
-  if (!(factor > 0)) return f;
-  for (Eigen::Index d = 0; d < u.size(); ++d)
-    if (!m_body.fixed[d]) f[d] = -m_state.stiffness * factor * m_volume[d / Dim] * (u[d] - m_state.origin[d]);
-  return f;
+  if (!(factor > 0)) return Eigen::VectorXd::Zero(u.size());
+  return m_springs.force(m_state.stiffness * factor, u, m_state.origin);
 }
 
 template <int Dim> void Hold<Dim>::add_force(const Eigen::VectorXd& u, double t, Eigen::VectorXd& R) const {
@@ -71,20 +39,11 @@ template <int Dim> void Hold<Dim>::add_force(const Eigen::VectorXd& u, double t,
 }
 
 template <int Dim> void Hold<Dim>::add_stiffness(double t, NodeBlockMatrix<Dim>& K) const {
-  if (!acts(t)) return;
-  for (int node = 0; node < K.num_nodes; ++node) {
-    double* block = K.block(K.find(node, node));
-    for (int c = 0; c < Dim; ++c)
-      if (!m_body.fixed[Dim * node + c]) block[c * Dim + c] += m_state.stiffness * factor(t) * m_volume[node];
-  }
+  if (acts(t)) m_springs.add_stiffness(m_state.stiffness * factor(t), K);
 }
 
 template <int Dim> double Hold<Dim>::carried(const Eigen::VectorXd& u, double t) const {
-  if (!acts(t)) return 0;
-  const Eigen::VectorXd f = force(u, factor(t));
-  double sum = 0;
-  for (Eigen::Index d = 0; d < f.size(); d += Dim) sum += f.template segment<Dim>(d).norm();
-  return sum;
+  return acts(t) ? sum_of_norms<Dim>(force(u, factor(t))) : 0;
 }
 
 template <int Dim> void Hold<Dim>::accept(const Eigen::VectorXd& u, double t, double load) {

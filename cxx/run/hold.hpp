@@ -1,9 +1,7 @@
 #pragma once
 // A soft hold of a body that nothing supports until tools touch it: springs from its nodes to where they were when the
 // hold began, that fade to nothing (METHOD.md 3.16).
-#include "contact/body_view.hpp"
-#include "mesh/mesh.hpp"
-#include "solver/node_block_matrix.hpp"
+#include "run/nodal_springs.hpp"
 #include <limits>
 #include <string>
 
@@ -25,7 +23,7 @@ struct HoldState {
 template <int Dim> class Hold {
 public:
   /// @param mesh, body must outlive it
-  Hold(const Mesh<Dim>& mesh, const BodyView<Dim>& body) : m_mesh(mesh), m_body(body) {}
+  Hold(const Mesh<Dim>& mesh, const BodyView<Dim>& body) : m_springs(mesh, body) {}
 
   /// A new hold from the next step on, in place of an earlier one.
   /// @param stiffness > 0 at its start, per reference volume; it falls linearly in time to 0 at `until`
@@ -48,18 +46,14 @@ public:
   void accept(const Eigen::VectorXd& u, double t, double load);
 
   const HoldState& state() const { return m_state; }
-  void set_state(const HoldState& state);
+  void set_state(const HoldState& state) { m_state = state; }
   /// A line on a hold that carries more than `NOTICED` of the load, or did so when it ended; "": none.
   std::string warning() const;
   static constexpr double NOTICED = 1e-3;
 
 private:
-  void measure();
-
-  const Mesh<Dim>& m_mesh;
-  const BodyView<Dim>& m_body;
+  NodalSprings<Dim> m_springs;
   HoldState m_state;
-  Eigen::VectorXd m_volume; // per node, reference; empty until there is a hold
 };
 
 } // namespace burnish

@@ -9,6 +9,8 @@ AcceptedStep<Dim> accepted_step(const ContactRun<Dim>& run, const Workpiece<Dim>
   AcceptedStep<Dim> step{run.setup(), state.contact, state.u, state.R, state.generalized_force, workpiece};
   const Hold<Dim>& hold = run.loads().hold;
   if (hold.state().factor > 0) step.hold.force = hold.force(state.u, hold.state().factor);
+  step.jumped = state.jumps.dissipated;
+  step.drives = std::abs(state.jumps.work);
   step.hold.share = hold.state().share;
   step.hold.until = hold.state().until;
   step.allowed.load = run.iteration().balance().memory().scale;

@@ -14,6 +14,8 @@ namespace {
 constexpr double WARNED_ERROR = 0.08; // estimated error of the steps that is reported as a warning
 // An event step that failed so often is taken with the states inside the iteration.
 constexpr int MAX_TRIES = 5;
+constexpr int BEFORE_JUMP = 4;      // failures of a step before a jump is tried, if the script lets it, ...
+constexpr double SHORT_STEP = 1e-2; // ... or one failure of a step that is this part of the largest
 
 } // namespace
 
@@ -22,6 +24,7 @@ Stepper<Dim>::Stepper(ContactRun<Dim>& contact, RunBody<Dim>& body, Diagnosis<Di
                       StepControl control, StepperOptions options)
     : m_contact(contact), m_body(body), m_diagnosis(diagnosis), m_control(std::move(control)),
       m_options(options), m_implicit(contact, body, m_options.events, m_counts.scheme),
+      m_jump(contact, body, m_options.events, m_counts.scheme),
       m_event(contact, body, m_options.events, m_counts.scheme),
       m_article(contact, body, m_options.events, m_counts.scheme), m_scheme(&m_implicit) {
   ElementEvents& elements = m_options.events.elements;
@@ -83,6 +86,8 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
     fail("Stepper",
          "scheme article with damage, expected implicit or event: pure rates never take off the force that a "
          "damaged point has lost");
+  if (m_options.events.jumps > 0 && m_body.workpiece().user_defined())
+    fail("Stepper", "jumps= with a law of the script, whose state cannot be taken back over several pieces");
   m_body.workpiece().set_step_length(m_control.dt());
   m_tries = 0;
   return try_step();
@@ -92,6 +97,9 @@ template <int Dim> Task Stepper<Dim>::try_step() {
   m_scheme = &m_implicit;
   if (m_options.scheme == Scheme::EVENT && m_tries < MAX_TRIES) m_scheme = &m_event;
   if (m_options.scheme == Scheme::ARTICLE) m_scheme = &m_article;
+  const bool stuck =
+      m_tries >= BEFORE_JUMP || (m_tries > 0 && m_control.dt() < SHORT_STEP * m_control.options().dt_max);
+  if (m_options.events.jumps > 0 && m_scheme == &m_implicit && stuck) m_scheme = &m_jump;
   m_scheme->start(m_control.time(), m_control.dt());
   return ask(Task::PROGRAM, Phase::PROGRAM);
 }
@@ -150,6 +158,10 @@ template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u,
   case SchemeTask::ACCEPTED:
     return accepted();
   case SchemeTask::REJECTED:
+    if (converged)
+      m_last_rejection =
+          sentence("a jump to the next equilibrium dissipates more than jumps = ", m_options.events.jumps,
+                   " of the tools' work");
     break;
   }
   return rejected(u, R);

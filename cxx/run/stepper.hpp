@@ -2,6 +2,7 @@
 // The loop over the steps of a run, turned inside out: it says what has to be done next, and its caller, a script or a
 // test, does it. One loop for all; every decision about steps is here, in StepControl and in the schemes.
 #include "diagnosis/diagnosis.hpp"
+#include "run/jump_scheme.hpp"
 #include "run/step_control.hpp"
 #include "run/step_scheme.hpp"
 
@@ -117,6 +118,7 @@ private:
   StepperOptions m_options;
   StepperCounts m_counts;
   ImplicitScheme<Dim> m_implicit;
+  JumpScheme<Dim> m_jump;
   EventScheme<Dim> m_event;
   ArticleScheme<Dim> m_article;
   StepScheme<Dim>* m_scheme; // of the present try

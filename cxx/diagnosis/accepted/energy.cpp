@@ -166,7 +166,7 @@ template <int Dim> void EnergyCheck<Dim>::look(const AcceptedStep<Dim>& step, Fi
 
   const double given = energy.tools + energy.supports + energy.external + energy.hold;
   energy.largest = std::max({energy.largest, std::abs(given), std::abs(taken) + std::abs(energy.friction)});
-  const double off = std::abs(given - taken - energy.friction);
+  const double off = std::abs(given - taken - energy.friction - step.jumped);
   const double error = energy.largest > 0 ? off / energy.largest : 0;
   if (!law || now) findings.measure("energy", error);
   // what the tolerance of the residual and rounding leave does not count
