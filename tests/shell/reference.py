@@ -18,6 +18,7 @@ TOP = Path(sys.argv[1]).resolve()
 sys.path.insert(0, str(TOP / "edp/manual/reference"))
 import sources  # noqa: E402
 import topics  # noqa: E402
+from settings import read_settings  # noqa: E402
 
 TABLES = ("history.csv", "events.csv", "surface.csv", "tools.csv")
 FIELDS = {"fields.vtu": "final.vtu", "surface.vtp": "surface-0.vtp", "tools.vtp": "tools-0.vtp", "supports.vtp": "supports.vtp"}
@@ -49,11 +50,12 @@ class Checker:
 
     def check_callables(self):
         """The stored list is that of the plugin."""
-        stored, loaded = set(read(TOP / "edp/manual/reference/callables.txt").split("\n")), set(self.callables.split("\n"))
+        settings = {one.callable for one in read_settings(TOP)}
+        stored, loaded = settings | set(read(TOP / "edp/manual/reference/callables.txt").split("\n")), set(self.callables.split("\n"))
         for line in sorted(loaded - stored):
             self.fail(f"callables.txt lacks \"{line}\" of the loaded plugin")
         for line in sorted(stored - loaded):
-            self.fail(f"the loaded plugin lacks \"{line}\" of callables.txt")
+            self.fail(f"the loaded plugin lacks \"{line}\" of callables.txt or settings.cpp")
 
     def check_covered(self):
         """Everything callable has an entry, every entry is of something callable."""

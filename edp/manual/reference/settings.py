@@ -6,7 +6,6 @@ from pathlib import Path
 SOURCE = "cxx/run/settings.cpp"
 TEXT = r'"((?:[^"\\]|\\.)*)"'
 ROW = re.compile(rf'\{{{TEXT}, {TEXT}, {TEXT}, {TEXT}, {TEXT}, (\w+),\s*((?:{TEXT}\s*)+),\s*(AT|CHOICE)\(([\w.]+)((?:, {TEXT})*)\)\}}')
-KINDS = {"double": "real", "int": "int", "bool": "bool"}
 
 
 @dataclass
@@ -25,6 +24,12 @@ class Setting:
     @property
     def member(self):
         return self.path.rpartition(".")[2]
+
+    @property
+    def callable(self):
+        """As rcCallables lists it."""
+        kind = "string" if self.choices else "bool" if self.default in ("true", "false") else "int" if " to " in self.range else "real"
+        return f"parameter {self.owner} {self.name}= {kind}"
 
     @property
     def line(self):

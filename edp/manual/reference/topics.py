@@ -5,6 +5,7 @@ from pathlib import Path
 
 import heads
 import sources
+from settings import read_settings
 
 TOP = Path(__file__).resolve().parents[3]
 OF_ANY = {"C": "contact", "M": "material", "S": "stepcontrol", "T": "tool", "Vh": "fespace of the displacement"}
@@ -119,7 +120,8 @@ def add_entry(reference, by_name, entry, path):
 
 
 def read_reference(top=TOP):
-    calls, named = sources.read_callables((top / "edp/manual/reference/callables.txt").read_text(encoding="utf-8"))
+    lines = (top / "edp/manual/reference/callables.txt").read_text(encoding="utf-8").split("\n")
+    calls, named = sources.read_callables("\n".join(lines + [one.callable for one in read_settings(top)]))
     declared = sources.read_declarations(top)
     common = sources.options_of(sources.uncommented((top / "edp/cases/rcCaseOptions.idp").read_text(encoding="utf-8")))
     cases, own = sources.read_case_options(top)
