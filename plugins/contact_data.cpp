@@ -11,7 +11,6 @@
 //   C.nodalpressure, C.nodaltraction   nodal forces over tributary lengths: on P1 the same, on P2 they alternate between vertices and mid
 //       nodes | stress
 //   C.width     contact width, of several tools the largest | length
-//   C.stickshare   part of the surface in contact that sticks | -
 //   C.speed     speed of the contact along the body in the last step | length/time
 //   C.spacing   median distance of neighboring candidates | length
 //   C.residual   largest force out of balance, nodes and coordinates under force, last iteration | force
@@ -96,9 +95,6 @@ Array parameters(Stack stack, H* const& h) {
 }
 double width(H* const& h) {
   return guarded([&] { return h->get().started() ? burnish::contact_width(h->get().run()) : 0.; });
-}
-double stick_share(H* const& h) {
-  return guarded([&] { return h->get().started() ? report(h->get().run()).stick_share : 0.; });
 }
 double speed(H* const& h) {
   return guarded([&] { return h->get().started() ? burnish::contact_speed(h->get().run()) : 0.; });
@@ -244,7 +240,6 @@ void register_contact_data() {
     Add<H*>(name, ".", new OneOperator1_<double, H*>(f));
   };
   number("width", width);
-  number("stickshare", stick_share);
   number("speed", speed);
   number("spacing", spacing);
   number("residual", residual);

@@ -1,6 +1,5 @@
 // Files that are whole or not there. What cannot be written ends the script with exit status 5, unless caught.
 //   > { ofstream f(rcNewName(file)); f << ...; rcReplaced(f, file); }    a new content takes the place of the file's
-//   > savevtk(rcNewName(file), ...); rcReplacedVtu(file);                the same of a .vtu file
 //   > { ofstream f(file, append); f << ...; rcAppended(f, file); }       whole lines at the end of a file
 //   rcMakeFolder(path)   makes the folder, checks that it can be written, and keeps other runs out of it until the script ends
 //     path      of the folder
@@ -12,8 +11,6 @@
 //     file      path
 //   rcAppended(f, file)   closes f; keeps whole lines only
 //     f         a stream opened with append
-//     file      path
-//   rcReplacedVtu(file)   as rcReplaced after savevtk
 //     file      path
 //   M.savefields(file)   .vtu file for ParaView: fields of the accepted state on the reference mesh, double precision, whole
 //     file      path
@@ -56,9 +53,6 @@ bool replaced(std::ostream** const& stream, string* const& path) {
 bool appended(std::ostream** const& stream, string* const& path) {
   return guarded([&] { return keep_whole_lines(*path, closed_well(stream)), true; });
 }
-bool replaced_vtu(string* const& path) {
-  return guarded([&] { return replace_file(*path, ends_with(new_name(*path), "</VTKFile>")), true; });
-}
 
 struct SaveTag {};
 struct SurfaceTag {};
@@ -90,7 +84,6 @@ void register_files() {
   Global.Add("rcNewName", "(", new OneOperator1s_<string*, string*>(name_of_new));
   Global.Add("rcReplaced", "(", new OneOperator2_<bool, std::ostream**, string*>(replaced));
   Global.Add("rcAppended", "(", new OneOperator2_<bool, std::ostream**, string*>(appended));
-  Global.Add("rcReplacedVtu", "(", new OneOperator1_<bool, string*>(replaced_vtu));
   add_method<MaterialHandle, SaveTag>("savefields", [] {
     return new OneOperator2_<bool, Method<MaterialHandle, SaveTag>, string*>(save_fields_of);
   });

@@ -29,20 +29,11 @@
 //     name      of an option that would have no say otherwise
 //     words     "rcScheme", or several
 //     ! the script does not use it
-//   rcOptionsJson(dummy)   the values used, "R": 0.015, ...
-//     dummy     not read
 //   rcScriptFolder(dummy)   folder of the script with its slash, "cases/rolling/"
 //     dummy     not read
-//   rcNumber(name, text)   the text as a number
-//     name      of the option, for the message
-//     text      such as "1e-3"
-//     ! , expected a number
-//   rcJson(value)   a number or a text in JSON
-//     value     real or string
 #include "base/error.hpp"
 #include "leave.hpp"
 #include "plugin.hpp"
-#include "script/text.hpp"
 #include "script/words.hpp"
 #include "script_options.hpp"
 #include "settings.hpp"
@@ -119,15 +110,7 @@ bool range(string* const& names, const double& least, const double& most) {
 bool positive(string* const& names) {
   return guarded([&] { return script_options().positive(*names), true; });
 }
-string* options_json(Stack stack, const long&) { return new_string(stack, script_options().json()); }
 string* script_folder(Stack stack, const long&) { return new_string(stack, script_options().folder()); }
-double number(string* const& name, string* const& text) {
-  return guarded([&] {
-    return parse_number(*text, "option " + *name + " has the value \"" + *text + "\", expected a number");
-  });
-}
-string* json_of_number(Stack stack, const double& value) { return new_string(stack, json_number(value)); }
-string* json_of_text(Stack stack, string* const& value) { return new_string(stack, json_text(*value)); }
 
 } // namespace
 
@@ -142,11 +125,7 @@ void register_options() {
   Global.Add("rcPositive", "(", new OneOperator1_<bool, string*>(positive));
   Global.Add("rcOptionUsed", "(", new OneOperator2_<bool, string*, string*>(option_used));
   Global.Add("rcOptionsEnd", "(", new OneOperator1_<bool, long>(options_end));
-  Global.Add("rcOptionsJson", "(", new OneOperator1s_<string*, long>(options_json));
   Global.Add("rcScriptFolder", "(", new OneOperator1s_<string*, long>(script_folder));
-  Global.Add("rcNumber", "(", new OneOperator2_<double, string*, string*>(number));
-  Global.Add("rcJson", "(", new OneOperator1s_<string*, double>(json_of_number));
-  Global.Add("rcJson", "(", new OneOperator1s_<string*, string*>(json_of_text));
 }
 
 } // namespace burnish

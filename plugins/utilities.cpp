@@ -19,11 +19,7 @@
 //     dummy     not read
 //   rcWallTime(dummy)   a clock, for differences | s
 //     dummy     not read
-//   rcBlas(dummy)   name of the BLAS in use
-//     dummy     not read
 //   rcReferenceBlas(dummy)   it is the slow reference one
-//     dummy     not read
-//   rcVersions(dummy)   versions of what is in use, as a JSON object
 //     dummy     not read
 //   rcTerminal(dummy)   output goes to a terminal
 //     dummy     not read
@@ -114,9 +110,7 @@ bool release_interrupt(const long&) {
   return true;
 }
 bool was_interrupted(const long&) { return interrupted != 0; }
-string* blas(Stack stack, const long&) { return new_string(stack, blas_name()); }
 // FreeFEM's own version is a script's global.
-string* versions_text(Stack stack, const long&) { return new_string(stack, versions().dump(1)); }
 bool reference_blas(const long&) { return is_reference_blas(); }
 bool leave_script(const long& status) { leave(static_cast<int>(status)); }
 bool owe_status(const long& status) {
@@ -140,8 +134,6 @@ void register_tools_of_the_trade() {
   Global.Add("rcCatchInterrupt", "(", new OneOperator1_<bool, long>(catch_interrupt));
   Global.Add("rcReleaseInterrupt", "(", new OneOperator1_<bool, long>(release_interrupt));
   Global.Add("rcInterrupted", "(", new OneOperator1_<bool, long>(was_interrupted));
-  Global.Add("rcBlas", "(", new OneOperator1s_<string*, long>(blas));
-  Global.Add("rcVersions", "(", new OneOperator1s_<string*, long>(versions_text));
   Global.Add("rcReferenceBlas", "(", new OneOperator1_<bool, long>(reference_blas));
   Global.Add("rcLeave", "(", new OneOperator1_<bool, long>(leave_script));
   Global.Add("rcOwe", "(", new OneOperator1_<bool, long>(owe_status));
