@@ -6,9 +6,9 @@ using namespace burnish;
 using namespace burnish::test;
 
 TEST(Events, NamesOfKindsAndStates) {
-  const char* kinds[] = {"touch",      "release", "slip-to-stick", "stick-to-slip",
-                         "next-piece", "yield",   "unloading",     "user"};
-  for (int k = 0; k < 8; ++k) EXPECT_STREQ(name_of(static_cast<EventKind>(k)), kinds[k]);
+  const char* kinds[] = {"touch", "release", "slip-to-stick", "stick-to-slip", "next-piece",
+                         "jump",  "yield",   "unloading",     "user"};
+  for (int k = 0; k < 9; ++k) EXPECT_STREQ(name_of(static_cast<EventKind>(k)), kinds[k]);
   const char* states[] = {"free", "touched", "sliding", "sticking", "leaving", "receding"};
   for (int k = 0; k < 6; ++k) EXPECT_STREQ(name_of(static_cast<NodeState>(k)), states[k]);
 }

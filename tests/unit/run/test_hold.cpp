@@ -11,9 +11,13 @@ struct Held {
   ContactMesh mesh;
   BodyView<2> body;
   Hold<2> hold;
-  explicit Held(int order, bool axisymmetric = false)
-      : mesh(block_mesh(3, 2, order, 4, 1.5)), hold(mesh.space, body) {
+  static ContactMesh block(int order, bool axisymmetric) {
+    ContactMesh mesh = block_mesh(3, 2, order, 4, 1.5);
     mesh.space.axisymmetric = axisymmetric;
+    return mesh;
+  }
+  explicit Held(int order, bool axisymmetric = false)
+      : mesh(block(order, axisymmetric)), hold(mesh.space, body) {
     body.X = Eigen::Map<const Eigen::VectorXd>(mesh.space.X.data(), mesh.space.num_dofs());
     body.fixed.assign(mesh.space.num_dofs(), 0);
   }
@@ -42,6 +46,18 @@ TEST(Hold, PullsByStiffnessVolumeAndWay) {
       EXPECT_NEAR(f[0], -0.5 * volume * 0.3, 1e-12);
       EXPECT_NEAR(f[1], 0.5 * volume * 0.2, 1e-12);
     }
+}
+
+TEST(NodalSprings, AreAsStiffAsTheMeanDiagonal) {
+  Held held(1);
+  const NodalSprings<2> springs(held.mesh.space, held.body);
+  NodeBlockMatrix<2> K;
+  K.num_nodes = held.mesh.space.num_nodes;
+  for (int node = 0; node <= K.num_nodes; ++node) K.row_start.push_back(node);
+  for (int node = 0; node < K.num_nodes; ++node) K.col.push_back(node);
+  K.value.assign(static_cast<std::size_t>(4 * K.num_nodes), 0);
+  springs.add_stiffness(0.7, K);
+  EXPECT_NEAR(springs.stiffness_of(K), 0.7, 1e-14);
 }
 
 TEST(Hold, FadesLinearlyFromTheStepInWhichItBegan) {
