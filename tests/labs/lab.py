@@ -1,12 +1,12 @@
-"""A lab of cases/labs: its scripts are run, the answers of its solution compared, its plot drawn.
+"""A lab of cases/labs: it is solved by its key, its scripts are run, the answers of its solution compared, its plot drawn.
 
 lab.py NAME: reads cases/labs/NAME/lab.json:
   "runs": [{"script": "solution.edp", "options": "-n 8", "status": 0, "text": ["words of the output"]}, ...]
     a run may have "folder": that of its results, its script's name unless given ("solution/mu=0.1" lies where the plot finds
     it), and "answers" of its own
   "answers": {"name": [value, tolerance], ...}   of solution.edp; relative tolerance, absolute where 0 is expected
-A script with gaps ends with status 20 and "gap 1 is open"; a solution has none; gaps are numbered through the lab; the key
-names every gap.
+A script with gaps ends with status 20 and "gap 1 is open"; solution.edp, solution-*.edp, mended/*.edp are what cases/labs/solve.py
+makes of lab.edp, other scripts, broken*.edp and key.md, which has a value for every gap; gaps are numbered through the lab.
 plot.py FOLDER FILE draws the answers' plot from the results of solution.edp; expected.png beside it is one.
 
 lab.py NAME FILE... [--against CSV]: compares answers.csv files that were handed in, with lab.json, or with the values of another
@@ -25,14 +25,19 @@ import sys
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TOP / "cases/labs"))
+import solve
 SECTIONS = ["Objectives", "Theory", "Predict first", "Steps", "Questions", "What the plot must show", "Limits"]
 MINUTES = 20                 # CPU, of all runs of a lab
+SOLVED = "solved"            # folder of the solution's scripts, in that of the results
 
 
 def run(folder, job, out):
     """Errors of one run: wrong exit status, missing words."""
     script = folder / job["script"]
-    words = [os.environ["BURNISH"], str(script.relative_to(TOP)), *job.get("options", "").split()]
+    if not script.is_file():
+        script = out / SOLVED / job["script"]
+    words = [os.environ["BURNISH"], os.path.relpath(script, TOP), *job.get("options", "").split()]
     name = job.get("folder", script.stem)
     if job.get("out", True):
         words += ["-out", str(out / name)]
@@ -62,17 +67,12 @@ def answers_off(expected, file):
 
 
 def gaps_off(folder):
-    """Gaps that are numbered with holes, that the key forgets, that the solution leaves open."""
-    gap = re.compile(r"\brcGap(?:Text)?\((\d+)")
-    key, known = (folder / "key.md").read_text(), set()
-    for script in sorted(folder.glob("*.edp")):
-        numbers = sorted({int(n) for n in gap.findall(script.read_text())})
-        known |= set(numbers)
-        if script.name.startswith("solution") and numbers:
-            yield f"{script.name} leaves gaps {numbers} open"
-        for n in numbers:
-            if not re.search(rf"\bgap {n}\b", key, re.IGNORECASE):
-                yield f"key.md does not tell of gap {n} of {script.name}"
+    """Gaps that are numbered with holes; a solution that stands in the folder beside its key."""
+    known = set()
+    for script in sorted(folder.glob("**/*.edp")):
+        known |= {int(n) for n in solve.NUMBER.findall(script.read_text())}
+        if script.name.startswith("solution") or script.parent != folder:
+            yield f"{script.relative_to(folder)}: solutions are made by solve.py"
     if known and known != set(range(1, len(known) + 1)):
         yield f"gaps {sorted(known)}, expected 1 to their number"
 
@@ -118,6 +118,11 @@ def main(name):
     folder, out = TOP / "cases/labs" / name, Path(os.environ["SCRATCH"])
     lab = json.loads((folder / "lab.json").read_text())
     wrong = text_off(folder) + list(gaps_off(folder))
+    try:
+        solve.write(folder, out / SOLVED)
+    except solve.KeyFault as fault:
+        print("FAILED:", fault)
+        return 1
     for job in lab["runs"]:
         wrong += run(folder, job, out)
     if (out / "solution/answers.csv").is_file():
