@@ -2,6 +2,7 @@
 
 lab.py NAME: reads cases/labs/NAME/lab.json:
   "runs": [{"script": "solution.edp", "options": "-n 8", "status": 0, "text": ["words of the output"]}, ...]
+    "numbers": {"words of the output before a number": [value, tolerance]} as for answers
     a run may have "folder": that of its results, its script's name unless given ("solution/mu=0.1" lies where the plot finds
     it), and "answers" of its own
   "answers": {"name": [value, tolerance], ...}   of solution.edp; relative tolerance, absolute where 0 is expected
@@ -48,6 +49,10 @@ def run(folder, job, out):
     for text in job.get("text", []):
         if text not in done.stdout:
             yield f"{job['script']}: the output lacks \"{text}\":\n{done.stdout[-1500:]}"
+    for text, (value, tolerance) in job.get("numbers", {}).items():
+        found = re.search(re.escape(text) + r"[ =]+([-+.\de]+)", done.stdout)
+        if not found or not abs(float(found[1]) - value) <= tolerance * (abs(value) or 1):
+            yield f"{job['script']}: \"{text}\" {found[1] if found else 'is missing'}, expected {value:.6g} within {tolerance:.1e}"
     file = out / name / "answers.csv"
     if "answers" in job:
         yield from answers_off(job["answers"], file) if file.is_file() else [f"{file} is not there"]
