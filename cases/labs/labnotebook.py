@@ -4,7 +4,7 @@
   lab.run(n=8)                       the lab's script with -n 8, printed from its answers on; RunError with the reason if it fails
   lab.run("danger.edp", folder="P1", nu=0.49)     another script, into a folder of its own
   lab.answers(), lab.table("study.csv"), lab.picture()
-The script is lab.edp, to be filled in; the environment's LAB_SOLUTION=1 takes the solution in its place (the test does).
+The script is lab.edp, to be filled in; the environment's LAB_SOLUTION=1 fills it by the key (the test does), see solve.py.
 """
 import csv
 import os
@@ -13,8 +13,6 @@ from pathlib import Path
 
 TOP = Path(os.environ.get("BURNISH_TOP") or Path(__file__).resolve().parents[2])
 BURNISH = os.environ.get("BURNISH") or str(TOP / "build/burnish")
-
-
 SHOWN = ("answer:", "error of pressure", "predicted:", "locks here")      # lines of a run that a cell prints
 
 
@@ -31,12 +29,12 @@ class Lab:
 
     def run(self, script="lab.edp", folder="", status=0, **options):
         """Runs, prints what follows the warnings; the output. status: the exit status that is expected."""
-        path = self.source / script
+        file = self.source / script
         if os.environ.get("LAB_SOLUTION"):
             import solve
-            solve.solve(self.source, self.out / "scripts")
-            path = self.out / "scripts" / solve.solution_of(path)
-        words = [BURNISH, str(path), "-out", str(self.out / folder)]
+            solve.write(self.source, self.out / "solved")
+            file = self.out / "solved" / solve.name(script)
+        words = [BURNISH, str(file), "-out", str(self.out / folder)]
         words += [word for name, value in options.items() for word in ("-" + name, f"{value}")]
         done = subprocess.run(words, cwd=TOP, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True)

@@ -1,12 +1,13 @@
-"""A lab of cases/labs: its scripts are run, the answers of its solution compared, its plot drawn.
+"""A lab of cases/labs: it is solved by its key, its scripts are run, the answers of its solution compared, its plot drawn.
 
 lab.py NAME: reads cases/labs/NAME/lab.json:
-  solution.edp and solution-*.edp are the scripts with the values of gaps.txt in their gaps: cases/labs/solve.py
   "runs": [{"script": "solution.edp", "options": "-n 8", "status": 0, "text": ["words of the output"]}, ...]
+    "numbers": {"words of the output before a number": [value, tolerance]} as for answers
     a run may have "folder": that of its results, its script's name unless given ("solution/mu=0.1" lies where the plot finds
     it), and "answers" of its own
   "answers": {"name": [value, tolerance], ...}   of solution.edp; relative tolerance, absolute where 0 is expected
-A script with gaps ends with status 20 and "gap 1 is open"; gaps are numbered through the lab; gaps.txt and the key have every gap.
+A script with gaps ends with status 20 and "gap 1 is open"; solution.edp, solution-*.edp, mended/*.edp are what cases/labs/solve.py
+makes of lab.edp, other scripts, broken*.edp and key.md, which has a value for every gap; gaps are numbered through the lab.
 plot.py FOLDER FILE draws the answers' plot from the results of solution.edp; expected.png beside it is one.
 
 lab.py NAME FILE... [--against CSV]: compares answers.csv files that were handed in, with lab.json, or with the values of another
@@ -26,17 +27,17 @@ from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "cases/labs"))
-import solve  # noqa: E402
-
+import solve
 SECTIONS = ["Objectives", "Theory", "Predict first", "Steps", "Questions", "What the plot must show", "Limits"]
 MINUTES = 20                 # CPU, of all runs of a lab
+SOLVED = "solved"            # folder of the solution's scripts, in that of the results
 
 
 def run(folder, job, out):
     """Errors of one run: wrong exit status, missing words."""
     script = folder / job["script"]
     if not script.is_file():
-        script = out / "scripts" / script.name
+        script = out / SOLVED / job["script"]
     words = [os.environ["BURNISH"], os.path.relpath(script, TOP), *job.get("options", "").split()]
     name = job.get("folder", script.stem)
     if job.get("out", True):
@@ -48,6 +49,10 @@ def run(folder, job, out):
     for text in job.get("text", []):
         if text not in done.stdout:
             yield f"{job['script']}: the output lacks \"{text}\":\n{done.stdout[-1500:]}"
+    for text, (value, tolerance) in job.get("numbers", {}).items():
+        found = re.search(re.escape(text) + r"[ =]+([-+.\de]+)", done.stdout)
+        if not found or not abs(float(found[1]) - value) <= tolerance * (abs(value) or 1):
+            yield f"{job['script']}: \"{text}\" {found[1] if found else 'is missing'}, expected {value:.6g} within {tolerance:.1e}"
     file = out / name / "answers.csv"
     if "answers" in job:
         yield from answers_off(job["answers"], file) if file.is_file() else [f"{file} is not there"]
@@ -67,18 +72,12 @@ def answers_off(expected, file):
 
 
 def gaps_off(folder):
-    """Gaps that are numbered with holes, that the key or gaps.txt forgets."""
-    gap = re.compile(r"\brcGap(?:Text)?\(\s*(\d+)")
-    key, known = (folder / "key.md").read_text(), set()
-    values = solve.values_of(folder)
-    for script in sorted(folder.glob("*.edp")):
-        numbers = sorted({int(n) for n in gap.findall(script.read_text())})
-        known |= set(numbers)
-        for n in numbers:
-            if not re.search(rf"\bgap {n}\b", key, re.IGNORECASE):
-                yield f"key.md does not tell of gap {n} of {script.name}"
-    if known != set(values):
-        yield f"gaps {sorted(known)}, gaps.txt has {sorted(values)}"
+    """Gaps that are numbered with holes; a solution that stands in the folder beside its key."""
+    known = set()
+    for script in sorted(folder.glob("**/*.edp")):
+        known |= {int(n) for n in solve.NUMBER.findall(script.read_text())}
+        if script.name.startswith("solution") or script.parent != folder:
+            yield f"{script.relative_to(folder)}: solutions are made by solve.py"
     if known and known != set(range(1, len(known) + 1)):
         yield f"gaps {sorted(known)}, expected 1 to their number"
 
@@ -124,7 +123,11 @@ def main(name):
     folder, out = TOP / "cases/labs" / name, Path(os.environ["SCRATCH"])
     lab = json.loads((folder / "lab.json").read_text())
     wrong = text_off(folder) + list(gaps_off(folder))
-    solve.solve(folder, out / "scripts")
+    try:
+        solve.write(folder, out / SOLVED)
+    except solve.KeyFault as fault:
+        print("FAILED:", fault)
+        return 1
     for job in lab["runs"]:
         wrong += run(folder, job, out)
     if (out / "solution/answers.csv").is_file():

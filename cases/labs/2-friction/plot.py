@@ -3,7 +3,7 @@
 import os
 import sys
 
-TOP = os.path.join(os.path.dirname(os.path.realpath(__file__)), *[os.pardir] * 3)
+TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 3)
 sys.path.insert(0, os.path.join(os.environ.get("BURNISH_TOP") or TOP, "cases"))
 import numpy as np
 from labs.labfigure import main

@@ -6,7 +6,7 @@ import os
 import sys
 from pathlib import Path
 
-TOP = os.path.join(os.path.dirname(os.path.realpath(__file__)), *[os.pardir] * 3)
+TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 3)
 sys.path.insert(0, os.path.join(os.environ.get("BURNISH_TOP") or TOP, "cases"))
 from labs.labfigure import answers, main, option, table
 from plotting.figure import BLUE, GRAY, GREEN, ORANGE, RED, new_figure
