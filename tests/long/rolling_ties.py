@@ -40,7 +40,7 @@ def row_of(folder, name):
     field = read_vtu(os.path.join(path, "final.vtu"), ["plastic_strain_eq"]).data["plastic_strain_eq"]
     return Row(name, run.summary["counts"]["steps"], events["slip-to-stick"] + events["stick-to-slip"],
                float(np.mean(np.array(counts) <= 1)), float(np.mean(counts)), run.summary["final"]["stick_share"],
-               result(run, "depth"), result(run, "moment Q_phi"), result(run, "largest plastic"), result(run, "at a node"),
+               result(run, "depth"), result(run, "moment Q_phi"), result(run, "largest plastic"), run.summary["final"]["plastic_strain_eq_nodal_max"],
                result(run, "99 %"), field)
 
 
