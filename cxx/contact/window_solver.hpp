@@ -45,12 +45,14 @@ public:
   /// Solves with the states of the trial. @returns false if it cannot be done; out tells why, and keeps its passes
   bool solve(const ContactState<Dim>& trial, WindowSolution<Dim>& out) const;
   /// Tests every node of the window. @param trial the states that were solved with; changed
-  /// @param severity per candidate: tension of a node in contact [force], penetration of a free one [length]
+  /// @param severity per candidate [length]: tension of a node in contact times its own flexibility along the
+  /// normal, or penetration of a free one
   /// @returns the number of changes
   int test(const WindowSolution<Dim>& solution, ContactState<Dim>& trial,
            std::vector<double>& severity) const;
 
 private:
+  SurfacePlace<Dim> start_place(int candidate, const ContactNode<Dim>& node) const;
   std::vector<int> active_positions(const ContactState<Dim>& trial) const;
   std::vector<NodeLinearization<Dim>>
   linearize(const ContactState<Dim>& trial, const std::vector<int>& active, Eigen::VectorXd& offset) const;
