@@ -6,12 +6,12 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 import numpy as np
 from plotting.case import main
-from plotting.figure import BLUE, GRAY, GREEN, ORANGE, key_of_both, new_figure, same_zero
+from plotting.figure import BLUE, GRAY, GREEN, ORANGE, key_under_labels, new_figure, same_zero
 from plotting.inputs import read_whole_table
 
 
 def force(run):
-    """Force of the punch and radius of the rim against the stroke, beside Siebel's formula and what the wall can carry."""
+    """Force of the punch and radius of the rim against the stroke, beside Siebel's and what the wall can carry."""
     history, most = run.history, run.result("largest force the wall can carry") / 1e3
     figure, axes = new_figure(8.0, 4.8)
     siebel = np.where(history["siebel"] > 0, history["siebel"], np.nan) / 1e3
@@ -22,11 +22,11 @@ def force(run):
     axes.set_ylabel("force [kN]")
     rim = axes.twinx()
     rim.grid(False)
-    rim.plot(history["stroke"], history["rim"], color=GREEN, linewidth=1, label="radius of the rim, right scale")
-    rim.set_ylabel("radius [mm]")
+    rim.plot(history["stroke"], history["rim"], color=GREEN, linewidth=1, label="rim, right scale")
+    rim.set_ylabel("radius of the rim [mm]")
     same_zero(axes, rim)
     axes.set_ylim(top=1.15 * max(most, history["punch_force"].max() / 1e3))
-    key_of_both(axes, rim, loc="lower center", ncol=2)
+    key_under_labels(axes, [*axes.lines, *rim.lines], 4)
     axes.set_title("Force of the punch on the whole ring")
     return figure
 
@@ -36,10 +36,11 @@ def thickness(run):
     profile = read_whole_table(os.path.join(run.folder, "profile.csv"))
     figure, axes = new_figure(8.0, 4.2)
     axes.plot(profile["blank"], profile["thickness"], color=BLUE, marker=".", label="cup")
-    axes.axhline(float(run.summary["options"]["thickness"]), color=GRAY, linestyle=":", label="blank")
+    axes.axhline(run.summary["options"]["thickness"], color=GRAY, linestyle=":", label="blank")
+    axes.axhline(run.summary["options"]["gap"], color=ORANGE, linestyle="--", label="clearance of the die")
     axes.set_xlabel("radius in the blank [mm]")
     axes.set_ylabel("thickness [mm]")
-    axes.legend(loc="upper left")
+    key_under_labels(axes, axes.lines, 3)
     axes.set_title(f"Thickness of the cup: {profile['thickness'].min():.3f} to {profile['thickness'].max():.3f} mm")
     return figure
 
