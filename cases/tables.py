@@ -1,4 +1,4 @@
-"""Measures the tables of cases/rolling/README.md, cases/planetary/README.md, cases/u-channel/README.md and writes them there:
+"""Measures the tables of the READMEs of cases/rolling, planetary and, in sheet_tables.py, u-channel, cup, and writes them there:
 
     make tables                          all of them, one run after the other: about half an hour
     make tables OPTIONS="rolling"        those of one README
@@ -13,6 +13,7 @@ import os
 import re
 import sys
 
+import sheet_tables
 from measured import Run, brief, off, run, strain, table
 
 TOP = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -253,27 +254,11 @@ def planetary_others():
     return table(["", "nodes", "steps", *STRAINS, "advance µm", "CPU s", ""], rows)
 
 
-# --- u-channel ----------------------------------------------------------------------------------------------------
-def channel_mesh():
-    runs = [("1 mm (default)", ""), ("1 mm, `-scheme event`", "-scheme event"),
-            *((f"{size} mm", f"-size {size}") for size in (0.75, 0.6, 0.5))]
-    rows = []
-    for name, options in runs:
-        r = run("u-channel", f"-check 0 {options}".strip())
-        ended = r.t >= 2 - 1e-9
-        angle = r.result("wall off the vertical, sprung back") if ended else None
-        rows.append([name, f"{r.result('punch force against bending and friction'):.2f}" if ended else "",
-                     f"{r.result('largest punch force, both halves'):.2f}" if ended else "", "" if angle is None else f"{angle:.3f} deg",
-                     f"{r.result('thickness of the wall'):.4f}" if ended else "", f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()])
-    return table(["elements", "punch force (half 0.7 to 1)", "largest, both halves", "wall, sprung back", "thickness of the wall",
-                  "steps (rejected)", "CPU s", ""], rows)
-
-
 TABLES = {"rolling": {"steps": rolling_steps, "integrator": rolling_integrator, "ways": rolling_ways, "article": rolling_article,
                       "linear": rolling_linear, "rules": rolling_rules,
                       "terms": rolling_terms, "mesh": rolling_mesh, "beside": rolling_beside},
           "planetary": {"mesh": planetary_mesh, "loads": planetary_loads, "others": planetary_others},
-          "u-channel": {"mesh": channel_mesh}}
+          **sheet_tables.TABLES}
 
 
 def write(case, only):

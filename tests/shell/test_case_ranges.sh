@@ -60,6 +60,10 @@ step-die -draft 90
 strip-rolling -ny 0
 strip-rolling -h0 0
 u-channel -size 1e-12
+cup -size 1e-12
+cup -ny -3
+cup -nose 21
+cup -blank 26
 u-channel -ny -3
 upsetting -n 0
 upsetting -a 0
