@@ -1,23 +1,65 @@
-"""What cases/tables.py measures of sheets: cases/u-channel/README.md, cases/cup/README.md."""
+"""What cases/tables.py measures of sheets: cases/bending, u-channel, cup; those drawn at random: sheet_sweeps.py."""
 import csv
 import os
 
 from measured import run, table
 
 
+def channel(name, options):
+    r = run("u-channel", f"-check 0 {options}".strip())
+    ended = r.t >= 2 - 1e-9
+    shown = [(f, form) for f, form in (("mean punch force of the last third", "{:.1f}"), ("largest punch force, both halves", "{:.1f}"),
+             ("thickness of the wall", "{:.4f}"), ("wall off the vertical, loaded", "{:.2f} deg"), ("wall off the vertical, sprung back", "{:.2f}"),
+             ("flange off the horizontal, sprung back", "{:.2f}"), ("curvature of the wall, sprung back", "{:.4f}"))]
+    return [name, *(form.format(r.result(f)) if ended else "" for f, form in shown),
+            f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()]
+
+
+CHANNEL = ["elements", "punch force N/mm", "largest", "wall mm", "wall, loaded", "sprung back", "flange deg", "curl 1/mm", "steps (rejected)",
+           "CPU s", ""]
+
+
 def channel_mesh():
-    runs = [("1 mm (default)", ""), ("1 mm, `-scheme event`", "-scheme event"),
-            *((f"{size} mm", f"-size {size}") for size in (0.75, 0.6, 0.5))]
-    rows = []
-    for name, options in runs:
-        r = run("u-channel", f"-check 0 {options}".strip())
-        ended = r.t >= 2 - 1e-9
-        angle = r.result("wall off the vertical, sprung back") if ended else None
-        rows.append([name, f"{r.result('punch force against bending and friction'):.2f}" if ended else "",
-                     f"{r.result('largest punch force, both halves'):.2f}" if ended else "", "" if angle is None else f"{angle:.3f} deg",
-                     f"{r.result('thickness of the wall'):.4f}" if ended else "", f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()])
-    return table(["elements", "punch force (half 0.7 to 1)", "largest, both halves", "wall, sprung back", "thickness of the wall",
-                  "steps (rejected)", "CPU s", ""], rows)
+    """Along the sheet, through the thickness, length of the steps, the other way through a step."""
+    return table(CHANNEL, [channel(name, options) for name, options in (
+        ("1 mm, 4 through (default)", ""), ("0.75 mm, 4", "-size 0.75"), ("0.5 mm, 4", "-size 0.5"), ("0.35 mm, 4", "-size 0.35"),
+        ("1 mm, 2", "-ny 2"), ("0.5 mm, 2", "-size 0.5 -ny 2"), ("0.5 mm, 6", "-size 0.5 -ny 6"),
+        ("0.5 mm, 4, `-steps 800`", "-size 0.5 -steps 800"), ("1 mm, 4, `-scheme event`", "-scheme event"))])
+
+
+NUMISHEET = ("-width 25 -nose 5 -shoulder 5 -thickness 0.78 -clearance 1.282 -depth 70 -mu 0.144 -E 206000 -bite 20 -crown 5000 -length 175 "
+             "-hardening '565.32*(0.007117+ep)^0.2589'")
+
+
+def channel_numisheet():
+    return table(["holder, both sides", *CHANNEL[1:]], [channel(name, f"{NUMISHEET} {options}") for name, options in (
+        ("2.45 kN, 5 elements along a fillet", "-bhf 35 -edges 5"), ("2.45 kN, 8", "-bhf 35 -edges 8"),
+        ("19.6 kN, 5", "-bhf 280 -edges 5"))])
+
+
+def bent(name, options):
+    r = run("bending", f"-check 0 {options}".strip())
+    flanks = "springback without the die's flanks" in r.summary["results"]
+    estimate = r.result("springback without the die's flanks") if flanks else r.summary["results"]["springback"]["expected"]
+    back = r.result("springback")
+    return [name, f"{r.result('largest force, both halves'):.1f}", f"{r.result('bend angle under load'):.2f} deg",
+            f"{r.result('bend angle after springback'):.2f}", f"{back:.3f}", f"{estimate:.3f}" + (" without flanks" if flanks else ""),
+            "" if flanks else f"{100 * (estimate / back - 1):.1f} %", f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()]
+
+
+BENT = ["force N/mm", "bend angle, load", "after", "springback", "pure bending", "off", "steps (rejected)", "CPU s", ""]
+
+
+def bending_stroke():
+    rows = [bent(f"{depth:g} mm" if depth != 12.5 else "12.5 mm (default)", "" if depth == 12.5 else f"-depth {depth:g}") for depth in (5, 8, 11, 12.5, 13)]
+    rows.append(bent("13.9 mm, coined by a punch of 90 deg", "-punchangle 90 -depth 13.9"))
+    rows.append(bent("14 mm, the same", "-punchangle 90 -depth 14"))
+    rows.append(bent("12.5 mm, half the mesh", "-nx 128 -ny 8"))
+    return table(["stroke", *BENT], rows)
+
+
+def bending_thickness():
+    return table(["thickness", *BENT], [bent(f"{t:g} mm", f"-thickness {t:g} -depth 11") for t in (0.5, 0.75, 1, 1.5, 2, 2.5, 3)])
 
 
 def cup(options, name):
@@ -65,4 +107,6 @@ def cup_ratio():
     return table(["blank, ratio", *HEAD, "Siebel kN", *TAIL], rows)
 
 
-TABLES = {"u-channel": {"mesh": channel_mesh}, "cup": {"mesh": cup_mesh, "gap": cup_gap, "ratio": cup_ratio}}
+TABLES = {"bending": {"stroke": bending_stroke, "thickness": bending_thickness},
+          "u-channel": {"mesh": channel_mesh, "numisheet": channel_numisheet},
+          "cup": {"mesh": cup_mesh, "gap": cup_gap, "ratio": cup_ratio}}

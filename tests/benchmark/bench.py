@@ -27,7 +27,8 @@ KERNELS = r"^(yardstick|stress_update|internal_force|tangent|factorization|whole
           r"|^step/100$|/(Factorize|Solve|Flexibility|Analyze)/radial:20/along:52/candidates:105$|/(Bordered|Umfpack).*friction_rows:10$"
 SCENES = {"rolling": "cases/rolling/rolling.edp", "rolling, coarse": "cases/rolling/rolling.edp -inner 5 -outer 75 -sides 10",
           "hertz": "cases/hertz/hertz.edp -meshes 0", "indentation": "cases/indentation/indentation.edp -half 1",
-          "strip-rolling": "cases/strip-rolling/strip-rolling.edp"}
+          "strip-rolling": "cases/strip-rolling/strip-rolling.edp", "bending": "cases/bending/bending.edp", "cup": "cases/cup/cup.edp",
+          "u-channel": "cases/u-channel/u-channel.edp"}
 GROWTH = [5, 10, 20, 37, 52]
 
 

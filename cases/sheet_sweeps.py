@@ -1,0 +1,90 @@
+"""What cases/tables.py measures of sheets drawn at random: Latin hypercubes by cases/sweep, a part of them again on a mesh half as fine
+in both directions, those that stop again with jumps. Tables "sweep" of cases/bending, u-channel, cup."""
+import json
+import os
+import re
+import statistics
+import subprocess
+import sys
+
+from measured import Run, run, table
+
+COMMON = "-pictures 0 -series 0 -check 0"
+# varied mesh, its option's halved value, elements through the thickness of the half mesh, drawn options, samples, every how
+# many is repeated, the force that is compared, option of jumps
+SWEEPS = {
+    "bending": ("nx=64,96", lambda v: f"-nx {2 * int(v)}", 8, "thickness=.5:3:latin shoulder=1:6:latin nose=1:6:latin "
+                "depth=6:12.5:latin mu=0:.2:latin", 50, 1, "largest force, both halves", ""),
+    "cup": ("size=1,0.75", lambda v: f"-size {float(v) / 2:g}", 4, "blank=30:42:latin nose=3:8:latin shoulder=3:8:latin "
+            "gap=1.1:1.6:latin mu=.02:.15:latin bhf=2000:15000:latin", 50, 3, "largest punch force", ""),
+    "u-channel": ("edges=4,5,6", lambda v: f"-edges {2 * int(v)}", 8, "thickness=.5:2:latin shoulder=1:6:latin nose=1:6:latin "
+                  "clearance=1.05:1.4:latin mu=0:.2:latin bhf=5:80:latin", 67, 10, "mean punch force of the last third", "-jumps 0.01"),
+}
+
+
+def variants(case, samples, vary, drawn):
+    """Folders of the sweep, run unless they are to be kept: in the order of the samples."""
+    top = os.path.join("out/sweep", case)
+    if not Run.keep:
+        words = {"CASE": case, "VARY": f"{vary} {drawn}", "SAMPLES": str(samples), "OPTIONS": COMMON}
+        subprocess.run(["cases/sweep/sweep.sh"], env={**os.environ, **words}, check=False)
+    values = vary.split("=")[1].split(",")
+    found = sorted(f for f in os.listdir(top) if f.startswith(vary.split("=")[0] + "=") and f.split(",")[0].split("=")[1] in values)
+    if len(found) != samples * len(values):
+        sys.exit(f"tables.py: {len(found)} variants in {top}, expected {samples * len(values)}")
+    return [os.path.join(top, f) for f in found]
+
+
+def options_of(folder):
+    return " ".join(f"-{w.replace('=', ' ')}" for w in os.path.basename(folder).split(","))
+
+
+def outcome(folder):
+    """Its summary, or the reason of its end, shortened."""
+    try:
+        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+            summary = json.load(file)
+    except FileNotFoundError:
+        return None, "no result"
+    if summary["status"] == "finished":
+        return summary, ""
+    with open(os.path.join(folder, "log.txt"), encoding="utf-8", errors="replace") as file:
+        text = re.search(r"stopped early at t = (\S+).*", file.read())
+    return summary, text.group(0) if text else summary["status"]
+
+
+CAUSES = (("may slip from one to the next", "hangs on single nodes"), ("too little to balance", "friction does not hold it"),
+          ("wedges", "a node wedges"), ("nothing resists", "the holder hangs in the air"), ("states cycle", "states cycle"))
+
+
+def cause(reason):
+    return next((name for text, name in CAUSES if text in reason), "no convergence")
+
+
+def sweep(case):
+    vary, halved, through, drawn, samples, every, force, jumps = SWEEPS[case]
+    rows, option = [], vary.split("=")[0]
+    for value in vary.split("=")[1].split(","):
+        ends = [(f, *outcome(f)) for f in variants(case, samples, vary, drawn) if os.path.basename(f).startswith(f"{option}={value},")]
+        done = [(f, s) for f, s, reason in ends if not reason]
+        stopped = [(f, cause(reason)) for f, _, reason in ends if reason]
+        again = [run(case, f"-series 0 -check 0 {options_of(f)} {jumps}") for f, _ in stopped] if jumps else []
+        errors = []
+        for f, s in done[::every]:
+            half = run(case, f"-series 0 -check 0 {options_of(f)} {halved(value)} -ny {through}")
+            if half.finished:
+                errors.append((s["results"][force]["value"] / half.result(force) - 1, os.path.basename(f)))
+        sizes = sorted(abs(e) for e, _ in errors)
+        why = ", ".join(f"{[c for _, c in stopped].count(name)} {name}" for name in sorted({c for _, c in stopped}))
+        steps = [s["counts"]["steps"] for _, s in done]
+        print(f"{case} {option}={value}: worst against the half mesh {max(errors, key=lambda e: abs(e[0]))}")
+        rows.append([f"{option} {value}", f"{len(done)} of {len(ends)}", *([f"{sum(r.finished for r in again)} of {len(again)}"] if jumps else []),
+                     why, f"{statistics.median(steps):.0f} ({max(steps)})",
+                     f"{statistics.median(s['cpu_seconds']['total'] for _, s in done):.1f}",
+                     f"{len(sizes)}", f"{100 * statistics.median(sizes):.1f} %", f"{100 * sizes[-1]:.1f} %",
+                     f"{sum(e > 0.03 for e in sizes)}"])
+    return table(["mesh", "finish", *([f"of the others, with `{jumps}`"] if jumps else []), "the others stop because", "steps, median (most)",
+                  "CPU s", "compared", "off, median", "most", "above 3 %"], rows)
+
+
+TABLES = {case: {"sweep": lambda case=case: sweep(case)} for case in SWEEPS}
