@@ -1,4 +1,4 @@
-"""What cases/tables.py measures of sheets: cases/bending, u-channel, cup; those drawn at random: sheet_sweeps.py."""
+"""What cases/tables.py measures of sheets: cases/bending, u-channel, cup, leveller; those drawn at random: sheet_sweeps.py."""
 import csv
 import os
 
@@ -107,6 +107,20 @@ def cup_ratio():
     return table(["blank, ratio", *HEAD, "Siebel kN", *TAIL], rows)
 
 
+def leveller_rolls():
+    rows = []
+    for name, options in (("5 idle (default)", ""), ("5 driven", "-drive driven"), ("5 idle, `-exit 0.2`", "-exit 0.2"), ("5 idle, half the mesh", "-size 0.75 -ny 6"),
+                          ("3 idle", "-rolls 3"), ("3 driven", "-rolls 3 -drive driven"), ("3 idle, `-intermesh 0.5`", "-rolls 3 -intermesh 0.5"),
+                          ("3 idle, half the mesh", "-rolls 3 -size 0.75 -ny 6")):
+        r = run("leveller", f"-check 0 {options}".strip())
+        after = [r.result(f"curvature after, {what}") for what in ("mean", "least", "most")]
+        rows.append([name, f"{after[0]:.2f} ({after[1]:.2f} to {after[2]:.2f})", f"{r.result('mean press of the upper rolls'):.1f}",
+                     f"{r.result('mean force of the leading lower roll'):.2f}", f"{r.result('mean pull along the strip'):.1f}",
+                     f"{r.result('mean torque of the rolls'):.1f}", f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()])
+    return table(["rolls", "curvature after, 1/m", "press N/mm", "leading roll N/mm", "pull N/mm", "torque N", "steps (rejected)", "CPU s", ""], rows)
+
+
 TABLES = {"bending": {"stroke": bending_stroke, "thickness": bending_thickness},
           "u-channel": {"mesh": channel_mesh, "numisheet": channel_numisheet},
+          "leveller": {"rolls": leveller_rolls},
           "cup": {"mesh": cup_mesh, "gap": cup_gap, "ratio": cup_ratio}}

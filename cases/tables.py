@@ -1,4 +1,4 @@
-"""Measures the tables of the READMEs of cases/rolling, planetary and, in sheet_tables.py and sheet_sweeps.py, bending, u-channel, cup, and writes them there:
+"""Measures the tables of the READMEs of cases/rolling, planetary and, in sheet_tables.py and sheet_sweeps.py, bending, u-channel, cup, leveller, and writes them there:
 
     make tables                          all of them, one run after the other: about half an hour
     make tables OPTIONS="rolling"        those of one README
@@ -259,7 +259,7 @@ TABLES = {"rolling": {"steps": rolling_steps, "integrator": rolling_integrator, 
                       "linear": rolling_linear, "rules": rolling_rules,
                       "terms": rolling_terms, "mesh": rolling_mesh, "beside": rolling_beside},
           "planetary": {"mesh": planetary_mesh, "loads": planetary_loads, "others": planetary_others},
-          **{case: {**tables, **sheet_sweeps.TABLES[case]} for case, tables in sheet_tables.TABLES.items()}}
+          **{case: {**tables, **sheet_sweeps.TABLES.get(case, {})} for case, tables in sheet_tables.TABLES.items()}}
 
 
 def write(case, only):

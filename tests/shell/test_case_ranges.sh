@@ -61,6 +61,10 @@ strip-rolling -ny 0
 strip-rolling -h0 0
 u-channel -size 1e-12
 cup -size 1e-12
+leveller -rolls 4
+leveller -way 80
+leveller -drive pulled
+leveller -ny 0
 cup -ny -3
 cup -nose 21
 cup -blank 26
