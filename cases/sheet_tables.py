@@ -1,4 +1,4 @@
-"""What cases/tables.py measures of sheets: cases/bending, u-channel, cup, leveller; those drawn at random: sheet_sweeps.py."""
+"""What cases/tables.py measures of sheets: cases/bending, u-channel, cup, leveller, roll-bending; those drawn at random: sheet_sweeps.py."""
 import csv
 import os
 
@@ -120,7 +120,20 @@ def leveller_rolls():
     return table(["rolls", "curvature after, 1/m", "press N/mm", "leading roll N/mm", "pull N/mm", "torque N", "steps (rejected)", "CPU s", ""], rows)
 
 
+def winding_mesh():
+    rows = []
+    for name, options in (("1.5 mm, 2 through", "-size 1.5 -ny 2"), ("1.5 mm, 4", "-size 1.5"), ("0.75 mm, 4 (default)", ""), ("0.4 mm, 4", "-size 0.4"),
+                          ("0.75 mm, 8", "-ny 8"), ("default, `-press 40`", "-press 40"), ("default, `-play 0.05`", "-play 0.05"),
+                          ("default, `-thickness 1`", "-thickness 1"), ("default, `-angle 160`", "-angle 160")):
+        r = run("roll-bending", f"-check 0 {options}".strip())
+        moment = r.summary["results"]["mean moment of winding"]
+        rows.append([name, f"{moment['value']:.1f}", f"{moment['expected']:.1f}", f"{r.result('bend angle under load'):.2f} deg",
+                     f"{r.result('largest angle of the form touched'):.1f}", f"{r.result('springback'):.2f}",
+                     f"{r.result('springback of pure bending'):.2f}", f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()])
+    return table(["elements", "moment N", "by the work", "bent, load", "form touched", "springback", "pure bending", "steps (rejected)", "CPU s", ""], rows)
+
+
 TABLES = {"bending": {"stroke": bending_stroke, "thickness": bending_thickness},
           "u-channel": {"mesh": channel_mesh, "numisheet": channel_numisheet},
-          "leveller": {"rolls": leveller_rolls},
+          "roll-bending": {"mesh": winding_mesh}, "leveller": {"rolls": leveller_rolls},
           "cup": {"mesh": cup_mesh, "gap": cup_gap, "ratio": cup_ratio}}

@@ -1,4 +1,4 @@
-"""Measures the tables of the READMEs of cases/rolling, planetary and, in sheet_tables.py and sheet_sweeps.py, bending, u-channel, cup, leveller, and writes them there:
+"""Measures the tables of the READMEs of cases/rolling, planetary and, in sheet_tables.py and sheet_sweeps.py, bending, u-channel, cup, leveller, roll-bending, and writes them there:
 
     make tables                          all of them, one run after the other: about half an hour
     make tables OPTIONS="rolling"        those of one README

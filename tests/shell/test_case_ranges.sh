@@ -48,6 +48,9 @@ partial-slip -n 0
 partial-slip -R 0
 planetary -fine 1e-12
 planetary -Ro 1e9
+roll-bending -angle 10
+roll-bending -press -1
+roll-bending -length 20
 rolling-contact -n 0
 rolling-contact -a inf
 rubber -n 0
