@@ -42,8 +42,7 @@ std::string not_converged(const Failure& f) {
   if (f.cause == Cause::WEDGED)
     text += sentence(": node ", f.node, " at ", place_text(f.place),
                      " can neither stick nor slide, since its friction of ", f.value,
-                     " beside a normal force of ", f.allowed,
-                     " is so large that it wedges");
+                     " beside a normal force of ", f.allowed, " is so large that it wedges");
   if (f.cause == Cause::CYCLE || f.cause == Cause::WEDGED)
     text += ": there may be no equilibrium near the last one; jumps=0.01 of stepcontrol goes on to the next";
   if (last.lagged) text += "; frictiontangent=\"consistent\" needs fewer iterations";
