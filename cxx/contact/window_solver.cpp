@@ -135,15 +135,6 @@ bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim
   return true;
 }
 
-// Where a node that slides is linearized: at its foot as the iteration finds it, not at the place where it stuck in a pass, from
-// which the tangent leaves a curved tool by the square of the way.
-template <int Dim>
-SurfacePlace<Dim> WindowSolver<Dim>::start_place(int candidate, const ContactNode<Dim>& node) const {
-  const auto poses = m_model.poses(m_problem.start->q);
-  const Vector<Dim> x = m_body.position(*m_problem.u, m_model.candidates[candidate]);
-  return m_model.tools[node.tool]->foot(poses[node.tool], x, node.place.hint).place;
-}
-
 template <int Dim>
 int WindowSolver<Dim>::test(const WindowSolution<Dim>& solution, ContactState<Dim>& trial,
                             std::vector<double>& severity) const {
@@ -170,8 +161,6 @@ int WindowSolver<Dim>::test(const WindowSolution<Dim>& solution, ContactState<Di
     } else
       severity[i] = -nearest_tool(m_model, poses, x, m_problem.entry->nodes[i], i).foot.gap;
     changes += test(i, solved, F, deciding[i], x, trial.nodes[i]);
-    if (sticks(solved.state) && trial.nodes[i].state == NodeState::SLIDING)
-      trial.nodes[i].place = start_place(i, trial.nodes[i]);
   }
   return changes;
 }

@@ -52,7 +52,6 @@ public:
            std::vector<double>& severity) const;
 
 private:
-  SurfacePlace<Dim> start_place(int candidate, const ContactNode<Dim>& node) const;
   std::vector<int> active_positions(const ContactState<Dim>& trial) const;
   std::vector<NodeLinearization<Dim>>
   linearize(const ContactState<Dim>& trial, const std::vector<int>& active, Eigen::VectorXd& offset) const;

@@ -128,31 +128,6 @@ TEST(ActiveSet, DrawnRowEntersSliding) {
   }
 }
 
-// On a curved tool, too, a node that gives way slides from its foot: where it stuck before leaves no trace in the forces.
-TEST(ActiveSet, GivesWayFromItsFootAndNotFromWhereItStuck) {
-  const auto forces = [](NodeState state, double stuck) {
-    Springs springs(0.3);
-    springs.model.tools[0] =
-        profile_tool("roll", std::make_shared<Circle>(5.), std::make_shared<Cartesian>());
-    springs.start.q << 2, 4.9, 0;
-    springs.prescribed.value = springs.start.q;
-    springs.prescribed.value[0] += 0.5;
-    springs.window = {2};
-    springs.flexibility.set(std::make_shared<const Eigen::MatrixXd>(Eigen::MatrixXd::Identity(2, 2)));
-    springs.problem.free_increment = Eigen::VectorXd::Zero(2);
-    springs.touch(2, state, -1);
-    springs.slip(springs.start.nodes[2], stuck);
-    springs.start.nodes[2].slip_origin = springs.start.nodes[2].place;
-    const auto solution = springs.solve();
-    EXPECT_STREQ(name_of(solution.state.nodes[2].state), "sliding");
-    return solution.F;
-  };
-  const Eigen::VectorXd from_foot = forces(NodeState::SLIDING, 0);
-  EXPECT_LT(from_foot[1], -0.05);
-  for (const double stuck : {0.3, 0.6})
-    EXPECT_NEAR((forces(NodeState::STICKING, stuck) - from_foot).norm(), 0, 1e-12) << stuck;
-}
-
 // Where it stuck its spring pulls it off the tool again and again: it gives that place up after two releases.
 TEST(ActiveSet, FullStickingReturnsTwiceToItsPlace) {
   Springs springs(0.3, -0.1);
