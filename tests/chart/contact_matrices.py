@@ -153,15 +153,15 @@ def free_body(state):
     return state.K[state.kept][:, state.kept]
 
 
-def condensed(state, name="complete", scale_turns=1.0):
-    """The condensed matrix without given unknowns. scale_turns: length that makes a turn a way, the article's scaling of coordinates."""
+def condensed(state, name="complete", scale_coordinates=False):
+    """The condensed matrix without given unknowns. scale_coordinates: in units in which their diagonal entries are the mean of K's at the contact, the
+    article's scaling."""
     A = state.condensed(name)
     body = state.K.shape[0]
     off = abs(A - sp.diags(A.diagonal()))
     keep = (np.asarray(off.max(axis=1).todense()).ravel() > 0) | (np.asarray(off.max(axis=0).todense()).ravel() > 0)
     scale = np.ones(A.shape[0])
-    for k, name_of in enumerate(state.coordinates):
-        if name_of in ("angle", "theta", "phi"):
-            scale[body + k] = 1 / scale_turns
+    if scale_coordinates:
+        scale[body:] = np.sqrt(unit(state) * state.length.mean() / abs(A.diagonal()[body:]))
     A = sp.diags(scale) @ A @ sp.diags(scale)
     return A.tocsr()[keep][:, keep]

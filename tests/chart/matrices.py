@@ -70,7 +70,7 @@ def matrices_of(state, mu, sweep):
     coordinates = len(state.free)
     yield "K", cm.free_body(state), 0
     yield "condensed", cm.condensed(state), coordinates
-    yield "condensed, turns as ways", cm.condensed(state, scale_turns=state.radius), coordinates
+    yield "condensed, coordinates scaled", cm.condensed(state, scale_coordinates=True), coordinates
     for factor in FACTORS if sweep else (10, 1000):
         yield f"penalty {factor}", cm.penalty(state, factor, mu), coordinates
     for name, factor in (("multipliers", 0), (f"augmented {AUGMENTED}", AUGMENTED)):
@@ -78,7 +78,7 @@ def matrices_of(state, mu, sweep):
         yield name, A, A.shape[0] - len(state.kept)
 
 
-def look(folder, quick):
+def look(folder, quick, keep=False):
     rows = []
     for scene, (script, options, states, *_rest, mu, _) in SCENES.items():
         for element in ("P1", "P2"):
@@ -87,7 +87,8 @@ def look(folder, quick):
                 where = os.path.join(folder, f"{scene}-{element}-{n}")
                 os.makedirs(where, exist_ok=True)
                 extra = f" -pictures 0 -series 0 -check 0 -out {where}/run" if scene == "hertz" else ""
-                run(script, f"{options} -element {element} -n {n} -states {where}{extra}", os.path.join(where, "log.txt"))
+                if not keep or not os.path.exists(os.path.join(where, f"{states}-q")):
+                    run(script, f"{options} -element {element} -n {n} -states {where}{extra}",     os.path.join(where, "log.txt"))
                 for k in range(1 if n == meshes[-1] else states, states + 1):
                     state = state_of(scene, where, k)
                     for name, A, border in matrices_of(state, mu, k == states):
@@ -106,10 +107,10 @@ def parts(folder, quick):
                 os.path.join(where, "log.txt"))
     for k in range(1, 5):
         state = state_of("rolling", where, k)
-        A = {name: cm.condensed(state, name, state.radius) for name in ("complete", "article", "none", "lagged")}
+        A = {name: cm.condensed(state, name) for name in ("complete", "article", "none", "lagged")}
         norm = measures.sla.norm
         stress = cm.read_matrix(state.base + "stress")
-        rows.append({"t": k / 4, "body, finite step": found[f"part_{k}"], "body, (1.11)": norm(stress - stress.T) / 2 / norm(state.K),
+        rows.append({"t": k / 4, "body, finite step": found[f"part_{k}"], "body, article (1.11)": norm(stress - stress.T) / 2 / norm(state.K),
                      "contact, all terms": anti(A["complete"] - A["none"]) / norm(A["complete"]),
                      "contact, the article's": anti(A["article"] - A["none"]) / norm(A["complete"]),
                      "friction": anti(A["none"]) / norm(A["complete"]),
@@ -156,11 +157,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="coarse meshes, a minute")
     parser.add_argument("--again", action="store_true", help="no runs: tables and pictures of the files in the folder")
+    parser.add_argument("--keep", action="store_true", help="states that are in the folder are measured anew, not made")
     parser.add_argument("--store", action="store_true", help="into tests/chart/matrices.md")
     parser.add_argument("--out", default="out/matrices")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)
-    made = {"matrices": look, "parts": parts, "ways": ways,
+    made = {"matrices": lambda folder, quick: look(folder, quick, options.keep), "parts": parts, "ways": ways,
             "integrals": lambda folder, quick: surface_integrals.measure(
                 [state_of("rolling", os.path.join(folder, f"rolling-{e}-{(QUICK if quick else MESHES)[-1]}"), k)
                  for e in ("P1", "P2") for k in range(1, 5)], ["P1"] * 4 + ["P2"] * 4)}

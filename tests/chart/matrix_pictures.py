@@ -6,7 +6,7 @@ sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pa
 from matplotlib.ticker import NullFormatter
 from plotting.figure import plt, save
 
-COLORS = {"K": "k", "condensed": "#238b45", "condensed, turns as ways": "#74c476", "penalty 10": "#fdbe85", "penalty 1000": "#d94701",
+COLORS = {"K": "k", "condensed": "#238b45", "condensed, coordinates scaled": "#74c476", "penalty 10": "#fdbe85", "penalty 1000": "#d94701",
           "multipliers": "#6a3d9a", "augmented 10": "#c51b8a"}
 SCENES = ("hertz", "rolling", "indentation")
 
@@ -25,7 +25,7 @@ def conditions(rows, path):
         sweep = sorted((float(r["matrix"].split()[1]), r["condition"], r["condition_scaled"]) for r in finest if r["matrix"].startswith("penalty"))
         bottom.plot([f for f, _, _ in sweep], [c for _, c, _ in sweep], "o-", color=COLORS["penalty 1000"], ms=4)
         bottom.plot([f for f, _, _ in sweep], [s for _, _, s in sweep], "--", color=COLORS["penalty 1000"], lw=1)
-        for name in ("K", "condensed", "condensed, turns as ways", "multipliers"):
+        for name in ("K", "condensed", "condensed, coordinates scaled", "multipliers"):
             r = next(r for r in finest if r["matrix"] == name)
             bottom.axhline(r["condition"], color=COLORS[name], lw=1.3)
             bottom.axhline(r["condition_scaled"], color=COLORS[name], lw=0.9, ls="--")

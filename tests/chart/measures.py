@@ -4,6 +4,7 @@ import scipy.sparse as sp
 import scipy.sparse.linalg as sla
 
 TOLERANCE = 1e-2   # of the singular values
+SMALL = 1e-4       # diagonal entry over the largest of its row: below, the largest sets the scale
 DENSE = 400        # up to this size: all singular values
 
 
@@ -32,10 +33,10 @@ def condition(A):
 
 
 def by_diagonal(A):
-    """Rows and columns over the root of the diagonal, as the dense block of the contact is scaled; then those whose diagonal is zero over their
+    """Rows and columns over the root of the diagonal, as the dense block of the contact is scaled; then those whose diagonal is small over their
     largest entry."""
     d = abs(A.diagonal())
-    zero = d <= 1e-12 * np.asarray(abs(A).max(axis=1).todense()).ravel()
+    zero = d <= SMALL * np.asarray(abs(A).max(axis=1).todense()).ravel()
     scale = 1 / np.sqrt(np.where(zero, 1, d))
     first = (sp.diags(scale) @ A @ sp.diags(scale)).tocsr()
     if not zero.any():
@@ -72,7 +73,7 @@ def measure(A, border=0):
     A.sum_duplicates()
     d, size = abs(A.diagonal()), A.shape[0]
     off = np.asarray(abs(A - sp.diags(A.diagonal())).max(axis=1).todense()).ravel()
-    zero = d <= 1e-14 * abs(A).max()
+    zero = d <= 1e-10 * np.maximum(off, 1e-300)
     ratio = off / np.where(zero, np.nan, d)
     below, none, above = negative(A, border)
     return {"size": size, "entries": int(A.nnz), "megabytes": (12 * A.nnz + 4 * size) / 1e6, "condition": condition(A),

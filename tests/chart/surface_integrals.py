@@ -1,8 +1,8 @@
-"""The surface integrals of the article's (1.20), (1.21), literally, beside the sums of nodal forces that stand for them (cxx/METHOD.md 3.8).
+"""The surface integrals of article (1.20) and article (1.21), literally, beside the sums of nodal forces that stand for them (cxx/METHOD.md 3.8).
 
 A circle in the plane, xi its arc: b has the curvature alone, g = 1, a the unit turn. Of nodes m, n that slide
-    (1.20)  - int H^m (kappa Xi_n H^n + Xi_t dH^n/dxi) dS     nodal: - kappa N_m where m = n
-    (1.21)  - int Xi_n H^m dS                                 nodal: - N_m
+    curvature and change of area:  - int H^m (kappa Xi_n H^n + Xi_t dH^n/dxi) dS     nodal: - kappa N_m where m = n
+    turn:  - int Xi_n H^m dS                                 nodal: - N_m
 Tractions are linear on every edge, of forces shared to the corners (METHOD.md 3.20).
 """
 import numpy as np
@@ -84,7 +84,7 @@ def one(state, quadratic):
     S = {name: stiffness(A, state) for name, A in (("complete", state.condensed("complete").tocsr()), ("article", article), ("literal", literal))}
     scale = norm(nodal) if len(sliding) else np.nan
     return {"contact": len(state.active), "sliding": len(sliding), "lumping": norm(nodal - part[0]) / scale, "area": norm(part[1]) / scale,
-            "(1.21)": norm(state.N[sliding] - line[sliding]) / norm(state.N[sliding]) if len(sliding) else np.nan,
+            "turn": norm(state.N[sliding] - line[sliding]) / norm(state.N[sliding]) if len(sliding) else np.nan,
             "of the matrix": sla.norm(change.tocsr()) / sla.norm(article), "stiffness, article": S["article"] / S["complete"] - 1,
             "stiffness, literal": S["literal"] / S["complete"] - 1}
 
