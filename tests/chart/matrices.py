@@ -88,13 +88,28 @@ def look(folder, quick, keep=False):
                 os.makedirs(where, exist_ok=True)
                 extra = f" -pictures 0 -series 0 -check 0 -out {where}/run" if scene == "hertz" else ""
                 if not keep or not os.path.exists(os.path.join(where, f"{states}-q")):
-                    run(script, f"{options} -element {element} -n {n} -states {where}{extra}",     os.path.join(where, "log.txt"))
+                    run(script, f"{options} -element {element} -n {n} -states {where}{extra}", os.path.join(where, "log.txt"))
                 for k in range(1 if n == meshes[-1] else states, states + 1):
                     state = state_of(scene, where, k)
                     for name, A, border in matrices_of(state, mu, k == states):
                         rows.append({"scene": scene, "element": element, "n": n, "state": k, "matrix": name, "contact": len(state.active),
                                      **measures.measure(A, border)})
                 print(f"  {scene}, {element}, n = {n}: {rows[-1]['size']} unknowns", file=sys.stderr, flush=True)
+    return rows
+
+
+def rivals(folder, quick):
+    """How far a penalty matrix made here is from the last one of the rival's own loop, Hertz's contact on a small mesh."""
+    where, rows = os.path.join(folder, "rivals"), []
+    os.makedirs(where, exist_ok=True)
+    run("tangents.edp", f"-mu 0 -steps 2 -block 1 -element P1 -n 4 -states {where} -pictures 0 -series 0 -check 0 -out {where}/run",
+        os.path.join(where, "log.txt"))
+    state = state_of("hertz", where, 1)
+    for factor in FACTORS[1::2]:
+        run("hertz.edp", f"-method penalty -factor {factor} -block 1 -element P1 -n 4 -matrix {where}/matrix", os.path.join(where, "log.txt"))
+        own = cm.read_matrix(os.path.join(where, "matrix"))
+        own = own[own.diagonal() < 1e25][:, own.diagonal() < 1e25]
+        rows.append({"matrix": f"penalty {factor}", "off": float(measures.sla.norm(own - cm.penalty(state, factor, 0)) / measures.sla.norm(own))})
     return rows
 
 
@@ -162,7 +177,7 @@ def main():
     parser.add_argument("--out", default="out/matrices")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)
-    made = {"matrices": lambda folder, quick: look(folder, quick, options.keep), "parts": parts, "ways": ways,
+    made = {"matrices": lambda folder, quick: look(folder, quick, options.keep), "rivals": rivals, "parts": parts, "ways": ways,
             "integrals": lambda folder, quick: surface_integrals.measure(
                 [state_of("rolling", os.path.join(folder, f"rolling-{e}-{(QUICK if quick else MESHES)[-1]}"), k)
                  for e in ("P1", "P2") for k in range(1, 5)], ["P1"] * 4 + ["P2"] * 4)}

@@ -37,6 +37,11 @@ def scene_table(rows, scene, element):
     return f"{LONGEST[scene]}, {element}, n = {finest}, nodes in contact: {', '.join(map(str, contact))}\n\n" + "\n".join(lines) + "\n"
 
 
+def rivals_table(rows):
+    lines = ["| Hertz, P1, n = 4 | off the matrix of the rival's own loop |", "|---|---|"]
+    return "\n".join(lines + [f"| {r['matrix']} | {number(r['off'])} |" for r in rows]) + "\n"
+
+
 def parts_table(rows):
     names = [key for key in rows[0] if key != "t"]
     lines = ["| | " + " | ".join(f"t = {r['t']}" for r in rows) + " |", "|---|" + "---|" * len(rows)]
@@ -64,7 +69,7 @@ def integrals_table(rows):
 
 def tables(found):
     made = {f"{scene} {element}": scene_table(found["matrices"], scene, element) for scene in LONGEST for element in ("P1", "P2")}
-    return {**made, "parts": parts_table(found["parts"]), "ways": ways_table(found["ways"]), "integrals": integrals_table(found["integrals"])}
+    return {**made, "rivals": rivals_table(found["rivals"]), "parts": parts_table(found["parts"]), "ways": ways_table(found["ways"]), "integrals": integrals_table(found["integrals"])}
 
 
 def broken_claims(found):
@@ -79,6 +84,7 @@ def broken_claims(found):
             wrong.append(f"{where}: a condition below three times that of K")
         if r["matrix"] == "multipliers" and r["negative"] + r["null"] < r["contact"]:
             wrong.append(f"{where}: a negative eigenvalue for each node in contact")
+    wrong += [f"{r['matrix']}: that of the rival's own loop" for r in found["rivals"] if not r["off"] < 1e-2]
     return wrong
 
 

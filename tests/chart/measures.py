@@ -33,17 +33,17 @@ def condition(A):
 
 
 def by_diagonal(A):
-    """Rows and columns over the root of the diagonal, as the dense block of the contact is scaled; then those whose diagonal is small over their
-    largest entry."""
+    """Rows and columns over the root of the diagonal, as the dense block of the contact is scaled; then those whose diagonal is small over the root of
+    their largest entry, until that is 1."""
     d = abs(A.diagonal())
     zero = d <= SMALL * np.asarray(abs(A).max(axis=1).todense()).ravel()
     scale = 1 / np.sqrt(np.where(zero, 1, d))
-    first = (sp.diags(scale) @ A @ sp.diags(scale)).tocsr()
-    if not zero.any():
-        return first
-    largest = np.asarray(abs(first).max(axis=1).todense()).ravel()
-    more = sp.diags(np.where(zero & (largest > 0), 1 / np.where(largest > 0, largest, 1), 1))
-    return (more @ first @ more).tocsr()
+    A = (sp.diags(scale) @ A @ sp.diags(scale)).tocsr()
+    for _ in range(20 if zero.any() else 0):
+        largest = np.asarray(abs(A).max(axis=1).todense()).ravel()
+        more = sp.diags(np.where(zero & (largest > 0), 1 / np.sqrt(np.where(largest > 0, largest, 1)), 1))
+        A = (more @ A @ more).tocsr()
+    return A
 
 
 def negative(A, border):
