@@ -67,7 +67,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-direc
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep explore stability chart references chart-quick bench-peers test $(SUITES:%=test-%) bench bench-growth install uninstall docs packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep explore stability chart matrices references chart-quick bench-peers test $(SUITES:%=test-%) bench bench-growth install uninstall docs packages format format-check clean help FORCE
 .PHONY: compile programs compile-programs sanitize sanitized fuzz test-alone
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -110,6 +110,9 @@ stability: build ## the map of what can go wrong, out/stability/map.png; OPTIONS
 
 chart: build ## speed against accuracy of our methods and their rivals, out/chart (half an hour); OPTIONS="--only slip --repeat 5": tests/chart/run.py
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py $(OPTIONS)
+
+matrices: build ## what the article claims of its matrix, measured beside its rivals', out/matrices (ten minutes); OPTIONS="--quick": tests/chart/matrices.py
+	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) -B tests/chart/matrices.py $(OPTIONS)
 
 references: build ## reference runs of the chart's scenes into tests/chart/references.csv and curves.csv
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py --references --none $(OPTIONS)

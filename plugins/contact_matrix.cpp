@@ -6,7 +6,7 @@
 //     K         tangent, from varf or M.tangent() | force/length | | symmetric with symmetric=true
 //     u         displacement | length
 //     R         nodal forces, internal - external | force
-//     terms=    geometric terms | | "complete" | "complete", "article", "none"
+//     terms=    geometric terms | | that of rcContact | "complete", "article", "none"
 //     rates=    true: right-hand side of pure rates, after C.begin(..., rates=true) | | false
 //     symmetric=   true: one triangle, for CHOLMOD and its like; without friction, or with frictiontangent="lagged" | | false
 //     solver=   solver of FreeFEM attached to the matrix, or "BURNISH" | | "BURNISH" | a solver that is loaded
@@ -60,7 +60,8 @@ struct Condense {
     const auto& blocks = contact.blocks(view_of(K, n, "contact.condense"), "contact.condense");
     if (symmetric) require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.condense");
     Settings terms;
-    set_choice(terms, setting("terms"), a.text("terms", "complete"), "contact.condense");
+    terms.iteration.terms = contact.run().iteration().options().terms;
+    if (a.has("terms")) set_choice(terms, setting("terms"), a.text("terms", ""), "contact.condense");
     const auto right = a.boolean("rates", false) ? RightHandSide::RATES : RightHandSide::TOTAL;
     const auto& system = called("contact.condense", [&]() -> const CondensedSystem& {
       return contact.run().condensed().condense(blocks, to_dofs(u, n, "contact.condense", "u"),

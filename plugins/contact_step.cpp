@@ -104,6 +104,7 @@ bool factorize_material(const Method<ContactHandle, FactorizeTag>& m, MaterialHa
   return guarded([&] {
     MaterialObject& object = material->get();
     m->get().require_same_mesh(object, "contact.factorize");
+    m->get().material = material->share();
     return factorize_tangent(m->get().run(), object.workpiece(), dofs(m->get(), u, "contact.factorize", "u"));
   });
 }

@@ -149,6 +149,7 @@ struct AddTool {
     });
     contact.setup->add_tool(tool->get().tool, friction, reach_of(a, contact));
     tool->get().added = true;
+    tool->get().contact = m.object->share();
     return true;
   }
 };

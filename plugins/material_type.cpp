@@ -36,9 +36,10 @@
 //     R         out, as long as u | force
 //   M.accept()   the end of the step becomes the accepted state
 //   M.revert()   back to the accepted state
-//   M.tangent()   tangent matrix of the last update, lower triangle | force/length
+//   M.tangent()   tangent matrix of the last update, lower triangle of its symmetric part | force/length
 //     kind=     which moduli | | "consistent" | "consistent", "rate", "elastic"
 //     blend=    part of elastic moduli in plastic points | - | 0 | 0 to 1
+//     full=     true: the whole matrix, with the antisymmetric part of a finite step, for studies | | false
 //     ! , expected "consistent", "rate" or "elastic"
 //   M.events()   earliest yield or unloading of the step that the last update made, all of the step found, for the log;
 //       fraction of the step, 2: none | -
@@ -208,19 +209,23 @@ double seconds(const Method<MaterialHandle, SecondsTag>& m, string* const& phase
   });
 }
 struct Tangent {
-  static const int n = 2;
+  static const int n = 3;
   static basicAC_F0::name_and_type names[n];
   static newpMatrice_Creuse<double> call(const Named& a, Method<MaterialHandle, TangentTag> m) {
     MaterialObject& object = m->get();
     NodeBlockMatrix<2> K = object.workpiece().pattern();
+    const bool full = a.boolean("full", false);
     called("material.tangent", [&] {
-      object.workpiece().tangent(K, tangent_kind(a.text("kind", "consistent")), a.real("blend", 0));
+      const TangentKind kind = tangent_kind(a.text("kind", "consistent"));
+      object.workpiece().tangent(K, kind, a.real("blend", 0));
+      if (full) object.workpiece().add_antisymmetric_tangent(K, kind, a.real("blend", 0));
     });
     note_tangent(K, object.fingerprint, object.workpiece().discretization().axisymmetric);
-    return to_freefem(a.stack(), K);
+    return to_freefem(a.stack(), K, full);
   }
 };
-basicAC_F0::name_and_type Tangent::names[] = {{"kind", &typeid(string*)}, {"blend", &typeid(double)}};
+basicAC_F0::name_and_type Tangent::names[] = {
+    {"kind", &typeid(string*)}, {"blend", &typeid(double)}, {"full", &typeid(bool)}};
 
 void register_material_events() {
   using H = MaterialHandle;

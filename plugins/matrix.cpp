@@ -43,8 +43,8 @@ newpMatrice_Creuse<double> to_freefem(Stack stack, const CondensedSystem& system
                     solver);
 }
 
-newpMatrice_Creuse<double> to_freefem(Stack stack, const NodeBlockMatrix<2>& K) {
-  return to_freefem(stack, lower_triangle(K).view(), "BURNISH");
+newpMatrice_Creuse<double> to_freefem(Stack stack, const NodeBlockMatrix<2>& K, bool full) {
+  return to_freefem(stack, (full ? all_rows(K) : lower_triangle(K)).view(), "BURNISH");
 }
 
 } // namespace burnish

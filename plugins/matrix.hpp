@@ -17,7 +17,7 @@ std::string known_solver(const std::string& name, const char* where);
 /// New FreeFEM matrix with a solver attached, so that K^-1*b works without set().
 newpMatrice_Creuse<double> to_freefem(Stack stack, const CondensedSystem& system,
                                       const std::string& solver = "BURNISH");
-/// The same from the symmetric tangent: lower triangle.
-newpMatrice_Creuse<double> to_freefem(Stack stack, const NodeBlockMatrix<2>& K);
+/// The same from a tangent: lower triangle of a symmetric one, or all of it.
+newpMatrice_Creuse<double> to_freefem(Stack stack, const NodeBlockMatrix<2>& K, bool full);
 
 } // namespace burnish

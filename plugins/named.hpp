@@ -27,6 +27,7 @@ public:
     const Expression e = find(name);
     return e ? *GetAny<string*>((*e)(m_stack)) : otherwise;
   }
+  template <class T> T value(const char* name) const { return GetAny<T>((*find(name))(m_stack)); }
   KN_<double> array(const char* name) const { return GetAny<KN_<double>>((*find(name))(m_stack)); }
   /// The number if it is among least to most. @throws std::invalid_argument "where: ..." otherwise
   long integer(const char* name, long otherwise, long least, long most, const char* where) const {

@@ -55,6 +55,7 @@ static void init() {
   register_number_list();
   register_tool();
   register_tool_shapes();
+  register_tool_stiffness();
   register_material();
   register_material_data();
   register_material_points();

@@ -134,6 +134,7 @@ string* new_string(Stack stack, const std::string& text);
 // Registration of each file's part, in this order.
 void register_tool();
 void register_tool_shapes();
+void register_tool_stiffness();
 void register_material();
 void register_material_data();
 void register_material_points();

@@ -87,6 +87,7 @@ bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, Material
     object.statements_at = -1;
     object.contact = contact->share();
     object.material = material->share();
+    object.contact->material = object.material;
     object.stepper = std::make_unique<Stepper<2>>(object.contact->run(), *object.material->body,
                                                   object.contact->diagnosis, *object.control, object.options);
     object.contact->diagnosis.set_checks(object.checks);

@@ -6,16 +6,19 @@
 #include "plugin.hpp"
 #include "run/contact_motion.hpp"
 #include "run/run_body.hpp"
+#include "run/run_stiffness.hpp"
 #include "run/seen_step.hpp"
 
 #include <map>
 
 namespace burnish {
 
+struct ContactObject;
 struct ToolObject {
   static constexpr const char* TYPE = "tool";
   bool added = false; // to a contact: the coordinates stay
   std::shared_ptr<DrivenTool<2>> tool;
+  std::weak_ptr<ContactObject> contact; // that it was added to
 };
 struct MaterialObject {
   static constexpr const char* TYPE = "material";
@@ -42,7 +45,8 @@ struct StepSeen {
 struct ContactObject {
   static constexpr const char* TYPE = "contact";
   std::shared_ptr<ContactSetup<2>> setup;
-  IterationOptions options; // of the run, until it is begun
+  IterationOptions options;               // of the run, until it is begun
+  std::weak_ptr<MaterialObject> material; // of its run
   Diagnosis<2> diagnosis;
   std::shared_ptr<const FrictionLaw> friction; // default of add()
   std::map<std::string, double> parameters;    // numbers by name for formulas of friction
@@ -54,6 +58,7 @@ struct ContactObject {
   StepSeen step;
   bool under_way = false; // a run of a stepcontrol goes on
   MatrixCheck matrices;
+  std::unique_ptr<RunStiffness<2>> stiffness; // of the run, made when it is asked for
   /// @throws std::invalid_argument "where: ..." unless the material is on the contact's mesh
   void require_same_mesh(MaterialObject& material, const char* where);
   /// The same for a matrix of a script, which is returned by node blocks.

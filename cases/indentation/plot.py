@@ -42,6 +42,29 @@ def load_depth(run):
     return figure
 
 
+def stiffness(run):
+    """Slope of the force over the depth and at the start of unloading, against the half-width; a line contact of that half-width."""
+    h = run.history
+    a, forward, back = 1e6 * h["half_width"], 1e-9 * h["stiffness"], 1e-9 * h["stiffness_unloading"]
+    loading = (h["t"] <= 1) & (back > 0) & (a > 0)
+    unloading = (h["t"] > 1) & (h["t"] < 1.9) & (a > 0)
+    figure, axes = new_figure(7.5, 4.8)
+    axes.plot(a[loading], back[loading], color=RED, marker=".", markersize=4, label="at the start of unloading, elastic=true")
+    axes.plot(a[loading], forward[loading], color=BLUE, marker=".", markersize=4, label="loading")
+    axes.plot(a[unloading], forward[unloading], color=GRAY, marker=".", markersize=4, linewidth=0.8, label="unloading")
+    star = 2e-9 * option(run.summary, "G") / (1 - option(run.summary, "nu"))
+    known = np.flatnonzero(loading)[-1]                # METHOD.md (3.28), from the largest load on
+    line = np.linspace(a[loading].min(), a[loading].max(), 100)
+    axes.plot(line, 1 / (1 / back[known] + 2 / (np.pi * star) * np.log(a[known] / line)), "k--", linewidth=1,
+              label=r"$1/S = 1/S_0 + 2\,\ln(a_0/a)/(\pi E^*)$")
+    axes.set_xlabel(r"half-width of the contact, outermost node [$\mu$m]")
+    axes.set_ylabel("stiffness [GPa]")
+    axes.set_ylim(bottom=0)
+    axes.set_title("Stiffness of the cylinder, force per thickness over depth")
+    axes.legend()
+    return figure
+
+
 def top(field):
     """x [mm] and height [um] of the top surface in order of x."""
     nodes = np.flatnonzero(np.abs(field.points[:, 1]) < 1e-12)
@@ -106,4 +129,4 @@ def residual_stress(run):
 COLUMNS = {"half_width": ("half-width of the contact", "mm", 1e3), "force": ("force", "kN/m", 1e-3)}
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:], mu="mu", columns=COLUMNS, without=("pressure", "history"),
-                  pictures=(load_depth, crater, stress_under_load, residual_stress)))
+                  pictures=(load_depth, stiffness, crater, stress_under_load, residual_stress)))

@@ -20,21 +20,32 @@ SparseRows rows_of(const TripletView& entries) {
   return rows;
 }
 
-template <int Dim> SparseRows lower_triangle(const NodeBlockMatrix<Dim>& K) {
-  SparseRows lower{K.size(), true, {0}, {}, {}};
+namespace {
+
+template <int Dim> SparseRows rows_of_blocks(const NodeBlockMatrix<Dim>& K, bool lower) {
+  SparseRows rows{K.size(), lower, {0}, {}, {}};
   for (int row = 0; row < K.size(); ++row) {
     for (int k = K.row_start[row / Dim]; k < K.row_start[row / Dim + 1]; ++k)
-      for (int c = 0; c < Dim && Dim * K.col[k] + c <= row; ++c) {
-        lower.col.push_back(Dim * K.col[k] + c);
-        lower.value.push_back(K.block(k)[Dim * (row % Dim) + c]);
+      for (int c = 0; c < Dim && (!lower || Dim * K.col[k] + c <= row); ++c) {
+        rows.col.push_back(Dim * K.col[k] + c);
+        rows.value.push_back(K.block(k)[Dim * (row % Dim) + c]);
       }
-    lower.row_start.push_back(static_cast<int>(lower.col.size()));
+    rows.row_start.push_back(static_cast<int>(rows.col.size()));
   }
-  return lower;
+  return rows;
 }
+
+} // namespace
+
+template <int Dim> SparseRows lower_triangle(const NodeBlockMatrix<Dim>& K) {
+  return rows_of_blocks(K, true);
+}
+template <int Dim> SparseRows all_rows(const NodeBlockMatrix<Dim>& K) { return rows_of_blocks(K, false); }
 
 template SparseRows lower_triangle<2>(const NodeBlockMatrix<2>&);
 template SparseRows lower_triangle<3>(const NodeBlockMatrix<3>&);
+template SparseRows all_rows<2>(const NodeBlockMatrix<2>&);
+template SparseRows all_rows<3>(const NodeBlockMatrix<3>&);
 
 std::vector<int> places_by_columns(const SparseView& rows) {
   const int nnz = rows.row_start[rows.n];

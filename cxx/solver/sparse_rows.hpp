@@ -18,6 +18,8 @@ SparseRows rows_of(const TripletView& entries);
 
 /// Lower triangle of a symmetric block matrix, diagonal included, dof by dof.
 template <int Dim> SparseRows lower_triangle(const NodeBlockMatrix<Dim>& K);
+/// All rows of a block matrix, dof by dof.
+template <int Dim> SparseRows all_rows(const NodeBlockMatrix<Dim>& K);
 
 /// Place of every entry where the entries are ordered by columns, then rows.
 std::vector<int> places_by_columns(const SparseView& rows);

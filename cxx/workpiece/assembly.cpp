@@ -3,8 +3,8 @@
 namespace burnish {
 namespace {
 
-// Hoop = 1: with the gradients N/R out of the plane, of the radial component.
-template <int Hoop, int Dim>
+// Hoop = 1: with the gradients N/R out of the plane, of the radial component. Mirror: sign of the transposed blocks.
+template <int Hoop, int Mirror, int Dim>
 void add_point(const Discretization<Dim>& mesh, int point, const int* slot, const PiolaTangent<Dim>& A,
                NodeBlockMatrix<Dim>& matrix) {
   using Block = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
@@ -25,7 +25,12 @@ void add_point(const Discretization<Dim>& mesh, int point, const int* slot, cons
         block.row(i).noalias() = grad_a.transpose() * column.template middleRows<Dim>(Dim * i);
       if constexpr (Hoop) block.row(0) += shape[a] * inverse_radius * column.template bottomRows<1>();
       Eigen::Map<Block>(matrix.block(slot[a * nodes + b])) += block;
-      if (a != b) Eigen::Map<Block>(matrix.block(slot[b * nodes + a])) += block.transpose();
+      if (a == b) continue;
+      Eigen::Map<Block> mirrored(matrix.block(slot[b * nodes + a]));
+      if constexpr (Mirror > 0)
+        mirrored += block.transpose();
+      else
+        mirrored -= block.transpose();
     }
   }
 }
@@ -64,15 +69,28 @@ template <int Dim> bool TangentAssembly<Dim>::fits(const NodeBlockMatrix<Dim>& m
 }
 
 template <int Dim>
-void TangentAssembly<Dim>::add(const Discretization<Dim>& mesh, int point, const PiolaTangent<Dim>& A,
-                               NodeBlockMatrix<Dim>& matrix) const {
+template <int Mirror>
+void TangentAssembly<Dim>::add_mirrored(const Discretization<Dim>& mesh, int point,
+                                        const PiolaTangent<Dim>& A, NodeBlockMatrix<Dim>& matrix) const {
   const int nodes = mesh.nodes_per_element, element = point / mesh.points_per_element;
   const int* slot = m_slot.data() + static_cast<std::size_t>(element) * nodes * nodes;
   const PiolaTangent<Dim> weighted = mesh.weight[point] * A;
   if constexpr (PointTraits<Dim>::has_hoop) {
-    if (mesh.axisymmetric) return add_point<1>(mesh, point, slot, weighted, matrix);
+    if (mesh.axisymmetric) return add_point<1, Mirror>(mesh, point, slot, weighted, matrix);
   }
-  add_point<0>(mesh, point, slot, weighted, matrix);
+  add_point<0, Mirror>(mesh, point, slot, weighted, matrix);
+}
+
+template <int Dim>
+void TangentAssembly<Dim>::add(const Discretization<Dim>& mesh, int point, const PiolaTangent<Dim>& A,
+                               NodeBlockMatrix<Dim>& matrix) const {
+  add_mirrored<1>(mesh, point, A, matrix);
+}
+
+template <int Dim>
+void TangentAssembly<Dim>::add_antisymmetric(const Discretization<Dim>& mesh, int point,
+                                             const PiolaTangent<Dim>& A, NodeBlockMatrix<Dim>& matrix) const {
+  add_mirrored<-1>(mesh, point, A, matrix);
 }
 
 template void add_force<2>(const Discretization<2>&, int, const Gradient<2>&, Eigen::VectorXd&);

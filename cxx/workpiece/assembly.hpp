@@ -24,8 +24,15 @@ public:
   /// element count; the others are their transposes. @param mesh that of the constructor; @param matrix fits, with values
   void add(const Discretization<Dim>& mesh, int point, const PiolaTangent<Dim>& A,
            NodeBlockMatrix<Dim>& matrix) const;
+  /// The same for antisymmetric moduli: the other blocks are the negative transposes.
+  void add_antisymmetric(const Discretization<Dim>& mesh, int point, const PiolaTangent<Dim>& A,
+                         NodeBlockMatrix<Dim>& matrix) const;
 
 private:
+  template <int Mirror>
+  void add_mirrored(const Discretization<Dim>& mesh, int point, const PiolaTangent<Dim>& A,
+                    NodeBlockMatrix<Dim>& matrix) const;
+
   NodeBlockMatrix<Dim> m_pattern;
   std::vector<int> m_slot; // element x node x node: block in the pattern
 };

@@ -166,7 +166,7 @@ template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal_force() const {
 }
 
 template <int Dim>
-PiolaTangent<Dim> Workpiece<Dim>::moduli(int point, TangentKind kind, double elastic_blend) const {
+PiolaTangent<Dim> Workpiece<Dim>::exact_moduli(int point, TangentKind kind, double elastic_blend) const {
   const PointStep<Dim> step = point_step(point);
   const PointState<Dim> now = point_state(m_state, point);
   const PointTrial& trial = m_trial[point];
@@ -176,7 +176,13 @@ PiolaTangent<Dim> Workpiece<Dim>::moduli(int point, TangentKind kind, double ela
   PiolaTangent<Dim> A = m_user ? m_user->moduli(point, *m_law, step, now)
                                : m_law->tangent(m_updated ? kind : TangentKind::RATE, step, trial, now);
   if (now.plastic && elastic_blend > 0 && m_law->has_moduli()) A += elastic_blend * (elastic() - A);
-  return 0.5 * w * (A + A.transpose());
+  return w * A;
+}
+
+template <int Dim>
+PiolaTangent<Dim> Workpiece<Dim>::moduli(int point, TangentKind kind, double elastic_blend) const {
+  const PiolaTangent<Dim> A = exact_moduli(point, kind, elastic_blend);
+  return 0.5 * (A + A.transpose());
 }
 
 template <int Dim>
@@ -189,6 +195,20 @@ void Workpiece<Dim>::tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, dou
   matrix.value.assign(matrix.col.size() * Dim * Dim, 0.);
   for (int p = 0; p < m_discretization.num_points(); ++p)
     m_assembly.add(m_discretization, p, moduli(p, kind, elastic_blend), matrix);
+}
+
+template <int Dim>
+void Workpiece<Dim>::add_antisymmetric_tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind,
+                                               double elastic_blend) const {
+  const char* where = "Workpiece::add_antisymmetric_tangent";
+  require_blend(where, elastic_blend);
+  if (!m_assembly.fits(matrix) || matrix.value.empty())
+    fail(where, "the matrix is not one that tangent() has filled");
+  if (m_user) m_user->require_moduli(where);
+  for (int p = 0; p < m_discretization.num_points(); ++p) {
+    const PiolaTangent<Dim> A = exact_moduli(p, kind, elastic_blend);
+    m_assembly.add_antisymmetric(m_discretization, p, 0.5 * (A - A.transpose()), matrix);
+  }
 }
 
 template <int Dim> void Workpiece<Dim>::require_point(const char* where, int point) const {

@@ -53,6 +53,10 @@ public:
   /// @param elastic_blend 0..1: part of elastic moduli in plastic points (ALGORITHMS.md 5.2)
   /// @throws std::invalid_argument if the pattern is another one or elastic_blend is out of range
   void tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, double elastic_blend = 0) const;
+  /// Adds what tangent() leaves out, the antisymmetric part of the derivative of the force.
+  /// @param matrix with values; other parameters and errors as those of tangent()
+  void add_antisymmetric_tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind,
+                                 double elastic_blend = 0) const;
   /// Matrix without values, for tangent() to fill.
   NodeBlockMatrix<Dim> pattern() const { return m_assembly.pattern(); }
   /// Moduli A = dP/dF at a point, symmetrized, rows and columns in the order of Gradient: what forms written in a script
@@ -102,6 +106,7 @@ private:
   UpdateResult deform(int first_element, int end_element);
   UpdateResult update_points(int first, int end, int iteration);
   PiolaTangent<Dim> moduli(int point, TangentKind kind, double elastic_blend) const;
+  PiolaTangent<Dim> exact_moduli(int point, TangentKind kind, double elastic_blend) const;
   void require_point(const char* where, int point) const;
 
   Discretization<Dim> m_discretization;

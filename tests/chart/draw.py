@@ -1,9 +1,8 @@
-"""Pictures of the chart: work and precision with the Pareto front, and the matrices."""
+"""Pictures of the chart: work and precision with the Pareto front."""
 import os
 import sys
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 2, "cases"))
-from matplotlib.ticker import NullFormatter
 from plotting.figure import plt, save
 from plotting.labels import log_ticks, place_labels
 from plotting.maps import WHITE_EDGE
@@ -68,57 +67,4 @@ def chart(rows, quantities, path):
     fig.tight_layout(rect=(0, 1 / fig.get_figheight(), 1, 1))
     for ax, mine in labels:
         place_labels(ax, mine, 11, mark=6, weight="bold", path_effects=WHITE_EDGE)
-    save(fig, *placed(path))
-
-
-def condition_lines(ax, groups, along, title):
-    """Full lines: as handed to the solver; dashed: after scaling."""
-    for name, rows in groups.items():
-        rows = sorted(rows, key=lambda r: float(r[along]))
-        x, last = [float(r[along]) for r in rows], rows[-1]
-        color = COLORS.get(name.split(",")[0], "k")
-        marker = "s" if "P2" in name else "o"
-        wide = 2.5 if name.startswith("condensed") else 0   # seen below another one
-        ax.plot(x, [r["condition"] for r in rows], "-" + marker, color=color, lw=1.5 + wide, ms=4 + wide,
-                label=f"{name}, n = {last['n']}: {last['zero_diagonal']} zeros, {last['negative']} negative")
-        ax.plot(x, [r["condition_scaled"] for r in rows], "--" + marker, color=color, lw=1.5 + wide, ms=4 + wide, mfc="w")
-    ax.set_xscale("log")
-    ax.set_yscale("log")
-    ax.set_title(title, fontsize=12)
-    ax.tick_params(labelsize=10)
-    ax.grid(True, color="0.9", lw=0.6)
-    ax.set_ylabel("condition number [-]", fontsize=11)
-
-
-def by(rows, name):
-    groups = {}
-    for r in rows:
-        groups.setdefault(name(r), []).append(r)
-    return groups
-
-
-def matrices(rows, path):
-    fig, (left, right) = plt.subplots(1, 2, figsize=(11, 5.2), sharey=True)
-    condition_lines(left, by([r for r in rows if r["own"]], lambda r: f"{r['method']}, {r['element']}"), "n",
-                    "against the mesh")
-    meshes = sorted({r["n"] for r in rows})
-    left.set_xticks(meshes, meshes)
-    left.xaxis.set_minor_formatter(NullFormatter())
-    left.set_xlabel("divisions of the half-width n [-]", fontsize=11)
-    swept = [r for r in rows if r["factor"] != "" and r["element"] == "P1"]
-    n = max((r["n"] for r in swept), key=lambda k: sum(r["n"] == k for r in swept))
-    condition_lines(right, by([r for r in swept if r["n"] == n], lambda r: f"{r['method']}, P1"), "factor",
-                    f"against the penalty factor, P1, n = {n}")
-    for method in dict.fromkeys(r["method"] for r in rows if r["factor"] == ""):
-        same = [r for r in rows if (r["method"], r["element"], r["n"]) == (method, "P1", n)]
-        for r in same:
-            right.axhline(r["condition"], color=COLORS.get(method, "k"), lw=1, label=f"{method}, P1")
-            right.axhline(r["condition_scaled"], color=COLORS.get(method, "k"), lw=1, ls="--")
-    right.set_xlabel("penalty factor over the stiffness of the surface [-]", fontsize=11)
-    handles = left.get_legend_handles_labels()[0]
-    handles += [plt.Line2D([], [], color="k", ls="-", label="as handed to the solver"),
-                plt.Line2D([], [], color="k", ls="--", label="after scaling")]
-    fig.legend(handles=handles, title="zeros on the diagonal and negative eigenvalues of the finest mesh", fontsize=11,
-               title_fontsize=11, frameon=False, loc="upper center", bbox_to_anchor=(0.5, 0), ncol=2)
-    fig.tight_layout()
     save(fig, *placed(path))

@@ -1,4 +1,4 @@
-"""Words of the chart: what to use for which error, where a rival is better, how the matrices are."""
+"""Words of the chart: what to use for which error, where a rival is better."""
 
 LEVELS = [0.05, 0.01, 0.002]
 STEP = 0.1
@@ -119,14 +119,4 @@ def report(scene, rows, done, quantities):
     for quantity in quantities:
         names = "; ".join(f"{run_name(r)} ({r['seconds']:.2f} s, {100 * r[quantity]:.2g} %)" for r in front(rows, quantity))
         lines.append(f"Front of {MEANING.get(quantity, quantity)}: {names}.")
-    return "\n".join(lines) + "\n"
-
-
-def matrices(rows):
-    lines = ["", "## Matrices", "", "| Method | Element, n | Size | Condition number | after scaling | Asymmetry | "
-             "Zeros on the diagonal | Negative eigenvalues |", "|---|---|---|---|---|---|---|---|"]
-    for r in rows:
-        name = r["method"] if r["factor"] == "" else f"penalty, factor {r['factor']}"
-        lines.append(f"| {name} | {r['element']}, {r['n']} | {r['size']} | {r['condition']:.1e} | {r['condition_scaled']:.1e} | "
-                     f"{r['asymmetry']:.0e} | {r['zero_diagonal']} | {r['negative']} |")
     return "\n".join(lines) + "\n"

@@ -10,8 +10,7 @@ Quantities: NAME=0 is an error already, against the exact solution; NAME=run, NA
 the program, each in the CSV, too; end: both ends of the contact), NAME=curve (relative L2 norm over the run's own nodes), NAME=field
 (over the area, in points that all runs share) are relative, against references.csv, curves.csv and fields.csv: a fine run with the
 difference to a coarser one as its own error, below which no error is given. A run that stops early, takes too long or is not to be trusted says so under outcome and has no place on a front.
-Results in the folder, for scene hertz: hertz.csv (one row for a method, element, mesh and step), hertz.png, hertz.md (the tables),
-matrices.csv, matrices.png. An error above WRONG (--quick: WRONG_QUICK) in an exact or a
+Results in the folder, for scene hertz: hertz.csv (one row for a method, element, mesh and step), hertz.png, hertz.md (the tables). An error above WRONG (--quick: WRONG_QUICK) in an exact or a
 global quantity of a finished run of a scene's last element on the finest mesh gives exit status 1.
 """
 import argparse
@@ -26,7 +25,6 @@ import time
 
 import criterion
 import draw
-import matrices
 import report
 from scene_files import (HERE, curve_error, field_error, installed, methods, peer_runs, read_curves, read_fields, read_references, run, scenes,
                          write_references)
@@ -130,7 +128,7 @@ def peer_tasks(scene, medium):
 
 
 def measure(scene, options):
-    """Runs the scene and looks at its matrices."""
+    """Runs the scene."""
     meshes, steps = scene["quick" if options.quick else "full"]
     able = [m for m in methods() if not m["program"] and (not scene["methods"] or m["name"] in scene["methods"])]
     tasks = [(scene, m, e, n, k) for n in meshes for k in steps for e in scene["elements"] for m in able
@@ -142,9 +140,6 @@ def measure(scene, options):
     write(os.path.join(options.out, scene["name"] + ".csv"), [row_of(t, results, *known) for t, results in zip(tasks, found)])
     if scene["name"] == criterion.SCENE and not options.quick:
         write(os.path.join(options.out, "criterion.csv"), criterion.measure(scene, options.medium))
-    if scene["matrices"]:
-        write(os.path.join(options.out, "matrices.csv"),
-              matrices.look(scene, [m for m in methods() if m["matrix"]], options.quick, options.out))
 
 
 def show(scene, folder):
@@ -159,10 +154,6 @@ def show(scene, folder):
     done = [r for r in rows if r["outcome"] == "finished" and all(r[q] == r[q] for q in quantities)]
     draw.chart(done, quantities, os.path.join(folder, scene["name"] + ".png"))
     text = report.report(scene["name"], rows, done, quantities)
-    if scene["matrices"]:
-        looked = read(os.path.join(folder, "matrices.csv"))
-        draw.matrices(looked, os.path.join(folder, "matrices.png"))
-        text += report.matrices(looked)
     if scene["name"] == criterion.SCENE and os.path.exists(os.path.join(folder, "criterion.csv")):
         text += "\n".join(["", "## Criterion of convergence", "", *criterion.table(read(os.path.join(folder, "criterion.csv"))), ""])
     with open(os.path.join(folder, scene["name"] + ".md"), "w") as f:
@@ -173,8 +164,7 @@ def show(scene, folder):
 
 def store(scene, rows, done, folder):
     """Picture into this folder, tables into README.md beside it between <!-- chart NAME --> and <!-- end -->."""
-    for name in (scene["name"], "matrices") if scene["matrices"] else (scene["name"],):
-        shutil.copy(os.path.join(folder, name + ".png"), os.path.join(HERE, name + ".png"))
+    shutil.copy(os.path.join(folder, scene["name"] + ".png"), os.path.join(HERE, scene["name"] + ".png"))
     path = os.path.join(HERE, "README.md")
     with open(path) as f:
         text = f.read()

@@ -28,8 +28,8 @@ def rows_of(name, width):
 def methods():
     """Peers, other programs, are rivals with a program."""
     return [{"name": n, "whose": "rival" if w == "peer" else w, "program": o if w == "peer" else "",
-             "options": [] if w == "peer" else o.split(), "matrix": m == "matrix", "meaning": meaning}
-            for n, w, o, m, meaning in rows_of("methods.csv", 5)]
+             "options": [] if w == "peer" else o.split(), "meaning": meaning}
+            for n, w, o, meaning in rows_of("methods.csv", 4)]
 
 
 def installed(method):
@@ -60,7 +60,7 @@ def scenes():
         yield {"name": name, "methods": [m.strip() for m in chosen.split(",") if m.strip() != "all"],
                "elements": elements.replace("*", "").split(), "trusted": elements.replace("*", "").split()[-1],
                "ours": [e[:-1] for e in elements.split() if e.endswith("*")], "quick": grid(quick), "full": grid(full),
-               "reference": [r.split() for r in reference.split("|")], "matrices": name == "hertz",
+               "reference": [r.split() for r in reference.split("|")],
                "quantities": dict(word.split("=") for word in quantities.split())}
 
 

@@ -7,7 +7,7 @@ and by the condensed matrix, anew in every iteration: UMFPACK; rows that are not
 CHOLMOD, see METHOD.md 3.21.
 Runs of a repetition are done in turns, those longer than ONCE once; CPU seconds of the whole process, median and spread (half of
 largest less smallest over the median). `off`: largest difference of a result from that of the first way, over the result. Writes
-tangents.csv and tangents.md; --store puts the table into tests/chart/tangents.md, between the marks of NAME.
+tangents.csv and tangents.md; --store puts the table into tests/chart/matrices.md, between the marks of NAME.
 Exit status 1 if a run that says it has finished is off by more than WRONG with the same steps, none rejected; with others the
 result is that of other steps.
 """
@@ -106,8 +106,8 @@ def table(rows):
 
 
 def store(name, text):
-    """The table between the marks of tests/chart/tangents.md."""
-    path = os.path.join(HERE, "tangents.md")
+    """The table between the marks of tests/chart/matrices.md."""
+    path = os.path.join(HERE, "matrices.md")
     with open(path) as f:
         page = f.read()
     marks = rf"(<!-- tangents {re.escape(name)} -->\n).*?(<!-- end -->)"
@@ -126,7 +126,7 @@ def main():
     parser.add_argument("--ways", default="", metavar="TEXT", help="the first way, and those whose name contains TEXT")
     parser.add_argument("--mu", default="", help="friction coefficients, as 0.1,0.5")
     parser.add_argument("--repeat", type=int, default=3, metavar="N")
-    parser.add_argument("--store", default="", metavar="NAME", help="put the table into tests/chart/tangents.md")
+    parser.add_argument("--store", default="", metavar="NAME", help="put the table into tests/chart/matrices.md")
     parser.add_argument("--out", default="out/tangents", metavar="FOLDER")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)

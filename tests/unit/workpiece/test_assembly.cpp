@@ -25,6 +25,14 @@ Eigen::MatrixXd tangent(const Workpiece<2>& body, TangentKind kind, double elast
   return dense(matrix);
 }
 
+/// With the antisymmetric part.
+Eigen::MatrixXd full_tangent(const Workpiece<2>& body) {
+  NodeBlockMatrix<2> matrix = body.pattern();
+  body.tangent(matrix, TangentKind::CONSISTENT);
+  body.add_antisymmetric_tangent(matrix, TangentKind::CONSISTENT);
+  return dense(matrix);
+}
+
 /// dF/du by finite differences, the numbers of substeps frozen as they are.
 Eigen::MatrixXd measured_tangent(Workpiece<2> body, double step) {
   const Eigen::VectorXd u = body.state().displacement;
@@ -106,6 +114,7 @@ TEST(Assembly, ElasticTangentAgainstFiniteDifferences) {
       EXPECT_LE((K - K.transpose()).norm(), 1e-15 * K.norm());
       EXPECT_LE((K - symmetric_part(measured)).norm() / K.norm(), 1e-9) << "strain " << size;
       EXPECT_LE((K - measured).norm() / K.norm(), size) << "strain " << size; // the nonsymmetry left out
+      EXPECT_LE((full_tangent(body) - measured).norm() / K.norm(), 1e-9) << "strain " << size;
     }
 }
 
@@ -121,6 +130,8 @@ TEST(Assembly, PlasticTangentAgainstFiniteDifferences) {
         const Eigen::MatrixXd K = tangent(body, TangentKind::CONSISTENT),
                               measured = measured_tangent(body, 1e-6);
         EXPECT_LE((K - symmetric_part(measured)).norm() / K.norm(), 1e-8);
+        EXPECT_GE((K - measured).norm() / K.norm(), 1e-6) << "the nonsymmetry left out";
+        EXPECT_LE((full_tangent(body) - measured).norm() / K.norm(), 1e-8);
       }
 }
 
@@ -250,6 +261,8 @@ TEST(Assembly, Errors) {
                  "Workpiece::tangent: the matrix has another pattern");
   expect_invalid([&] { body.tangent(matrix, TangentKind::RATE, 1.5); },
                  "Workpiece::tangent: elastic_blend = 1.5, expected 0 <= elastic_blend <= 1");
+  expect_invalid([&] { body.add_antisymmetric_tangent(matrix, TangentKind::RATE); },
+                 "Workpiece::add_antisymmetric_tangent: the matrix is not one that tangent() has filled");
   expect_invalid([&] { body.point_moduli(8, TangentKind::RATE); },
                  "Workpiece::point_moduli: point = 8, expected 0 <= point < num_points");
   expect_invalid([&] { body.point_moduli(0, TangentKind::RATE, -1); },
