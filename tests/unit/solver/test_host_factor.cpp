@@ -112,7 +112,7 @@ TEST(HostFactor, TellsSingularAndIndefiniteMatrices) {
   EXPECT_THROW(factor.solve(Eigen::VectorXd::Zero(K.size())), std::invalid_argument);
   for (double& value : K.value) value = 0;
   EXPECT_EQ(factor.factorize(K), FactorStatus::SINGULAR);
-  K.value[0] = std::nan("");
+  for (double& value : K.value) value = std::nan("");
   EXPECT_THROW(factor.factorize(K), std::invalid_argument);
   EXPECT_EQ(factor.factorize(plane.K), FactorStatus::OK);
 }
