@@ -33,6 +33,7 @@
 //     fraction   part that is kept | - | | 0 < fraction <= 1
 //     ! only a step of pure rates is linear: begin it with rates=true
 #include "base/error.hpp"
+#include "freefem_solver.hpp"
 #include "matrix.hpp"
 #include "named.hpp"
 #include "settings.hpp"
@@ -52,9 +53,8 @@ struct Condense {
     ContactObject& contact = m->get();
     const std::string solver = known_solver(a.text("solver", "BURNISH"), "contact.condense");
     const bool symmetric = a.boolean("symmetric", false);
-    for (const char* name : {"CHOLMOD", "CHOLESKY", "CROUT", "CG", "SPARSESOLVERSYM"})
-      if (!symmetric && solver == name) // it would read one triangle only and answer wrongly
-        fail("contact.condense", "solver \"" + solver + "\" needs symmetric=true");
+    if (!symmetric && takes_triangle(solver)) // it would read one triangle only and answer wrongly
+      fail("contact.condense", "solver \"" + solver + "\" needs symmetric=true");
     const long n = contact.setup->mesh().num_dofs();
     const CpuTimer timer(contact.condense_seconds);
     const auto& blocks = contact.blocks(view_of(K, n, "contact.condense"), "contact.condense");

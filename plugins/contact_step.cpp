@@ -13,8 +13,10 @@
 //     R         nodal forces, internal - external | force
 //     ! no step is under way, call begin first
 //   C.factorize(M, u)   factorizes the tangent for the next iterations; false: it cannot be done
-//     M         a material, its own tangent; or any symmetric matrix
+//     M         a material, its own tangent; or a matrix, symmetric unless the solver takes any
 //     u         displacement | length
+//     solver=   solver of FreeFEM that keeps the factor: "UMFPACK", "CHOLMOD", ... | | "", the core's own | a solver that is loaded
+//     ! unknown solver
 //   C.correct(u, R)   one iteration: moves u, slips, coordinates and contact states; returns a status
 //     u         in, out | length
 //     R         nodal forces at u | force
@@ -99,26 +101,36 @@ long correct(Stack, const Method<ContactHandle, CorrectTag>& m, const KN_<double
 }
 
 struct FactorizeTag {};
-bool factorize_material(const Method<ContactHandle, FactorizeTag>& m, MaterialHandle* const& material,
-                        const KN_<double>& u) {
-  return guarded([&] {
+struct Factorize {
+  static const int n = 1;
+  static basicAC_F0::name_and_type names[n];
+  static bool of_material(const Named& a, Method<ContactHandle, FactorizeTag> m, MaterialHandle* material,
+                          KN_<double> u) {
+    ContactObject& contact = m->get();
     MaterialObject& object = material->get();
-    m->get().require_same_mesh(object, "contact.factorize");
-    m->get().material = material->share();
-    return factorize_tangent(m->get().run(), object.workpiece(), dofs(m->get(), u, "contact.factorize", "u"));
-  });
-}
-bool factorize_matrix(const Method<ContactHandle, FactorizeTag>& m, Matrice_Creuse<double>* const& K,
-                      const KN_<double>& u) {
-  return guarded([&] {
+    contact.require_same_mesh(object, "contact.factorize");
+    contact.material = material->share();
+    contact.take_solver(a.text("solver", ""), a.stack(), "contact.factorize");
+    return factorize_tangent(contact.run(), object.workpiece(), dofs(contact, u, "contact.factorize", "u"));
+  }
+  static bool of_matrix(const Named& a, Method<ContactHandle, FactorizeTag> m, Matrice_Creuse<double>* K,
+                        KN_<double> u) {
     ContactObject& contact = m->get();
     const auto& blocks = contact.blocks(view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"),
                                         "contact.factorize");
     contact.run().step().require_begun("contact.factorize");
-    require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.factorize");
+    if (contact.take_solver(a.text("solver", ""), a.stack(), "contact.factorize"))
+      require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.factorize");
     return contact.run().factorize(blocks, dofs(contact, u, "contact.factorize", "u")) == FactorStatus::OK;
-  });
-}
+  }
+};
+basicAC_F0::name_and_type Factorize::names[] = {{"solver", &typeid(string*)}};
+struct FactorizeMaterial : Factorize {
+  static constexpr auto call = of_material;
+};
+struct FactorizeMatrix : Factorize {
+  static constexpr auto call = of_matrix;
+};
 
 struct EventsTag {};
 struct Events {
@@ -217,11 +229,11 @@ void register_contact_step() {
   add_method<H, FactorizeTag>(
       "factorize",
       [] {
-        return new OneOperator3_<bool, Method<H, FactorizeTag>, MaterialHandle*, Array>(factorize_material);
+        return new NamedOperator<FactorizeMaterial, bool, Method<H, FactorizeTag>, MaterialHandle*, Array>;
       },
       [] {
-        return new OneOperator3_<bool, Method<H, FactorizeTag>, Matrice_Creuse<double>*, Array>(
-            factorize_matrix);
+        return new NamedOperator<FactorizeMatrix, bool, Method<H, FactorizeTag>, Matrice_Creuse<double>*,
+                                 Array>;
       });
   add_method<H, EventsTag>(
       "events", [] { return new NamedOperator<Events, double, Method<H, EventsTag>, Array, Array>; });

@@ -47,9 +47,12 @@
 #include "base/error.hpp"
 #include "contact/friction_laws.hpp"
 #include "formula/formula.hpp"
+#include "freefem_solver.hpp"
+#include "matrix.hpp"
 #include "mesh/mesh_match.hpp"
 #include "named.hpp"
 #include "settings.hpp"
+#include "solver/host_factor.hpp"
 #include "types.hpp"
 #include <algorithm>
 #include <set>
@@ -205,6 +208,19 @@ double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& 
 ContactRun<2>& ContactObject::run() {
   if (!m_run) m_run = std::make_unique<ContactRun<2>>(setup, options);
   return *m_run;
+}
+
+bool ContactObject::take_solver(const std::string& solver, Stack stack, const char* where) {
+  const std::string name = solver.empty() ? solver : known_solver(solver, where);
+  if (name != m_solver) {
+    m_solver = name;
+    const auto make = [=]() -> std::unique_ptr<BodySolver<2>> {
+      return std::make_unique<HostFactor<2>>(freefem_solver(name, stack));
+    };
+    run().corrector().set_solver(name.empty() ? nullptr
+                                              : std::function<std::unique_ptr<BodySolver<2>>()>(make));
+  }
+  return name.empty() || takes_triangle(name);
 }
 
 void ContactObject::require_same_mesh(MaterialObject& material, const char* where) {

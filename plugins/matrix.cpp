@@ -12,12 +12,12 @@ TripletView view_of(Matrice_Creuse<double>* matrix, long n, const char* where) {
   return {A->n, A->nnz, A->i, A->j, A->aij, A->half != 0};
 }
 
-// Entries in the order that the solver reads: UMFPACK by columns, the others by rows; FreeFEM sorts slowly.
-static newpMatrice_Creuse<double> to_freefem(Stack stack, const SparseView& rows, const std::string& solver) {
+std::unique_ptr<HashMatrix<int, double>> sorted_matrix(const SparseView& rows, const std::string& solver,
+                                                       std::vector<int>& place) {
   const int nnz = rows.row_start[rows.n];
-  auto* A = new HashMatrix<int, double>(rows.n, rows.n, nnz, rows.symmetric ? 1 : 0);
+  auto A = std::make_unique<HashMatrix<int, double>>(rows.n, rows.n, nnz, rows.symmetric ? 1 : 0);
   const bool by_columns = solver == "UMFPACK";
-  const std::vector<int> place = by_columns ? places_by_columns(rows) : std::vector<int>();
+  place = by_columns ? places_by_columns(rows) : std::vector<int>();
   for (int row = 0; row < rows.n; ++row)
     for (int k = rows.row_start[row]; k < rows.row_start[row + 1]; ++k) {
       const int at = by_columns ? place[k] : k;
@@ -30,11 +30,17 @@ static newpMatrice_Creuse<double> to_freefem(Stack stack, const SparseView& rows
   A->state = by_columns ? HashMatrix<int, double>::sorted_ji : HashMatrix<int, double>::sorted_ij;
   A->type_state = HashMatrix<int, double>::type_COO;
   A->re_do_numerics = A->re_do_symbolic = 1;
+  return A;
+}
+
+static newpMatrice_Creuse<double> to_freefem(Stack stack, const SparseView& rows, const std::string& solver) {
+  std::vector<int> place;
+  auto A = sorted_matrix(rows, solver, place);
   Data_Sparse_Solver options;
   options.solver = solver;
   options.sym = rows.symmetric;
   SetSolver<double>(stack, false, *A, options);
-  return newpMatrice_Creuse<double>(stack, A);
+  return newpMatrice_Creuse<double>(stack, A.release());
 }
 
 newpMatrice_Creuse<double> to_freefem(Stack stack, const CondensedSystem& system, const std::string& solver) {

@@ -2,6 +2,7 @@
 // Between FreeFEM's matrices and the core's.
 #include "contact/condensation.hpp"
 #include "plugin.hpp"
+#include "solver/sparse_view.hpp"
 #include "workpiece/workpiece.hpp"
 
 namespace burnish {
@@ -14,6 +15,10 @@ constexpr double LARGEST_ASYMMETRY = 1e-6;
 TripletView view_of(Matrice_Creuse<double>* matrix, long n, const char* where);
 /// The name in capitals. @throws std::invalid_argument listing the solvers loaded if it is none of them
 std::string known_solver(const std::string& name, const char* where);
+/// FreeFEM's matrix with its entries in the order that the solver reads: UMFPACK by columns, the others by rows; FreeFEM sorts
+/// slowly. @param place out: of every entry of `rows`, its place there; empty: the same order
+std::unique_ptr<HashMatrix<int, double>> sorted_matrix(const SparseView& rows, const std::string& solver,
+                                                       std::vector<int>& place);
 /// New FreeFEM matrix with a solver attached, so that K^-1*b works without set().
 newpMatrice_Creuse<double> to_freefem(Stack stack, const CondensedSystem& system,
                                       const std::string& solver = "BURNISH");

@@ -5,7 +5,7 @@
 //     tend      end of the program | time | | > 0
 //     output=   instants that a step ends at, real[int] | time | none
 //     fallback=   of older scripts: without effect, implicit steps do without it now | - | 0 | 0
-//   S.start(C, M)   a run begins
+//   S.start(C, M), S.start(C)   a run begins; without a material nothing is known of the stress
 //     C         contact
 //     M         material on the same mesh
 //   S.next(u, R)   what has to be done next, a task such as rcForces | -
@@ -14,10 +14,8 @@
 //     ! no run has been started, call start first
 //     ! : the run's displacement was changed by
 //   rcProgram, rcAcceptLaw, rcRevertLaw, rcForces, rcTangent, rcSolve, rcRecord, rcFinished, rcStopped   tasks of S.next: set
-//       every coordinate for S.target; of a law of the script: the end of the step becomes its start, back to that; M.update(u, S.piece, S.iteration) and nodal forces into R; C.factorize(M, u); condense, solve, expand; a
+//       every coordinate for S.target; of a law of the script: the end of the step becomes its start, back to that; M.update(u, S.piece, S.iteration) and nodal forces into R; C.factorize(M, u); pure rates: condense, solve, expand; a
 //       step has been accepted; the end is reached; the run has ended early, S.reason tells why
-//   S.condensed(on)   every iteration is an rcSolve: the condensed matrix for a solver of the script
-//     on        true or false | | false
 //   S.scheme(name)   another scheme from the next step on
 //     name      "implicit", "event", "article"
 //   S.refuse(text)   the task cannot be done: the step is tried shorter
@@ -28,6 +26,8 @@
 //     on        true or false | | true
 #include "step_control.hpp"
 #include "base/error.hpp"
+#include "material/user_law.hpp"
+#include "mesh/mesh_match.hpp"
 #include "named.hpp"
 #include "settings.hpp"
 #include <algorithm>
@@ -75,23 +75,35 @@ const int MakeStepControl::n = static_cast<int>(list.size());
 basicAC_F0::name_and_type* const MakeStepControl::names = list.data();
 
 struct StartTag {};
+void start_run(ControlObject& object, ContactHandle* contact, std::shared_ptr<MaterialObject> material,
+               bool forms_only) {
+  object.stepper.reset();
+  object.task = Task::STOPPED;
+  object.stopping = false;
+  if (object.contact) object.contact->under_way = false;
+  contact->get().require_same_mesh(*material, "stepcontrol.start");
+  object.statements.clear();
+  object.statements_at = -1;
+  object.contact = contact->share();
+  object.material = std::move(material);
+  if (!forms_only) object.contact->material = object.material;
+  object.options.forms_only = forms_only;
+  object.stepper = std::make_unique<Stepper<2>>(object.contact->run(), *object.material->body,
+                                                object.contact->diagnosis, *object.control, object.options);
+  object.contact->diagnosis.set_checks(object.checks);
+}
 bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, MaterialHandle* const& material) {
+  return guarded([&] { return start_run(m->get(), contact, material->share(), false), true; });
+}
+bool start_forms(const Method<H, StartTag>& m, ContactHandle* const& contact) {
   return guarded([&] {
-    ControlObject& object = m->get();
-    object.stepper.reset();
-    object.task = Task::STOPPED;
-    object.stopping = false;
-    if (object.contact) object.contact->under_way = false;
-    contact->get().require_same_mesh(material->get(), "stepcontrol.start");
-    object.statements.clear();
-    object.statements_at = -1;
-    object.contact = contact->share();
-    object.material = material->share();
-    object.contact->material = object.material;
-    object.stepper = std::make_unique<Stepper<2>>(object.contact->run(), *object.material->body,
-                                                  object.contact->diagnosis, *object.control, object.options);
-    object.contact->diagnosis.set_checks(object.checks);
-    return true;
+    auto material = std::make_shared<MaterialObject>();
+    auto workpiece =
+        std::make_unique<Workpiece<2>>(triangles(contact->get().setup->mesh()),
+                                       std::make_shared<UserLaw<2>>(internal_names("")), UpdateOptions());
+    material->fingerprint = mesh_fingerprint<2>(contact->get().setup->mesh());
+    material->body = std::make_unique<RunBody<2>>(std::move(workpiece));
+    return start_run(m->get(), contact, std::move(material), true), true;
   });
 }
 
@@ -161,16 +173,6 @@ bool set_scheme(const Method<H, SchemeTag>& m, string* const& name) {
   });
 }
 
-struct CondensedTag {};
-bool set_condensed(const Method<H, CondensedTag>& m, const bool& condensed) {
-  return guarded([&] {
-    ControlObject& object = m->get();
-    object.options.condensed = condensed;
-    if (object.stepper) object.stepper->set_condensed(condensed);
-    return condensed;
-  });
-}
-
 struct ChecksTag {};
 bool set_checks(const Method<H, ChecksTag>& m, const bool& on) {
   return guarded([&] {
@@ -186,17 +188,16 @@ void register_step_control() {
   Dcl_Type<H*>(InitP<H>, Destroy<H>);
   zzzfff->Add("stepcontrol", atype<H*>());
   TheOperators->Add("<-", new NamedOperator<MakeStepControl, H*, H*, double>);
-  add_method<H, StartTag>("start", [] {
-    return new OneOperator3_<bool, Method<H, StartTag>, ContactHandle*, MaterialHandle*>(start);
-  });
+  add_method<H, StartTag>(
+      "start",
+      [] { return new OneOperator3_<bool, Method<H, StartTag>, ContactHandle*, MaterialHandle*>(start); },
+      [] { return new OneOperator2_<bool, Method<H, StartTag>, ContactHandle*>(start_forms); });
   add_method<H, NextTag>(
       "next", [] { return new OneOperator3s_<long, Method<H, NextTag>, KN_<double>, KN_<double>>(next); });
   add_method<H, RefuseTag>("refuse",
                            [] { return new OneOperator2_<bool, Method<H, RefuseTag>, string*>(refuse); });
   add_method<H, SchemeTag>("scheme",
                            [] { return new OneOperator2_<bool, Method<H, SchemeTag>, string*>(set_scheme); });
-  add_method<H, CondensedTag>(
-      "condensed", [] { return new OneOperator2_<bool, Method<H, CondensedTag>, bool>(set_condensed); });
   add_method<H, StopTag>("stop", [] { return new OneOperator2_<bool, Method<H, StopTag>, string*>(stop); });
   add_method<H, ChecksTag>("checks",
                            [] { return new OneOperator2_<bool, Method<H, ChecksTag>, bool>(set_checks); });

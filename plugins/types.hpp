@@ -63,6 +63,10 @@ struct ContactObject {
   void require_same_mesh(MaterialObject& material, const char* where);
   /// The same for a matrix of a script, which is returned by node blocks.
   const NodeBlockMatrix<2>& blocks(const TripletView& K, const char* where);
+  /// Whose solver keeps the factors to come. @param solver of FreeFEM; empty: the core's
+  /// @returns whether it needs a symmetric tangent
+  /// @throws std::invalid_argument "where: ..." for an unknown solver
+  bool take_solver(const std::string& solver, Stack stack, const char* where);
   /// The run, begun by the first call: the setup is closed then.
   ContactRun<2>& run();
   bool started() const { return m_run != nullptr; }
@@ -72,6 +76,7 @@ struct ContactObject {
   const ContactRun<2>& running(const char* where) const;
 
 private:
+  std::string m_solver; // of the factors
   std::unique_ptr<ContactRun<2>> m_run;
 };
 

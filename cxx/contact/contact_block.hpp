@@ -2,7 +2,7 @@
 // The dense nonsymmetric contact block: W' S A + Geo on the active nodes, S the Schur complement of the body
 // on them (METHOD.md 3.4, ALGORITHMS.md 8.4).
 #include "contact/linearization.hpp"
-#include "solver/active_cholesky.hpp"
+#include "solver/active_part.hpp"
 
 namespace burnish {
 
@@ -12,8 +12,8 @@ template <int Dim> struct ContactBlockInput {
   const std::vector<NodeLinearization<Dim>>* nodes = nullptr;
   /// Free components of the nodes: their places among the Dim*nodes components of this block, ascending.
   const std::vector<int>* free = nullptr;
-  /// C = K^-1 on the free components, current (ActiveCholesky::select) [length/force].
-  const ActiveCholesky* flexibility = nullptr;
+  /// C = K^-1 on the free components, current (ActivePart::select) [length/force].
+  const ActivePart* flexibility = nullptr;
   /// (K^-1(-R)): increment of the nodes without any contact force, Dim*nodes [length]
   Eigen::VectorXd free_increment;
   Eigen::VectorXd offset; ///< X(q,y) - x of the nodes, Dim*nodes [length]

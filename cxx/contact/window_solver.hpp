@@ -14,7 +14,7 @@ template <int Dim> struct WindowProblem {
   const PrescribedValues* prescribed = nullptr;
   const ContactState<Dim>* start = nullptr; ///< at the linearization point
   const std::vector<int>* window = nullptr; ///< candidate numbers (index into ContactModel::candidates)
-  ActiveCholesky* flexibility = nullptr;    ///< C over the window, Dim*window square; its selection changes
+  ActivePart* flexibility = nullptr;        ///< C over the window, Dim*window square; its selection changes
   Eigen::VectorXd added_stiffness;          ///< see ContactBlockInput, Dim*window, or empty
   bool test_stability = false;              ///< see ContactBlockInput
   Eigen::VectorXd free_increment;           ///< (K^-1(-R)) on the window [length]

@@ -79,6 +79,8 @@ template <int Dim> std::string words(const Failure& f, const ContactModel<Dim>& 
     return not_converged(f);
   case Cause::UNSTABLE:
     return "the tangent is not positive definite: loss of stability or limit load";
+  case Cause::NOT_FACTORED:
+    return "the solver has not solved with the tangent, which is singular to it";
   case Cause::NOT_HELD:
     return "the workpiece is not held: neither supports (fixed=) nor the tools that touch it take all its "
            "rigid motions";

@@ -1,19 +1,31 @@
 #include "iteration/condensed_iteration.hpp"
 #include "contact/slip_motion.hpp"
 #include "contact/tool_support.hpp"
+#include <numeric>
 
 namespace burnish {
 namespace {
 
-// Passes that change any number of states; later ones change one, which ends cycles; and all of them.
-constexpr int MAX_TOGETHER = 8, MAX_PASSES = 12;
+constexpr int MAX_PASSES = 40; // each of them a sparse factor
 
 } // namespace
 
+template <int Dim>
+CondensedIteration<Dim>::CondensedIteration(Iteration<Dim>& iteration)
+    : m_iteration(iteration), m_candidates(iteration.state().nodes.size()) {
+  std::iota(m_candidates.begin(), m_candidates.end(), 0);
+}
+
 template <int Dim> void CondensedIteration<Dim>::begin() {
+  m_gave_up = false;
+  begin_passes();
+}
+
+template <int Dim> void CondensedIteration<Dim>::begin_passes() {
   m_again = false;
   m_passes = 0;
-  m_refused.assign(m_iteration.state().nodes.size(), 0);
+  m_refused.assign(m_candidates.size(), 0);
+  m_choice.emplace(m_iteration.model(), m_candidates);
 }
 
 template <int Dim> void CondensedIteration<Dim>::prepare() {
@@ -24,41 +36,52 @@ template <int Dim> void CondensedIteration<Dim>::prepare() {
   follow_ends(m_iteration.model(), m_iteration.state());
 }
 
-// States of the candidates by the solution of the present ones, before anything moves: passes as in solve_window.
+// States of the candidates by the solution of the present ones, before anything moves: passes as in solve_window. Returns how many
+// contradict it.
 template <int Dim>
-bool CondensedIteration<Dim>::change_states(const typename Condensation<Dim>::Expansion& increment,
-                                            const Eigen::VectorXd& u) {
+int CondensedIteration<Dim>::change_states(const typename Condensation<Dim>::Expansion& increment,
+                                           const Eigen::VectorXd& u) {
   const ContactModel<Dim>& model = m_iteration.model();
   ContactState<Dim>& state = m_iteration.state();
   WindowProblem<Dim> problem;
   m_iteration.state_problem(problem);
-  if (!problem.adapt) return false;
+  if (!problem.adapt) return 0;
   ContactState<Dim> solved = state;
   move_by(model, increment, solved);
-  const auto poses = model.poses(solved.q);
+  const auto poses = model.poses(solved.q), start_poses = model.poses(state.q);
   const NodeTest<Dim> test(model, poses, problem.tolerances, *problem.entry);
-  const std::vector<ContactNode<Dim>> before = state.nodes;
-  std::vector<SurfaceForce<Dim>> own(before.size());
-  for (std::size_t i = 0; i < before.size(); ++i)
-    if (in_contact(before[i].state)) {
-      const auto p = model.tools[before[i].tool]->point(poses[before[i].tool], solved.nodes[i].place);
-      const Vector<Dim> F = increment.F.template segment<Dim>(Dim * i);
-      own[i] = nodal_force(model, static_cast<int>(i), p, F).part;
+  const ContactState<Dim> before = state;
+  std::vector<SurfaceForce<Dim>> own(m_candidates.size());
+  std::vector<double> severity(m_candidates.size(), 0);
+  const auto place_of = [&](int i, const ContactState<Dim>& at, const Vector<Dim>& x, const auto& tools) {
+    return model.tools[at.nodes[i].tool]->foot(tools[at.nodes[i].tool], x, at.nodes[i].place.hint);
+  };
+  for (const int i : m_candidates)
+    if (in_contact(before.nodes[i].state)) {
+      const ContactNode<Dim>& node = before.nodes[i];
+      const auto p = model.tools[node.tool]->point(poses[node.tool], solved.nodes[i].place);
+      own[i] = nodal_force(model, i, p, Vector<Dim>(increment.F.template segment<Dim>(Dim * i))).part;
+      severity[i] = -own[i].N / problem.tolerances.of(node.tool).force;
     }
   const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, solved, own);
-  bool any = false;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const int candidate = static_cast<int>(i), node = model.candidates[i];
-    const Vector<Dim> F = increment.F.template segment<Dim>(Dim * i);
-    const Vector<Dim> x =
-        m_iteration.body().position(u, node) + increment.du.template segment<Dim>(Dim * node);
-    const bool changed = test(candidate, solved.nodes[i], F, deciding[i], x, state.nodes[i]);
-    if (changed && sticks(before[i].state) && state.nodes[i].state == NodeState::SLIDING) m_refused[i] = 1;
-    any = any || changed;
-    if (changed && m_passes >= MAX_TOGETHER) break; // the rest is tested in the next pass
+  int changes = 0;
+  for (const int i : m_candidates) {
+    const int node = model.candidates[i];
+    const Vector<Dim> F = increment.F.template segment<Dim>(Dim * i),
+                      start = m_iteration.body().position(u, node),
+                      x = start + increment.du.template segment<Dim>(Dim * node);
+    changes += test(i, solved.nodes[i], F, deciding[i], x, state.nodes[i]);
+    if (!in_contact(before.nodes[i].state) && in_contact(state.nodes[i].state))
+      severity[i] = -place_of(i, state, x, poses).gap / problem.tolerances.gap;
+    if (sticks(before.nodes[i].state) && state.nodes[i].state == NodeState::SLIDING)
+      state.nodes[i].place = place_of(i, state, start, start_poses).place;
   }
+  if (changes == 0) return 0;
+  m_choice->choose(before, severity, state);
+  for (const int i : m_candidates)
+    if (sticks(before.nodes[i].state) && state.nodes[i].state == NodeState::SLIDING) m_refused[i] = 1;
   follow_ends(model, state);
-  return any;
+  return changes;
 }
 
 template <int Dim>
@@ -66,13 +89,13 @@ void CondensedIteration<Dim>::advance(const typename Condensation<Dim>::Expansio
                                       Eigen::VectorXd& u) {
   ContactState<Dim>& state = m_iteration.state();
   m_iteration.policy().set_condensed();
-  m_again = m_passes < MAX_PASSES && change_states(increment, u);
-  if (m_again) {
-    ++m_passes;
-    return;
-  }
-  m_passes = 0;
-  m_refused.assign(state.nodes.size(), 0);
+  const ContactState<Dim> present = state;
+  const int contradictions = change_states(increment, u);
+  m_again = contradictions > 0 && ++m_passes < MAX_PASSES;
+  if (m_again) return;
+  state = present; // that were solved with
+  begin_passes();
+  m_gave_up = m_iteration.solved(contradictions) == StepStatus::FAILED;
   m_iteration.leave(u, {});
   u += increment.du;
   move_by(m_iteration.model(), increment, state);

@@ -34,7 +34,7 @@ Corrector<Dim>::Corrector(Iteration<Dim>& iteration)
 template <int Dim> void Corrector<Dim>::begin(bool keep_factor) {
   m_keep_factor = keep_factor;
   m_mixer = AndersonMixer(m_iteration.options().anderson_memory);
-  if (m_has_factor) m_flexibility.set(m_tangent->flexibility); // nothing of the last step but its state
+  if (m_has_factor) take_flexibility(); // nothing of the last step but its state
 }
 
 template <int Dim> void Corrector<Dim>::restore(const FactorMemory<Dim>& memory) {
@@ -42,6 +42,34 @@ template <int Dim> void Corrector<Dim>::restore(const FactorMemory<Dim>& memory)
   m_has_factor = memory.tangent != nullptr;
   if (m_has_factor) m_tangent = memory.tangent;
   m_age = memory.age;
+}
+
+template <int Dim> void Corrector<Dim>::set_solver(std::function<std::unique_ptr<BodySolver<Dim>>()> make) {
+  m_make_solver = std::move(make);
+  m_tangent = nullptr;
+  m_has_factor = false;
+}
+
+// Columns that a solver makes when they are needed are made in the tangent's own matrix.
+template <int Dim> void Corrector<Dim>::take_flexibility() {
+  FactoredTangent<Dim>* tangent = m_tangent.get();
+  m_flexibility.set(tangent->flexibility, tangent->solver->symmetric(),
+                    [this, tangent](const std::vector<int>& columns) {
+                      double seconds = 0;
+                      {
+                        const CpuTimer timer(seconds);
+                        tangent->solver->complete_flexibility(columns, *tangent->flexibility);
+                      }
+                      m_iteration.counts().solve_seconds += seconds;
+                      m_iteration.counts().condensation_seconds -= seconds; // which are counted there, too
+                    });
+}
+
+// A saved state keeps its factor.
+template <int Dim> void Corrector<Dim>::make_tangent() {
+  if (m_tangent && m_tangent.use_count() == 1) return;
+  m_tangent = std::make_shared<FactoredTangent<Dim>>();
+  m_tangent->solver = m_make_solver ? m_make_solver() : std::make_unique<SchurFactor<Dim>>();
 }
 
 template <int Dim> bool Corrector<Dim>::serves(const Eigen::VectorXd& u) const {
@@ -63,16 +91,15 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
   it.balance().memory().rounding = rounding_of_forces(K, it.body().X);
   m_age = 0;
   forget_mixing();
-  if (!m_tangent || m_tangent.use_count() > 1) { // a saved state keeps its factor
-    m_tangent = std::make_shared<FactoredTangent<Dim>>();
-    m_tangent->solver = std::make_unique<SchurFactor<Dim>>();
-  }
+  make_tangent();
   m_tangent->window = m_window;
   IterationCounts& counts = it.counts();
+  FactorStatus status;
   {
     const CpuTimer timer(counts.factorization_seconds);
     const int analyses = m_tangent->solver->analyses();
-    m_has_factor = m_tangent->factorize(it.model(), it.body(), it.state(), K, m_floating) == FactorStatus::OK;
+    status = m_tangent->factorize(it.model(), it.body(), it.state(), K, m_floating);
+    m_has_factor = status == FactorStatus::OK;
     if (!m_has_factor && !m_floating && it.policy().desperate())
       m_has_factor = factorize_held(K, u) == FactorStatus::OK;
     counts.analyses += m_tangent->solver->analyses() - analyses;
@@ -81,13 +108,14 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
   counts.factor_entries = static_cast<long>(m_tangent->solver->factor_entries());
   it.policy().factored(m_has_factor);
   if (!m_has_factor) {
-    if (it.policy().blend_exhausted()) it.give_up(Cause::UNSTABLE);
-    return FactorStatus::NOT_POSITIVE_DEFINITE;
+    const bool singular = status == FactorStatus::SINGULAR;
+    if (it.policy().blend_exhausted()) it.give_up(singular ? Cause::NOT_FACTORED : Cause::UNSTABLE);
+    return status;
   }
   if (!m_tangent->flexibility || m_tangent->added_stiffness.size() == 0 || m_floating) {
     const CpuTimer timer(counts.condensation_seconds);
     m_tangent->condense();
-    m_flexibility.set(m_tangent->flexibility);
+    take_flexibility();
   }
   return FactorStatus::OK;
 }
@@ -104,7 +132,7 @@ FactorStatus Corrector<Dim>::factorize_held(const NodeBlockMatrix<Dim>& K, const
       m_tangent->factorize(m_iteration.model(), m_iteration.body(), m_iteration.state(), K, true);
   if (status != FactorStatus::OK) return status;
   m_tangent->condense();
-  m_flexibility.set(m_tangent->flexibility);
+  take_flexibility();
   WindowProblem<Dim> problem = window_problem(u, R, m_tangent->solver->sweep(-R));
   problem.adapt = false;
   return solve_window(problem).unstable ? FactorStatus::NOT_POSITIVE_DEFINITE : FactorStatus::OK;

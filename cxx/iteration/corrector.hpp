@@ -4,6 +4,7 @@
 #include "iteration/anderson.hpp"
 #include "iteration/factored_tangent.hpp"
 #include "iteration/iteration.hpp"
+#include <functional>
 
 namespace burnish {
 
@@ -28,6 +29,8 @@ public:
   /// One iteration: two back-substitutions and the dense contact block; moves u and the state.
   StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   void drop_factor() { m_has_factor = false; }
+  /// Whose solver factors the tangents to come; empty: SchurFactor. The factor that there is is dropped.
+  void set_solver(std::function<std::unique_ptr<BodySolver<Dim>>()> make);
   /// Ends the mixing, whose vectors need not lie beside a tangent that is assembled.
   void forget_mixing() { m_mixer.clear(); }
   /// The step is accepted: the factor is a step older.
@@ -39,6 +42,8 @@ public:
   double compliance() const;
 
 private:
+  void take_flexibility();
+  void make_tangent();
   FactorStatus factorize_held(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
   Failure singular(const WindowSolution<Dim>& solution, const WindowProblem<Dim>& problem);
   WindowProblem<Dim> window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
@@ -48,8 +53,9 @@ private:
 
   Iteration<Dim>& m_iteration;
   bool m_floating; // the supports leave a rigid motion free
+  std::function<std::unique_ptr<BodySolver<Dim>>()> m_make_solver;
   std::shared_ptr<FactoredTangent<Dim>> m_tangent;
-  ActiveCholesky m_flexibility; // of m_tangent, on the active nodes
+  ActivePart m_flexibility; // of m_tangent, on the active nodes
   bool m_has_factor = false, m_keep_factor = false;
   int m_age = 0;
   std::vector<int> m_window;

@@ -37,7 +37,7 @@ FactorStatus FactoredTangent<Dim>::factorize(const ContactModel<Dim>& model, con
 }
 
 template <int Dim> void FactoredTangent<Dim>::condense() {
-  flexibility = std::make_shared<const Eigen::MatrixXd>(solver->candidate_flexibility());
+  flexibility = std::make_shared<Eigen::MatrixXd>(solver->candidate_flexibility());
 }
 
 template struct FactoredTangent<2>;

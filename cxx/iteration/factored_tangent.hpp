@@ -9,8 +9,9 @@ namespace burnish {
 
 template <int Dim> struct FactoredTangent {
   std::unique_ptr<BodySolver<Dim>> solver;
-  std::vector<int> window;                            ///< candidates on the dense block, ascending
-  std::shared_ptr<const Eigen::MatrixXd> flexibility; ///< C over the window, Dim*window square [length/force]
+  std::vector<int> window; ///< candidates on the dense block, ascending
+  /// C over the window, Dim*window square; some columns may not be there yet, see complete() [length/force]
+  std::shared_ptr<Eigen::MatrixXd> flexibility;
   Eigen::VectorXd added_stiffness; ///< Dim*window, see ContactBlockInput; empty: none [force/length]
 
   /// Factor of K for this window.

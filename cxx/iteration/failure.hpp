@@ -15,6 +15,7 @@ enum class Cause {
   CYCLE,               ///< forces balance, contact states cycle
   WEDGED,              ///< the same; node, place, value: its friction, allowed: its normal force [force]
   UNSTABLE,            ///< the tangent is not positive definite
+  NOT_FACTORED,        ///< a solver of general matrices has not solved with the tangent
   NOT_HELD,   ///< neither supports nor the tools that touch it take all rigid motions of the workpiece
   TIPS_OVER,  ///< nothing resists a motion of the tools under force
   UNRESISTED, ///< coordinate: nothing resists it

@@ -22,6 +22,7 @@ public:
   double expand(const Eigen::VectorXd& z, Eigen::VectorXd& u);
   /// States have changed and nothing has moved: the same K is condensed anew, see CondensedIteration::advance.
   bool again() const { return m_way.again(); }
+  bool gave_up() const { return m_way.gave_up(); } ///< see CondensedIteration
   /// Shortens a RATES step after expand: displacements, slips, coordinates and program are linear in the
   /// fraction. @throws std::invalid_argument unless 0 < fraction <= 1 and the step is one of RATES
   void cut(Eigen::VectorXd& u, double fraction);

@@ -218,6 +218,7 @@ template <int Dim> Failure ContactRun<Dim>::leaps(const Eigen::VectorXd& u) cons
 
 template <int Dim> StepStatus ContactRun<Dim>::checked(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   if (m_condensed.again()) return StepStatus::ITERATE; // states have changed, nothing has moved
+  if (m_condensed.gave_up()) return StepStatus::FAILED;
   StepStatus status = StepStatus::CONVERGED;
   if (m_step.stepping != Stepping::RATES) status = m_iteration.check(u, m_loads.residual(u, m_step.end(), R));
   if (status == StepStatus::BACKTRACKED) m_corrector.forget_mixing();

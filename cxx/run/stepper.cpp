@@ -32,6 +32,7 @@ Stepper<Dim>::Stepper(ContactRun<Dim>& contact, RunBody<Dim>& body, Diagnosis<Di
     elements = m_options.scheme == Scheme::ARTICLE ? ElementEvents::CUT : ElementEvents::NONE;
   m_diagnosis.restart();
   m_body.start();
+  if (m_options.forms_only) m_body.take_change(); // its law has had no stress yet, so nothing to accept
 }
 
 template <int Dim> Task Stepper<Dim>::ask(Task task, Phase phase) {
@@ -40,6 +41,7 @@ template <int Dim> Task Stepper<Dim>::ask(Task task, Phase phase) {
 }
 
 template <int Dim> Task Stepper<Dim>::next(Eigen::VectorXd& u, Eigen::VectorXd& R) {
+  if (m_phase == Phase::ACCEPTED) return ask(Task::RECORD, Phase::RECORD);
   if (m_stopped) return end(u, R);
   const bool done = !m_refused;
   switch (m_phase) {
@@ -57,6 +59,7 @@ template <int Dim> Task Stepper<Dim>::next(Eigen::VectorXd& u, Eigen::VectorXd& 
     return done ? check(u, R) : solved(false, u, R);
   case Phase::TANGENT:
     return done ? correct(u, R) : solved(false, u, R);
+  case Phase::ACCEPTED:
   case Phase::ENDED:
     break;
   }
@@ -134,11 +137,11 @@ template <int Dim> Task Stepper<Dim>::check(Eigen::VectorXd& u, Eigen::VectorXd&
   case StepStatus::BACKTRACKED:
     return ask_forces();
   case StepStatus::REFACTORIZE:
-    return m_options.condensed ? ask(Task::SOLVE, Phase::SOLVE) : ask(Task::TANGENT, Phase::TANGENT);
+    return ask(Task::TANGENT, Phase::TANGENT);
   case StepStatus::ITERATE:
     break;
   }
-  return m_options.condensed ? ask(Task::SOLVE, Phase::SOLVE) : correct(u, R);
+  return correct(u, R);
 }
 
 template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorXd& R) {
@@ -147,7 +150,7 @@ template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorX
 }
 
 template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  if (!converged) m_last_rejection = burnish::reason(m_contact, m_diagnosis, &m_body.workpiece(), m_refusal);
+  if (!converged) m_last_rejection = burnish::reason(m_contact, m_diagnosis, known_workpiece(), m_refusal);
   m_refused = false;
   m_refusal.clear();
   switch (m_scheme->solved(converged, u, R)) {
@@ -201,11 +204,12 @@ template <int Dim> Task Stepper<Dim>::accepted() {
   ++m_counts.steps;
   m_body.workpiece().set_step_length(0);
   look(m_control.time() - t);
-  return ask(Task::RECORD, Phase::RECORD);
+  const bool law = m_options.forms_only && m_body.take_change() == StateChange::ACCEPTED;
+  return law ? ask(Task::ACCEPT_LAW, Phase::ACCEPTED) : ask(Task::RECORD, Phase::RECORD);
 }
 
 template <int Dim> AcceptedStep<Dim> Stepper<Dim>::seen() const {
-  AcceptedStep<Dim> step = accepted_step(m_contact, &m_body.workpiece());
+  AcceptedStep<Dim> step = accepted_step(m_contact, known_workpiece());
   step.t = m_control.time();
   step.last = m_control.finished();
   return step;

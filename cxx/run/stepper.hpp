@@ -15,8 +15,8 @@ enum class Task {
   REVERT_LAW, ///< the same: back to the start of the step
   FORCES, ///< update the stress at u for a step of length dt(), iteration(); its internal nodal forces into R; refuse() if
           ///< the material cannot follow
-  TANGENT, ///< factorize a tangent at u (ContactRun::factorize); refuse() if there is none
-  SOLVE, ///< tangent, condense, solve, expand into u (pure rates, or StepperOptions::condensed); refuse() if that fails
+  TANGENT,  ///< factorize a tangent at u (ContactRun::factorize); refuse() if there is none
+  SOLVE,    ///< pure rates: tangent, condense, solve, expand into u; refuse() if that fails
   RECORD,   ///< a step has been accepted: u and control().time() hold it
   FINISHED, ///< the end of the program has been reached
   STOPPED,  ///< the run has ended before: reason() tells why; u holds the last accepted state
@@ -28,9 +28,9 @@ struct StepperOptions {
   Scheme scheme = Scheme::IMPLICIT;
   SchemeOptions events;
   double nodes_per_step = 1; ///< a rolling step is at least this many node spacings long
+  bool forms_only = false;   ///< nothing is known of the stress: the body is there for its mesh
   double width_steps =
       14; ///< as StepControlOptions::steps_per_width: the contact counts as that many spacings wide
-  bool condensed = false; ///< every iteration is a SOLVE: the caller's solver takes the condensed matrix
 };
 
 struct StepperCounts {
@@ -67,8 +67,6 @@ public:
 
   /// The way through the steps from the next one on.
   void set_scheme(Scheme scheme) { m_options.scheme = scheme; }
-  /// Whose solver takes the iterations from the next one on, see StepperOptions::condensed.
-  void set_condensed(bool condensed) { m_options.condensed = condensed; }
 
   /// What is said of the scene so far; nothing without the checks.
   std::vector<Statement> report() const;
@@ -94,7 +92,7 @@ public:
   void set_state(const RunState<Dim>& state, Eigen::VectorXd& u, Eigen::VectorXd& R);
 
 private:
-  enum class Phase { STEP, PROGRAM, LAW, FORCES, TANGENT, SOLVE, RECORD, ENDED };
+  enum class Phase { STEP, ACCEPTED, PROGRAM, LAW, FORCES, TANGENT, SOLVE, RECORD, ENDED };
   Task begin_step();
   void measure_step();
   void warn_of_error();
@@ -107,6 +105,9 @@ private:
   Task solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R);
   Task accepted();
   AcceptedStep<Dim> seen() const;
+  const Workpiece<Dim>* known_workpiece() const {
+    return m_options.forms_only ? nullptr : &m_body.workpiece();
+  }
   void look(double dt);
   Task rejected(Eigen::VectorXd& u, Eigen::VectorXd& R);
   Task end(Eigen::VectorXd& u, Eigen::VectorXd& R);

@@ -5,13 +5,14 @@
 
 namespace burnish {
 
-/// A load half way to its displacement: solution of L y = b with the factor L L', in the order of elimination. Valid until
-/// the next factorize.
+/// A load half way to its displacement: solution of L y = b with the factor L L', in the order of elimination; of a solver that
+/// knows no half ways, K^-1 b. Valid until the next factorize.
 struct SweptLoad {
   Eigen::VectorXd y;
 };
 
-/// One symmetric positive definite tangent at a time. Implementations: SchurFactor (CHOLMOD).
+/// One tangent at a time. Implementations: SchurFactor (CHOLMOD, symmetric positive definite), HostFactor (a solver of the host
+/// program).
 template <int Dim> class BodySolver {
 public:
   virtual ~BodySolver() = default;
@@ -20,7 +21,7 @@ public:
   /// @param candidates  nodes whose flexibility will be asked for, in this order; may be empty
   virtual void analyze(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
                        const std::vector<int>& candidates) = 0;
-  /// NOT_POSITIVE_DEFINITE is a result, not an exception; it leaves no factor.
+  /// NOT_POSITIVE_DEFINITE and SINGULAR are results, not exceptions; they leave no factor.
   /// @param added  put onto the diagonal at the candidates, Dim*candidates [force/length]; empty: none. Not at fixed dofs
   virtual FactorStatus factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added = {}) = 0;
   /// x = K^-1 b, Dim*num_nodes; zero at fixed dofs. [length for b in force]
@@ -33,9 +34,12 @@ public:
   /// Second half: K^-1 (b + p) of a swept load b, Dim*num_nodes; zero at fixed dofs [length].
   /// @param p  further load on the candidates, Dim*candidates [force]
   virtual Eigen::VectorXd displacement(const SweptLoad& load, const Eigen::VectorXd& p) const = 0;
-  /// C = (K^-1)_cc on the candidates, symmetric, Dim*candidates square; zero rows and columns at fixed dofs
-  /// [length/force].
+  /// C = (K^-1)_cc on the candidates, Dim*candidates square; zero rows and columns at fixed dofs, and columns that
+  /// complete_flexibility has still to make [length/force].
   virtual Eigen::MatrixXd candidate_flexibility() const = 0;
+  /// Puts columns of C that are not there yet into C. @param columns places among the Dim*candidates components
+  virtual void complete_flexibility(const std::vector<int>& /*columns*/, Eigen::MatrixXd& /*C*/) const {}
+  virtual bool symmetric() const { return true; } ///< the tangent that was factored last
   virtual std::size_t factor_entries() const = 0; ///< numbers stored in the factor; 0 before analyze
   virtual int analyses() const = 0;               ///< number of analyses made, cached ones not counted
 };

@@ -26,7 +26,7 @@ expect NAMES.md '/^| `hardening_modulus` | `H`/d' "hardening_modulus and H break
 expect NAMES.md '/^| `hint` | `s`/a | `stress` | `F` | none |' "no row needs the exception stress, F"
 expect ALGORITHMS.md 's/^| `min_substeps` | 3 /| `min_substeps` | 4 /' "min_substeps is 3 in UpdateOptions"
 expect ALGORITHMS.md '/^| `max_substeps` /d' "max_substeps of UpdateOptions is neither a setting nor in the table of options"
-expect ALGORITHMS.md 's/^| `condensed` /| `bound` /' "StepperOptions has no member bound"
+expect ALGORITHMS.md 's/^| `forms_only` /| `bound` /' "StepperOptions has no member bound"
 expect run/settings.cpp 's/"25", COUNT/"20", COUNT/' "maxiterations is 25 in IterationOptions"
 expect run/settings.cpp 's/{"pathlimit"/{"largestpath"/' "path_limit and largestpath break the rule"
 expect ALGORITHMS.md 's/`GROWTH` (1.3)/`GROWTH` (1.4)/' "the constant GROWTH is 1.3 in the code"

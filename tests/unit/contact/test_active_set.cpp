@@ -12,7 +12,7 @@ namespace {
 struct Springs : EventScene {
   PrescribedValues prescribed{{1, 1, 1}, Eigen::VectorXd::Zero(3)};
   std::vector<int> window = {0, 1, 2, 3, 4, 5};
-  ActiveCholesky flexibility;
+  ActivePart flexibility;
   EntryPlaces<2> entry{std::vector<ContactNode<2>>(6), std::vector<int>(6, 0)};
   WindowProblem<2> problem;
 

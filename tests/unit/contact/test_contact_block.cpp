@@ -22,7 +22,7 @@ struct Scene {
   std::vector<int> active;
   std::vector<NodeLinearization<2>> nodes;
   std::vector<int> free; ///< all components are
-  ActiveCholesky flexibility;
+  ActivePart flexibility;
   ContactBlockInput<2> input;
 
   explicit Scene(double mu) {

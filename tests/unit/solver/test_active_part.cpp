@@ -1,5 +1,5 @@
 // The dense factor whose selection changes: solutions, updates counted, refused parts, copies.
-#include "solver/active_cholesky.hpp"
+#include "solver/active_part.hpp"
 #include "unit/finite_difference.hpp"
 #include <algorithm>
 #include <numeric>
@@ -31,7 +31,7 @@ Indices first(int n) {
 }
 
 /// The current part against a fresh dense factor, two right-hand sides.
-void check_solutions(const ActiveCholesky& factor, const Indices& selected) {
+void check_solutions(const ActivePart& factor, const Indices& selected) {
   const auto n = static_cast<Eigen::Index>(selected.size());
   Eigen::MatrixXd part(n, n), B(n, 2);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -57,13 +57,28 @@ Indices changed(Indices selected, std::mt19937& random) {
   return selected;
 }
 
+TEST(ActivePart, PartsOfAnUnsymmetricMatrixAndColumnsThatComeWhenTheyAreNeeded) {
+  const Eigen::MatrixXd whole = Eigen::MatrixXd::Random(9, 9) + 9 * Eigen::MatrixXd::Identity(9, 9);
+  auto matrix = std::make_shared<Eigen::MatrixXd>(Eigen::MatrixXd::Zero(9, 9));
+  ActivePart part;
+  part.set(matrix, false, [&](const std::vector<int>& columns) {
+    for (const int j : columns) matrix->col(j) = whole.col(j);
+  });
+  for (const std::vector<int>& selected : {std::vector<int>{1, 4, 5}, {5, 1}, {0, 2, 3, 8}}) {
+    ASSERT_TRUE(part.select(selected));
+    const Eigen::MatrixXd B = Eigen::MatrixXd::Random(static_cast<Eigen::Index>(selected.size()), 2);
+    EXPECT_LT((whole(selected, selected) * part.solve(B) - B).norm(), 1e-12 * B.norm());
+  }
+  EXPECT_EQ(matrix->col(7).norm(), 0);
+}
+
 } // namespace
 
-TEST(ActiveCholesky, AgainstAFreshFactorThroughRandomSelections) {
+TEST(ActivePart, AgainstAFreshFactorThroughRandomSelections) {
   for (const int updates_from : {0, 55, 1000}) {
     SCOPED_TRACE("updates from " + std::to_string(updates_from));
     std::mt19937 random(7);
-    ActiveCholesky factor(updates_from);
+    ActivePart factor(updates_from);
     factor.set(sample());
     Indices selected = first(60);
     for (int step = 0; step < 400; ++step) {
@@ -84,8 +99,8 @@ TEST(ActiveCholesky, AgainstAFreshFactorThroughRandomSelections) {
 }
 
 // One factorization in all: rows that go and come are counted, the rest is free.
-TEST(ActiveCholesky, FewChangesAreUpdatesAndNoFactorization) {
-  ActiveCholesky factor(0);
+TEST(ActivePart, FewChangesAreUpdatesAndNoFactorization) {
+  ActivePart factor(0);
   factor.set(sample());
   Indices selected = first(60);
   const auto expect_counts = [&](long updates) {
@@ -108,8 +123,8 @@ TEST(ActiveCholesky, FewChangesAreUpdatesAndNoFactorization) {
 }
 
 // More than a sixth of the rows change: a new factor is cheaper.
-TEST(ActiveCholesky, ManyChangesAreANewFactorization) {
-  ActiveCholesky factor(0);
+TEST(ActivePart, ManyChangesAreANewFactorization) {
+  ActivePart factor(0);
   factor.set(sample());
   ASSERT_TRUE(factor.select(first(50)));
   ASSERT_TRUE(factor.select(first(60))); // 10 of 60
@@ -125,23 +140,23 @@ TEST(ActiveCholesky, ManyChangesAreANewFactorization) {
   check_solutions(factor, other);
 }
 
-TEST(ActiveCholesky, UpdatesFromASize) {
-  ActiveCholesky factor(20);
+TEST(ActivePart, UpdatesFromASize) {
+  ActivePart factor(20);
   factor.set(sample());
   for (int n = 15; n <= 25; ++n) ASSERT_TRUE(factor.select(first(n)));
   EXPECT_EQ(factor.factorizations(), 6) << "15 .. 20";
   EXPECT_EQ(factor.updates(), 5) << "from 20 rows to 21 .. 25";
   ASSERT_TRUE(factor.select(first(19))); // six of 19 rows
   EXPECT_EQ(factor.factorizations(), 7);
-  ActiveCholesky by_default;
+  ActivePart by_default;
   by_default.set(sample());
   for (int n = 80; n <= SIZE; ++n) ASSERT_TRUE(by_default.select(first(n)));
   EXPECT_EQ(by_default.updates(), 0) << "from 400 rows on";
   check_solutions(by_default, first(SIZE));
 }
 
-TEST(ActiveCholesky, NothingSelected) {
-  ActiveCholesky factor(0);
+TEST(ActivePart, NothingSelected) {
+  ActivePart factor(0);
   factor.set(sample());
   ASSERT_TRUE(factor.select({}));
   EXPECT_EQ(factor.solve(Eigen::MatrixXd(0, 3)).cols(), 3);
@@ -153,11 +168,11 @@ TEST(ActiveCholesky, NothingSelected) {
 }
 
 // Row 30 makes every part that holds it indefinite.
-TEST(ActiveCholesky, RefusesAPartThatIsNotPositiveDefiniteAndRecovers) {
+TEST(ActivePart, RefusesAPartThatIsNotPositiveDefiniteAndRecovers) {
   auto matrix = std::make_shared<Eigen::MatrixXd>(*sample());
   (*matrix)(30, 30) = -1;
   for (const int updates_from : {0, 1000}) {
-    ActiveCholesky factor(updates_from);
+    ActivePart factor(updates_from);
     factor.set(matrix);
     ASSERT_TRUE(factor.select(first(30)));
     for (int again = 0; again < 2; ++again) {
@@ -176,11 +191,11 @@ TEST(ActiveCholesky, RefusesAPartThatIsNotPositiveDefiniteAndRecovers) {
   }
 }
 
-TEST(ActiveCholesky, CopiesAreIndependent) {
-  ActiveCholesky factor(0);
+TEST(ActivePart, CopiesAreIndependent) {
+  ActivePart factor(0);
   factor.set(sample());
   ASSERT_TRUE(factor.select(first(40)));
-  ActiveCholesky copy = factor;
+  ActivePart copy = factor;
   ASSERT_TRUE(copy.select(first(44)));
   EXPECT_EQ(copy.factorizations(), 1) << "it goes on from the factor that was copied";
   EXPECT_EQ(factor.updates(), 0);
@@ -197,8 +212,8 @@ TEST(ActiveCholesky, CopiesAreIndependent) {
   check_solutions(factor, first(5));
 }
 
-TEST(ActiveCholesky, AnotherMatrixForgetsTheFactor) {
-  ActiveCholesky factor(0);
+TEST(ActivePart, AnotherMatrixForgetsTheFactor) {
+  ActivePart factor(0);
   factor.set(sample());
   ASSERT_TRUE(factor.select(first(40)));
   factor.set(sample(2));

@@ -1,22 +1,28 @@
 #pragma once
-// Cholesky factor of a part of a dense symmetric positive definite matrix; the part changes by a few rows at a time.
+// Factor of a part of a dense matrix; the part changes by a few rows at a time.
 #include <Eigen/Dense>
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace burnish {
 
-/// Keeps the factor L L' of C over the selected indices. A selection that was made before costs nothing; one that
-/// differs by few indices takes them out of the factor and appends them to it; else the part is factorized anew.
-class ActiveCholesky {
+/// Keeps the factor of C over the selected indices: L L' of a symmetric positive definite matrix, L U of another one. A selection
+/// that was made before costs nothing; one that differs by few indices takes them out of L L' and appends them to it; else the
+/// part is factorized anew.
+class ActivePart {
 public:
   /// @param updates_from  size of the part from which on the factor is updated; below, a new one is as cheap
-  explicit ActiveCholesky(int updates_from = 400) : m_updates_from(updates_from) {}
-  /// A matrix, symmetric; the factor made before is forgotten.
-  void set(std::shared_ptr<const Eigen::MatrixXd> matrix);
+  explicit ActivePart(int updates_from = 400) : m_updates_from(updates_from) {}
+  /// Makes sure that these columns of the matrix are there.
+  using Complete = std::function<void(const std::vector<int>&)>;
+  /// A matrix; the factor made before is forgotten.
+  /// @param symmetric it is so, and its parts are positive definite
+  /// @param complete called before columns are read; empty: they are all there
+  void set(std::shared_ptr<const Eigen::MatrixXd> matrix, bool symmetric = true, Complete complete = {});
   const Eigen::MatrixXd& matrix() const { return *m_matrix; }
   /// Makes the part over these indices (each once) current.
-  /// @returns false if it is not positive definite; then there is no factor
+  /// @returns false if it is not positive definite, or is singular; then there is no factor
   bool select(const std::vector<int>& indices);
   /// C_aa^-1 B for the current part. @param B rows in the order of the last selection
   Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
@@ -30,6 +36,9 @@ private:
   bool update(const std::vector<int>& indices);
 
   int m_updates_from;
+  bool m_symmetric = true;
+  Complete m_complete;
+  Eigen::PartialPivLU<Eigen::MatrixXd> m_lu; // unless symmetric
   std::shared_ptr<const Eigen::MatrixXd> m_matrix;
   Eigen::MatrixXd m_lower;           // the leading m_order.size() rows count
   std::vector<int> m_order;          // indices in the order of the factor

@@ -1,28 +1,34 @@
-#include "solver/active_cholesky.hpp"
+#include "solver/active_part.hpp"
 #include <algorithm>
 #include <cmath>
 
 namespace burnish {
 
-void ActiveCholesky::set(std::shared_ptr<const Eigen::MatrixXd> matrix) {
+void ActivePart::set(std::shared_ptr<const Eigen::MatrixXd> matrix, bool symmetric, Complete complete) {
   m_matrix = std::move(matrix);
+  m_symmetric = symmetric;
+  m_complete = std::move(complete);
   m_order.clear();
   m_selected.clear();
   m_place.clear();
 }
 
-bool ActiveCholesky::factorize() {
+bool ActivePart::factorize() {
   const auto n = static_cast<Eigen::Index>(m_order.size());
+  ++m_factorizations;
+  if (!m_symmetric) {
+    m_lu.compute((*m_matrix)(m_order, m_order));
+    return n == 0 || m_lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0; // NaN is no factor either
+  }
   m_lower.resize(n, n);
   for (Eigen::Index j = 0; j < n; ++j)
     for (Eigen::Index i = j; i < n; ++i) m_lower(i, j) = (*m_matrix)(m_order[i], m_order[j]);
-  ++m_factorizations;
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(m_lower); // in place
   return factor.info() == Eigen::Success;
 }
 
 // A row at the end: L y = c, diagonal sqrt(C_jj - y.y).
-bool ActiveCholesky::append(int index) {
+bool ActivePart::append(int index) {
   const auto n = static_cast<Eigen::Index>(m_order.size());
   Eigen::VectorXd y(n);
   for (Eigen::Index i = 0; i < n; ++i) y[i] = (*m_matrix)(m_order[i], index);
@@ -38,7 +44,7 @@ bool ActiveCholesky::append(int index) {
 }
 
 // The row goes; what its column carried is rotated into the rest: L33 L33' + l l'.
-void ActiveCholesky::remove(Eigen::Index position) {
+void ActivePart::remove(Eigen::Index position) {
   const auto n = static_cast<Eigen::Index>(m_order.size());
   Eigen::VectorXd l = m_lower.col(position).segment(position + 1, n - position - 1);
   for (Eigen::Index j = position + 1; j < n; ++j) { // columns move up and to the left
@@ -57,7 +63,8 @@ void ActiveCholesky::remove(Eigen::Index position) {
   ++m_updates;
 }
 
-bool ActiveCholesky::update(const std::vector<int>& indices) {
+bool ActivePart::update(const std::vector<int>& indices) {
+  if (!m_symmetric) return false;
   std::vector<char> wanted(m_matrix->rows(), 0), kept(m_matrix->rows(), 0);
   for (const int i : indices) wanted[i] = 1;
   for (const int i : m_order) kept[i] = wanted[i];
@@ -72,9 +79,10 @@ bool ActiveCholesky::update(const std::vector<int>& indices) {
   return true;
 }
 
-bool ActiveCholesky::select(const std::vector<int>& indices) {
+bool ActivePart::select(const std::vector<int>& indices) {
   if (indices == m_selected && !m_order.empty()) return true;
   m_selected = indices;
+  if (m_complete) m_complete(indices);
   if (!update(indices)) {
     m_order = indices;
     if (!factorize()) {
@@ -90,7 +98,8 @@ bool ActiveCholesky::select(const std::vector<int>& indices) {
   return true;
 }
 
-Eigen::MatrixXd ActiveCholesky::solve(const Eigen::MatrixXd& B) const {
+Eigen::MatrixXd ActivePart::solve(const Eigen::MatrixXd& B) const {
+  if (!m_symmetric) return m_order.empty() ? Eigen::MatrixXd(0, B.cols()) : Eigen::MatrixXd(m_lu.solve(B));
   const auto n = static_cast<Eigen::Index>(m_order.size());
   Eigen::MatrixXd X(n, B.cols());
   for (Eigen::Index i = 0; i < n; ++i) X.row(m_place[i]) = B.row(i);

@@ -1,0 +1,285 @@
+#include "solver/host_factor.hpp"
+#include "base/error.hpp"
+#include <cmath>
+#include <cstdint>
+
+namespace burnish {
+namespace {
+
+constexpr double SOLVED = 1e-3; // residual over the right-hand side: beyond, the solver has not solved it
+constexpr double SYMMETRIC =
+    1e-10; // largest |k_ij - k_ji| over the largest entry of a matrix that counts as symmetric
+constexpr int FIRST_COLUMNS = 32; // of K^-1 that there is room for at first
+
+} // namespace
+
+template <int Dim> struct HostFactor<Dim>::Impl {
+  std::unique_ptr<HostSolver> solver;
+  std::vector<int> row_start, col; // the node pattern analyzed
+  std::vector<char> fixed;
+  std::vector<int> candidates;
+  std::vector<int> free, place;    // free dofs; per dof its place among them, -1: fixed
+  SparsePattern rows;              // of the free dofs; the lower triangle for a symmetric solver
+  std::vector<std::uint32_t> slot; // per entry, its place in NodeBlockMatrix::value
+  std::vector<int> diagonal;       // per free dof
+  std::vector<double> value;
+  bool symmetric = true, has_factor = false;
+  int analyses = 0;
+  long solved_columns = 0;
+  Eigen::MatrixXd columns; // of K^-1 over the free dofs, the first num_known
+  std::vector<int> known;  // per dof: its column, -1: not solved for
+  int num_known = 0;
+
+  void build(const NodeBlockMatrix<Dim>& K);
+  void take_values(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& added);
+  bool is_symmetric() const;
+  Eigen::VectorXd product(const Eigen::VectorXd& x) const;
+  FactorStatus tried();
+  Eigen::VectorXd solve_free(Eigen::VectorXd b) const;
+  Eigen::VectorXd gathered(const Eigen::VectorXd& b, const char* where) const;
+  Eigen::VectorXd scattered(const Eigen::VectorXd& x) const;
+  void know(const std::vector<int>& dofs);
+  int dof_of(int component) const { return Dim * candidates[component / Dim] + component % Dim; }
+  void require_factor(const char* where) const {
+    if (!has_factor) fail(where, "there is no factor, call factorize first");
+  }
+};
+
+// Rows of the free dofs, columns ascending.
+template <int Dim> void HostFactor<Dim>::Impl::build(const NodeBlockMatrix<Dim>& K) {
+  free.clear();
+  place.assign(fixed.size(), -1);
+  for (std::size_t d = 0; d < fixed.size(); ++d)
+    if (!fixed[d]) {
+      place[d] = static_cast<int>(free.size());
+      free.push_back(static_cast<int>(d));
+    }
+  const bool half = solver->symmetric();
+  std::vector<int> start{0}, column;
+  slot.clear();
+  diagonal.clear();
+  for (const int row : free) {
+    for (int k = K.row_start[row / Dim]; k < K.row_start[row / Dim + 1]; ++k)
+      for (int c = 0; c < Dim; ++c) {
+        const int d = Dim * K.col[k] + c;
+        if (place[d] < 0 || (half && d > row)) continue;
+        if (d == row) diagonal.push_back(static_cast<int>(column.size()));
+        column.push_back(place[d]);
+        slot.push_back(static_cast<std::uint32_t>(Dim * Dim * k + Dim * (row % Dim) + c));
+      }
+    start.push_back(static_cast<int>(column.size()));
+  }
+  const std::vector<double> nothing(column.size(), 0);
+  const SparseView view{static_cast<int>(free.size()), start.data(), column.data(), nothing.data(), half};
+  rows = SparsePattern("HostFactor::analyze", view);
+  solver->analyze(view);
+  ++analyses;
+}
+
+template <int Dim>
+void HostFactor<Dim>::Impl::take_values(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& added) {
+  value.resize(slot.size());
+  for (std::size_t k = 0; k < slot.size(); ++k) value[k] = K.value[slot[k]];
+  for (Eigen::Index i = 0; i < added.size(); ++i) {
+    const int at = place[dof_of(static_cast<int>(i))];
+    if (at >= 0) value[diagonal[at]] += added[i];
+  }
+  check_values("HostFactor::factorize",
+               {rows.n, rows.row_start.data(), rows.col.data(), value.data(), rows.symmetric});
+}
+
+template <int Dim> bool HostFactor<Dim>::Impl::is_symmetric() const {
+  if (rows.symmetric) return true;
+  double largest = 0, worst = 0;
+  for (std::size_t k = 0; k < value.size(); ++k) {
+    const double mirrored = rows.mirror[k] < 0 ? 0 : value[rows.mirror[k]];
+    largest = std::max(largest, std::abs(value[k]));
+    worst = std::max(worst, std::abs(value[k] - mirrored));
+  }
+  return worst <= SYMMETRIC * largest;
+}
+
+template <int Dim> Eigen::VectorXd HostFactor<Dim>::Impl::product(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(x.size());
+  for (int i = 0; i < rows.n; ++i)
+    for (int k = rows.row_start[i]; k < rows.row_start[i + 1]; ++k) {
+      y[i] += value[k] * x[rows.col[k]];
+      if (rows.symmetric && rows.col[k] != i) y[rows.col[k]] += value[k] * x[i];
+    }
+  return y;
+}
+
+// A right-hand side without symmetry, and its solution as the next one: softest motions come out of an inverse iteration.
+template <int Dim> FactorStatus HostFactor<Dim>::Impl::tried() {
+  const FactorStatus refused =
+      solver->symmetric() ? FactorStatus::NOT_POSITIVE_DEFINITE : FactorStatus::SINGULAR;
+  Eigen::VectorXd b(rows.n);
+  for (int i = 0; i < rows.n; ++i) b[i] = std::sin(1. + 7. * i);
+  for (int turn = 0; turn < 2; ++turn) {
+    const Eigen::VectorXd x = solve_free(b);
+    if (!x.allFinite() || !((product(x) - b).norm() <= SOLVED * b.norm())) return refused;
+    if (symmetric && b.dot(x) < 0) return FactorStatus::NOT_POSITIVE_DEFINITE;
+    b = x.normalized();
+  }
+  return FactorStatus::OK;
+}
+
+template <int Dim> Eigen::VectorXd HostFactor<Dim>::Impl::solve_free(Eigen::VectorXd b) const {
+  Eigen::MatrixXd x = std::move(b);
+  solver->solve(x);
+  return x;
+}
+
+template <int Dim>
+Eigen::VectorXd HostFactor<Dim>::Impl::gathered(const Eigen::VectorXd& b, const char* where) const {
+  require(static_cast<std::size_t>(b.size()) == fixed.size(), where, "b.size()", b.size(), "Dim*num_nodes");
+  Eigen::VectorXd part(static_cast<Eigen::Index>(free.size()));
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    part[static_cast<Eigen::Index>(k)] = b[free[k]];
+    if (!std::isfinite(b[free[k]]))
+      fail(where, "b[" + std::to_string(free[k]) + "] is not finite, expected finite numbers");
+  }
+  return part;
+}
+
+template <int Dim> Eigen::VectorXd HostFactor<Dim>::Impl::scattered(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fixed.size()));
+  for (std::size_t k = 0; k < free.size(); ++k) all[free[k]] = x[static_cast<Eigen::Index>(k)];
+  return all;
+}
+
+// Columns of K^-1 for these free dofs, those not known yet in one call of the solver.
+template <int Dim> void HostFactor<Dim>::Impl::know(const std::vector<int>& dofs) {
+  std::vector<int> fresh;
+  for (const int d : dofs)
+    if (place[d] >= 0 && known[d] < 0) {
+      known[d] = num_known + static_cast<int>(fresh.size());
+      fresh.push_back(d);
+    }
+  if (fresh.empty()) return;
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(rows.n, static_cast<Eigen::Index>(fresh.size()));
+  for (std::size_t j = 0; j < fresh.size(); ++j) B(place[fresh[j]], static_cast<Eigen::Index>(j)) = 1;
+  solver->solve(B);
+  const Eigen::Index needed = num_known + B.cols();
+  if (columns.rows() != rows.n || columns.cols() < needed)
+    columns.conservativeResize(rows.n, std::max<Eigen::Index>(FIRST_COLUMNS, needed + needed / 2));
+  columns.middleCols(num_known, B.cols()) = B;
+  num_known += static_cast<int>(fresh.size());
+  solved_columns += B.cols();
+}
+
+template <int Dim>
+HostFactor<Dim>::HostFactor(std::unique_ptr<HostSolver> solver) : m_impl(std::make_unique<Impl>()) {
+  m_impl->solver = std::move(solver);
+}
+template <int Dim> HostFactor<Dim>::~HostFactor() = default;
+
+template <int Dim>
+void HostFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
+                              const std::vector<int>& candidates) {
+  const char* where = "HostFactor::analyze";
+  Impl& impl = *m_impl;
+  require(static_cast<int>(fixed.size()) == pattern.size(), where, "fixed.size()", fixed.size(),
+          "Dim*num_nodes");
+  for (const int node : candidates)
+    require(node >= 0 && node < pattern.num_nodes, where, "candidate", node, "a node of the matrix");
+  impl.candidates = candidates;
+  const bool same = impl.analyses > 0 && pattern.row_start == impl.row_start && pattern.col == impl.col &&
+                    fixed == impl.fixed;
+  if (same) return;
+  impl.has_factor = false;
+  impl.row_start = pattern.row_start;
+  impl.col = pattern.col;
+  impl.fixed = fixed;
+  impl.build(pattern);
+}
+
+template <int Dim>
+FactorStatus HostFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added) {
+  const char* where = "HostFactor::factorize";
+  Impl& impl = *m_impl;
+  impl.has_factor = false;
+  if (impl.analyses == 0 || matrix.row_start != impl.row_start || matrix.col != impl.col)
+    fail(where, "the matrix has not the pattern analyzed, call analyze first");
+  require(added.size() == 0 || static_cast<std::size_t>(added.size()) == Dim * impl.candidates.size(), where,
+          "added.size()", added.size(), "Dim*candidates or 0");
+  impl.take_values(matrix, added);
+  impl.symmetric = impl.is_symmetric();
+  impl.known.assign(impl.fixed.size(), -1);
+  impl.num_known = 0;
+  if (!impl.solver->factorize(impl.value.data()))
+    return impl.solver->symmetric() ? FactorStatus::NOT_POSITIVE_DEFINITE : FactorStatus::SINGULAR;
+  const FactorStatus status = impl.tried();
+  impl.has_factor = status == FactorStatus::OK;
+  return status;
+}
+
+template <int Dim> Eigen::VectorXd HostFactor<Dim>::solve(const Eigen::VectorXd& b) const {
+  return sweep(b).y;
+}
+
+template <int Dim> SweptLoad HostFactor<Dim>::sweep(const Eigen::VectorXd& b) const {
+  const char* where = "HostFactor::sweep";
+  m_impl->require_factor(where);
+  return {m_impl->scattered(m_impl->solve_free(m_impl->gathered(b, where)))};
+}
+
+template <int Dim> Eigen::VectorXd HostFactor<Dim>::candidate_displacement(const SweptLoad& load) const {
+  Eigen::VectorXd u(Dim * static_cast<Eigen::Index>(m_impl->candidates.size()));
+  for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = load.y[m_impl->dof_of(static_cast<int>(i))];
+  return u;
+}
+
+template <int Dim>
+Eigen::VectorXd HostFactor<Dim>::displacement(const SweptLoad& load, const Eigen::VectorXd& p) const {
+  const char* where = "HostFactor::displacement";
+  Impl& impl = *m_impl;
+  impl.require_factor(where);
+  require(static_cast<std::size_t>(p.size()) == Dim * impl.candidates.size(), where, "p.size()", p.size(),
+          "Dim*candidates");
+  if (!p.allFinite()) fail(where, "p is not finite, expected finite numbers");
+  std::vector<int> loaded;
+  for (Eigen::Index i = 0; i < p.size(); ++i)
+    if (p[i] != 0) loaded.push_back(impl.dof_of(static_cast<int>(i)));
+  impl.know(loaded);
+  if (impl.num_known == 0) return load.y;
+  Eigen::VectorXd weight = Eigen::VectorXd::Zero(impl.num_known);
+  for (Eigen::Index i = 0; i < p.size(); ++i) {
+    const int column = impl.known[impl.dof_of(static_cast<int>(i))];
+    if (column >= 0) weight[column] = p[i];
+  }
+  return load.y + impl.scattered(impl.columns.leftCols(impl.num_known) * weight);
+}
+
+template <int Dim> Eigen::MatrixXd HostFactor<Dim>::candidate_flexibility() const {
+  m_impl->require_factor("HostFactor::candidate_flexibility");
+  const auto size = Dim * static_cast<Eigen::Index>(m_impl->candidates.size());
+  return Eigen::MatrixXd::Zero(size, size);
+}
+
+template <int Dim>
+void HostFactor<Dim>::complete_flexibility(const std::vector<int>& columns, Eigen::MatrixXd& C) const {
+  Impl& impl = *m_impl;
+  impl.require_factor("HostFactor::complete_flexibility");
+  std::vector<int> dofs;
+  for (const int i : columns) dofs.push_back(impl.dof_of(i));
+  const int before = impl.num_known;
+  impl.know(dofs);
+  for (const int i : columns) {
+    const int column = impl.known[impl.dof_of(i)];
+    if (column < before && C(i, i) != 0) continue; // it is there
+    for (Eigen::Index r = 0; column >= 0 && r < C.rows(); ++r) {
+      const int at = impl.place[impl.dof_of(static_cast<int>(r))];
+      C(r, i) = at < 0 ? 0 : impl.columns(at, column);
+    }
+  }
+}
+
+template <int Dim> bool HostFactor<Dim>::symmetric() const { return m_impl->symmetric; }
+template <int Dim> int HostFactor<Dim>::analyses() const { return m_impl->analyses; }
+template <int Dim> long HostFactor<Dim>::columns() const { return m_impl->solved_columns; }
+
+template class HostFactor<2>;
+template class HostFactor<3>;
+
+} // namespace burnish

@@ -1,0 +1,45 @@
+#pragma once
+// The body's tangent in a sparse solver of the host program, which gives K^-1 b and no more: the flexibility of the candidates
+// comes by columns, each when it is first needed (ALGORITHMS.md 8.7).
+#include "solver/body_solver.hpp"
+#include "solver/host_solver.hpp"
+#include <memory>
+
+namespace burnish {
+
+/// Keeps the solver's analysis while the pattern and the fixed dofs stay; the candidates may change. K need not be symmetric
+/// where the solver takes whole matrices.
+template <int Dim> class HostFactor final : public BodySolver<Dim> {
+public:
+  /// @param solver must outlive it; it serves one HostFactor at a time
+  explicit HostFactor(std::unique_ptr<HostSolver> solver);
+  ~HostFactor() override;
+
+  /// @throws std::invalid_argument if fixed is not of size Dim*num_nodes or a candidate is out of range
+  void analyze(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
+               const std::vector<int>& candidates) override;
+  /// The factor is tried on two right-hand sides. NOT_POSITIVE_DEFINITE: a symmetric K with b'K^-1 b < 0 for one of them,
+  /// which an indefinite K need not show, or a solver of symmetric matrices that has not solved it; SINGULAR: another
+  /// solver has not solved it.
+  /// @throws std::invalid_argument if the pattern is not the one analyzed, added has another size, or a value is not finite
+  FactorStatus factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added = {}) override;
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const override;
+  /// The whole solution: y = K^-1 b.
+  SweptLoad sweep(const Eigen::VectorXd& b) const override;
+  Eigen::VectorXd candidate_displacement(const SweptLoad& load) const override;
+  /// A sum of columns of K^-1: no further solve where the loaded components are known.
+  Eigen::VectorXd displacement(const SweptLoad& load, const Eigen::VectorXd& p) const override;
+  /// Zero: no column is known yet.
+  Eigen::MatrixXd candidate_flexibility() const override;
+  void complete_flexibility(const std::vector<int>& columns, Eigen::MatrixXd& C) const override;
+  bool symmetric() const override;
+  std::size_t factor_entries() const override { return 0; } ///< not known
+  int analyses() const override;
+  long columns() const; ///< of K^-1 solved for since construction
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace burnish

@@ -1,0 +1,24 @@
+#pragma once
+// A sparse solver of the host program, as HostFactor uses it.
+#include "solver/sparse_view.hpp"
+#include <Eigen/Dense>
+
+namespace burnish {
+
+/// One matrix at a time, any number of right-hand sides. What such a solver says of failures is not relied on: HostFactor looks
+/// at the residual.
+class HostSolver {
+public:
+  virtual ~HostSolver() = default;
+  /// It takes one triangle of a symmetric matrix, the lower one by rows; others take the whole matrix.
+  virtual bool symmetric() const = 0;
+  /// The pattern of the matrices to come; its values are not read. What was kept of another pattern is gone.
+  virtual void analyze(const SparseView& pattern) = 0;
+  /// @param value in the order of the pattern
+  /// @returns false where the solver itself says that it has no factor
+  virtual bool factorize(const double* value) = 0;
+  /// Replaces every column of B, n rows, by A^-1 B.
+  virtual void solve(Eigen::MatrixXd& B) = 0;
+};
+
+} // namespace burnish

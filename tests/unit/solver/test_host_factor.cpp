@@ -1,0 +1,120 @@
+#include "solver/host_factor.hpp"
+#include "solver/umfpack_solver.hpp"
+#include "unit/solver/elastic_sample.hpp"
+#include <gtest/gtest.h>
+
+using namespace burnish;
+
+namespace {
+
+struct Plane {
+  sample::Mesh<2> mesh = sample::with_mid_nodes(sample::ring_sector(4, 8));
+  NodeBlockMatrix<2> K = sample::stiffness(mesh, 0.);
+  std::vector<char> fixed = sample::fix(K, mesh.inner);
+  std::vector<int> candidates{0, 7, 31, 12};
+};
+
+Eigen::MatrixXd constrained(const NodeBlockMatrix<2>& matrix, const std::vector<char>& fixed) {
+  Eigen::MatrixXd full = sample::dense(matrix);
+  for (int i = 0; i < matrix.size(); ++i) {
+    if (!fixed[i]) continue;
+    full.row(i).setZero();
+    full.col(i).setZero();
+    full(i, i) = 1.;
+  }
+  return full;
+}
+
+// Not symmetric: what a law that is not associated makes of the tangent.
+NodeBlockMatrix<2> skewed(NodeBlockMatrix<2> K) {
+  for (int row = 0; row < K.num_nodes; ++row)
+    for (int k = K.row_start[row]; k < K.row_start[row + 1]; ++k)
+      if (K.col[k] > row)
+        for (int i = 0; i < 4; ++i) K.block(k)[i] *= 1.3;
+  return K;
+}
+
+void expect_equals_dense(HostFactor<2>& factor, const Plane& plane, const NodeBlockMatrix<2>& K) {
+  factor.analyze(K, plane.fixed, plane.candidates);
+  ASSERT_EQ(factor.factorize(K), FactorStatus::OK);
+  const Eigen::MatrixXd inverse = constrained(K, plane.fixed).inverse();
+  Eigen::VectorXd b = sample::random_vector(K.size()), clean = b;
+  std::vector<int> dofs, components;
+  for (const int node : plane.candidates)
+    for (int c = 0; c < 2; ++c) {
+      components.push_back(static_cast<int>(dofs.size()));
+      dofs.push_back(2 * node + c);
+    }
+  for (int i = 0; i < K.size(); ++i)
+    if (plane.fixed[i]) clean[i] = 0;
+  const Eigen::VectorXd x = inverse * clean;
+  EXPECT_LT((factor.solve(b) - x).norm(), 1e-10 * x.norm());
+  const SweptLoad swept = factor.sweep(b);
+  EXPECT_LT((factor.candidate_displacement(swept) - x(dofs)).norm(), 1e-10 * x.norm());
+  const long before = factor.columns();
+  Eigen::MatrixXd C = factor.candidate_flexibility();
+  EXPECT_EQ(C.norm(), 0) << "columns come when they are asked for";
+  factor.complete_flexibility({0, 1, 3}, C);
+  EXPECT_LE(factor.columns() - before, 3);
+  factor.complete_flexibility(components, C);
+  const long known = factor.columns();
+  factor.complete_flexibility(components, C);
+  Eigen::VectorXd p = sample::random_vector(static_cast<int>(dofs.size())), sum = clean;
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    if (!plane.fixed[dofs[i]]) sum[dofs[i]] += p[at];
+    const Eigen::VectorXd column = plane.fixed[dofs[i]] ? Eigen::VectorXd(Eigen::VectorXd::Zero(C.rows()))
+                                                        : Eigen::VectorXd(inverse.col(dofs[i])(dofs));
+    EXPECT_LT((C.col(at) - column).norm(), 1e-10 * inverse.norm());
+  }
+  EXPECT_LT((factor.displacement(swept, p) - inverse * sum).norm(), 1e-10 * x.norm());
+  EXPECT_EQ(factor.columns(), known) << "nothing is solved for twice";
+}
+
+TEST(HostFactor, AgainstDenseAlgebraSymmetricAndNot) {
+  Plane plane;
+  HostFactor<2> factor(std::make_unique<UmfpackSolver>());
+  expect_equals_dense(factor, plane, plane.K);
+  EXPECT_TRUE(factor.symmetric());
+  expect_equals_dense(factor, plane, skewed(plane.K));
+  EXPECT_FALSE(factor.symmetric());
+  plane.candidates = {3, 31};
+  expect_equals_dense(factor, plane, plane.K);
+  EXPECT_EQ(factor.analyses(), 1) << "another window or other values are no other pattern";
+}
+
+TEST(HostFactor, AddedStiffnessOnTheCandidates) {
+  Plane plane;
+  HostFactor<2> factor(std::make_unique<UmfpackSolver>());
+  factor.analyze(plane.K, plane.fixed, plane.candidates);
+  const Eigen::VectorXd added =
+      Eigen::VectorXd::LinSpaced(8, 1, 2) * sample::dense(plane.K).cwiseAbs().maxCoeff();
+  ASSERT_EQ(factor.factorize(plane.K, added), FactorStatus::OK);
+  Eigen::MatrixXd full = constrained(plane.K, plane.fixed);
+  Eigen::VectorXd b = sample::random_vector(plane.K.size());
+  for (int i = 0; i < 8; ++i) {
+    const int dof = 2 * plane.candidates[i / 2] + i % 2;
+    if (!plane.fixed[dof]) full(dof, dof) += added[i];
+  }
+  for (int i = 0; i < plane.K.size(); ++i)
+    if (plane.fixed[i]) b[i] = 0;
+  const Eigen::VectorXd x = full.inverse() * b;
+  EXPECT_LT((factor.solve(b) - x).norm(), 1e-10 * x.norm());
+}
+
+TEST(HostFactor, TellsSingularAndIndefiniteMatrices) {
+  Plane plane;
+  HostFactor<2> factor(std::make_unique<UmfpackSolver>());
+  factor.analyze(plane.K, plane.fixed, plane.candidates);
+  NodeBlockMatrix<2> K = plane.K;
+  for (double& value : K.value) value = -value;
+  EXPECT_EQ(factor.factorize(K), FactorStatus::NOT_POSITIVE_DEFINITE);
+  EXPECT_THROW(factor.solve(Eigen::VectorXd::Zero(K.size())), std::invalid_argument);
+  for (double& value : K.value) value = 0;
+  EXPECT_EQ(factor.factorize(K), FactorStatus::SINGULAR);
+  for (double& value : K.value) value = std::nan("");
+  EXPECT_THROW(factor.factorize(K), std::invalid_argument);
+  EXPECT_EQ(factor.factorize(plane.K), FactorStatus::OK);
+}
+
+} // namespace
