@@ -9,6 +9,7 @@ import sys
 
 from measured import Run, run, table
 
+IMBALANCE = 1e-3
 COMMON = "-pictures 0 -series 0 -check 0"
 # varied mesh, its option's halved value, elements through the thickness of the half mesh, drawn options, samples, every how
 # many is repeated, the force that is compared, option of jumps
@@ -40,21 +41,25 @@ def options_of(folder):
 
 
 def outcome(folder):
-    """Its summary, or the reason of its end, shortened."""
+    """Its summary, or the reason of its end, shortened: of a run that stopped, that is not to be trusted, whose forces do not balance."""
     try:
         with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
             summary = json.load(file)
+        with open(os.path.join(folder, "exit.txt"), encoding="utf-8") as file:
+            code = file.read().strip()
     except FileNotFoundError:
         return None, "no result"
     if summary["status"] == "finished":
-        return summary, ""
+        unbalanced = summary["measured"]["balance"] >= IMBALANCE
+        return summary, "out of balance" if unbalanced else "" if code == "0" else f"exit status {code}"
     with open(os.path.join(folder, "log.txt"), encoding="utf-8", errors="replace") as file:
         text = re.search(r"stopped early at t = (\S+).*", file.read())
     return summary, text.group(0) if text else summary["status"]
 
 
 CAUSES = (("may slip from one to the next", "hangs on single nodes"), ("too little to balance", "friction does not hold it"),
-          ("wedges", "a node wedges"), ("nothing resists", "the holder hangs in the air"), ("states cycle", "states cycle"))
+          ("wedges", "a node wedges"), ("nothing resists", "the holder hangs in the air"), ("states cycle", "states cycle"),
+          ("exit status", "not to be trusted"), ("out of balance", "out of balance"))
 
 
 def cause(reason):
@@ -64,8 +69,9 @@ def cause(reason):
 def sweep(case):
     vary, halved, through, drawn, samples, every, force, jumps = SWEEPS[case]
     rows, option = [], vary.split("=")[0]
+    folders = variants(case, samples, vary, drawn)
     for value in vary.split("=")[1].split(","):
-        ends = [(f, *outcome(f)) for f in variants(case, samples, vary, drawn) if os.path.basename(f).startswith(f"{option}={value},")]
+        ends = [(f, *outcome(f)) for f in folders if os.path.basename(f).startswith(f"{option}={value},")]
         done = [(f, s) for f, s, reason in ends if not reason]
         stopped = [(f, cause(reason)) for f, _, reason in ends if reason]
         again = [run(case, f"-series 0 -check 0 {options_of(f)} {jumps}") for f, _ in stopped] if jumps else []

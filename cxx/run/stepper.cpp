@@ -97,12 +97,13 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
 }
 
 template <int Dim> Task Stepper<Dim>::try_step() {
+  const bool jumped = m_tries > 0 && m_scheme == &m_jump; // and was given up: a shorter step may need none
   m_scheme = &m_implicit;
   if (m_options.scheme == Scheme::EVENT && m_tries < MAX_TRIES) m_scheme = &m_event;
   if (m_options.scheme == Scheme::ARTICLE) m_scheme = &m_article;
   const bool stuck =
       m_tries >= BEFORE_JUMP || (m_tries > 0 && m_control.dt() < SHORT_STEP * m_control.options().dt_max);
-  if (m_options.events.jumps > 0 && m_scheme == &m_implicit && stuck) m_scheme = &m_jump;
+  if (m_options.events.jumps > 0 && m_scheme == &m_implicit && stuck && !jumped) m_scheme = &m_jump;
   m_scheme->start(m_control.time(), m_control.dt());
   return ask(Task::PROGRAM, Phase::PROGRAM);
 }

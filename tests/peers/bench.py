@@ -11,11 +11,13 @@ import argparse
 import csv
 import os
 import re
+import shutil
 import statistics
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(os.path.dirname(HERE), "chart"))
+import forming  # noqa: E402
 from report import MEANING  # noqa: E402
 from run import errors_of  # noqa: E402
 from scene_files import installed, methods, peer_runs, read_curves, read_fields, read_references, run, scenes  # noqa: E402
@@ -140,18 +142,33 @@ def kept(rows):
                   key=lambda r: (order[r["scene"]], r["peer"], r["element"], int(r["n"]), int(r["steps"])))
 
 
+def form(scenes, options):
+    """Sheets: forming.csv and its table."""
+    rows = forming.rows_of(scenes)
+    os.makedirs(options.out, exist_ok=True)
+    forming.write(rows, os.path.join(options.out, "forming.csv"))
+    lines = forming.table(rows)
+    print("\n".join(lines))
+    if options.store:
+        forming.write(rows, forming.STORED)
+        store(lines, "forming")
+
+
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--only", default="", help="pairs whose peer and scene, as in \"Ipopt hertz\", match this pattern")
+    parser.add_argument("--only", default="", help="pairs whose peer and scene, as in \"Ipopt hertz\", \"CalculiX forming cup\", match this pattern")
     parser.add_argument("--repeat", type=int, default=3, help="pairs of each")
     parser.add_argument("--medium", action="store_true", help="finer meshes, too")
     parser.add_argument("--exact", action="store_true", help="nothing but Hertz to 0.2 % in pressure: minutes")
     parser.add_argument("--store", action="store_true", help="table into README.md, bench.csv beside it; what is not measured now is kept")
     parser.add_argument("--out", default="out/bench-peers")
     options = parser.parse_args()
+    sheets = [scene for scene in forming.SCENES if re.search(options.only, f"CalculiX forming {scene}")] if shutil.which("ccx") else []
+    if sheets:
+        form(sheets, options)
     rows = measure(options)
     if not rows:
-        sys.exit("bench-peers: nothing was run")
+        sys.exit(None if sheets else "bench-peers: nothing was run")
     if options.store:
         rows = kept(rows)
     os.makedirs(options.out, exist_ok=True)

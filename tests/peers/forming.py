@@ -1,9 +1,11 @@
-"""The V-bend and the cup of tests/support/forming by CalculiX, on the meshes that they save, beside ours: forming.csv.
+"""The V-bend and the cup of tests/support/forming by CalculiX, on the meshes that they save, beside ours: forming.csv, table
+"forming" of README.md. bench.py runs it; one deck alone:
 
-forming.py [SCENE ...] [--slopes 1,5] [--store] [--keep FOLDER]
+forming.py SCENE [--ways "SURFACE TO SURFACE 1 4"] [--keep FOLDER]
 Plane strain or axisymmetric quadratic triangles; tools: bands of quadrilaterals whose nodes are all led, arcs by chords of 3
-degrees; linear penalty in units of E over the length of an edge, surface to surface. Strokes, friction, material, holder as in the
-scene's script. Seconds: CPU of the process, ours that of the FreeFEM process; force: the punch's, mean over the last tenth.
+degrees; linear penalty in units of E over the length of an edge, a tenth of it for friction. Strokes, friction, material, holder,
+longest steps as in the scene's script. Seconds: CPU of the process, ours that of the FreeFEM process; force: the punch's, mean over the
+last tenth.
 """
 import argparse
 import csv
@@ -20,9 +22,13 @@ sys.path.insert(0, HERE)
 from mesh import Mesh
 
 FORMING = os.path.join(os.path.dirname(HERE), "support/forming")
-BAND, CHORD, LIMIT = 0.3, math.radians(3), 900  # mm, -, seconds of a run
+BAND, CHORD, LIMIT = 0.3, math.radians(3), 100  # mm, -, CPU seconds of a run
 E, NU, YIELD, FRICTION = 2.1e5, 0.3, 250, 0.1
-COLUMNS = ["scene", "options", "program", "slope", "outcome", "t", "steps", "rejected", "force", "seconds"]
+# kind of contact, slope of its penalty, steps over ours
+WAYS = ("SURFACE TO SURFACE 1 1", "SURFACE TO SURFACE 1 4", "SURFACE TO SURFACE 5 1", "NODE TO SURFACE 5 1")
+OPTIONS = {"vbend": "-steps 50", "cup": "-steps 100"}
+STORED = os.path.join(HERE, "forming.csv")
+COLUMNS = ["scene", "options", "program", "contact", "outcome", "t", "steps", "rejected", "force", "seconds"]
 
 
 def fillet(before, corner, after, radius):
@@ -46,6 +52,9 @@ def chain(*corners):
     return points
 
 
+CUTBACKS = ["*CONTROLS, PARAMETERS=TIME INCREMENTATION", "4, 8, 9, 40, 20, 4, , 25"]  # 25 in a row for 5, 40 iterations for 16
+SECTOR = {"CPE6": 1, "CAX6": 180}  # what CalculiX prints of a ring is the reaction of 2 degrees; loads are of the whole
+
 SCENES = {  # kind of element, hardening, tools (name, label of the sheet, points), way of the punch, force of the holder
     "vbend": ("CPE6", 1000, (("DIE", 1, chain((12, -20, 0), (12, 0, 2), (40, 0, 0))),
                              ("PUNCH", 3, [(x, y + 1 - 0.6) for x, y in chain((20, 20 * math.sqrt(3), 0), (0, 0, 0.6), (-20, 20 * math.sqrt(3), 0))])), 10, 0),
@@ -56,15 +65,17 @@ SCENES = {  # kind of element, hardening, tools (name, label of the sheet, point
 
 
 class Deck:
-    def __init__(self, path, mesh, scene, slope):
+    def __init__(self, path, mesh, scene, way, steps):
         self.mesh, self.kind, self.lines, self.nodes = mesh, SCENES[scene][0], [], len(mesh.xy)
         self.elements = len(mesh.elements)
         self.sheet()
         tools = SCENES[scene][2]
         for name, label, points in tools:
             self.tool(name, points)
-        self.materials(SCENES[scene][1], slope * E / mesh.spacing(3), tools)
-        self.program(*SCENES[scene][3:])
+        kind, slope, finer = way.rsplit(" ", 2)
+        self.materials(SCENES[scene][1], tools)
+        self.contact(kind, float(slope) * E / mesh.spacing(3), tools)
+        self.program(*SCENES[scene][3:], 1 / (steps * int(finer)))
         with open(path, "w", encoding="utf-8") as file:
             file.write("\n".join(self.lines) + "\n")
 
@@ -103,60 +114,65 @@ class Deck:
             for n in range(base + 2, self.nodes + 1):
                 self.lines += ["2", f"{n}, 2, 1., {base + 1}, 2, -1."]
 
-    def materials(self, hardening, slope, tools):
+    def materials(self, hardening, tools):
         self.lines += ["*MATERIAL, NAME=STEEL", "*ELASTIC", f"{E}, {NU}", "*PLASTIC", f"{YIELD}, 0", f"{YIELD + 5 * hardening}, 5",
                        "*SOLID SECTION, ELSET=SHEET, MATERIAL=STEEL", "1.", "*MATERIAL, NAME=TOOL", "*ELASTIC", f"{E}, {NU}"]
         for name, _, _ in tools:
             self.lines += [f"*SOLID SECTION, ELSET={name}, MATERIAL=TOOL", "1."]
+
+    def contact(self, kind, slope, tools):
         self.lines += ["*SURFACE INTERACTION, NAME=CONTACT", "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR", f"{slope:g}",
                        "*FRICTION", f"{FRICTION}, {slope / 10:g}"]
         for name, label, _ in tools:
-            self.lines += ["*CONTACT PAIR, INTERACTION=CONTACT, TYPE=SURFACE TO SURFACE", f"FACE{label}, OF{name}"]
+            self.lines += [f"*CONTACT PAIR, INTERACTION=CONTACT, TYPE={kind}", f"FACE{label}, OF{name}"]
         self.lines += ["*BOUNDARY", "MIDDLE, 1, 1", *(f"N{name}, 1, 1" for name, _, _ in tools), "NDIE, 2, 2"]
 
-    def program(self, depth, press):
+    def program(self, depth, press, longest):
         wanted = ["*NODE PRINT, NSET=NPUNCH, TOTALS=ONLY", "RF"]
         if press:
-            self.lines += ["*STEP, NLGEOM, INC=5000", "*STATIC", "0.005, 0.05, 1e-8, 0.05", "*BOUNDARY", "NPUNCH, 2, 2, 0.",
-                           "*CLOAD", f"{self.holder}, 2, {-press}", *wanted, "*END STEP"]
+            self.lines += ["*STEP, NLGEOM, INC=20000", "*STATIC", f"{longest / 2}, 0.05, 1e-8, {longest}", *CUTBACKS, "*BOUNDARY",
+                           "NPUNCH, 2, 2, 0.", "*CLOAD", f"{self.holder}, 2, {-press}", *wanted, "*END STEP"]
         length = 0.95 if press else 1
-        self.lines += ["*STEP, NLGEOM, INC=20000", "*STATIC", f"0.002, {length}, 1e-8, 0.01", "*BOUNDARY", f"NPUNCH, 2, 2, {-depth}",
-                       *wanted, "*END STEP"]
+        self.lines += ["*STEP, NLGEOM, INC=20000", "*STATIC", f"{longest / 2}, {length}, 1e-8, {longest}", *CUTBACKS, "*BOUNDARY",
+                       f"NPUNCH, 2, 2, {-depth}", *wanted, "*END STEP"]
+
+
+def limited():
+    resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT))
 
 
 def cpu(command, folder, log):
-    """CPU seconds of a process, whether it ended well within the limit."""
+    """CPU seconds of a process, and whether it ended well within the limit."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", CCX_NPROC_EQUATION_SOLVER="1")
-    try:
-        with open(log, "w", encoding="utf-8") as file:
-            well = subprocess.run(command, cwd=folder, stdout=file, stderr=subprocess.STDOUT, env=environment, timeout=LIMIT,
-                                  check=False).returncode == 0
-    except subprocess.TimeoutExpired:
-        well = False
+    with open(log, "w", encoding="utf-8") as file:
+        code = subprocess.run(command, cwd=folder, stdout=file, stderr=subprocess.STDOUT, env=environment, preexec_fn=limited, check=False).returncode
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, well
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, code
 
 
 def last_tenth(way):
-    chosen = [f for t, f in way if t > 0.9]
-    return sum(chosen) / len(chosen) if chosen else math.nan
+    """Mean of the force over the last tenth of the time, [(t, force)]."""
+    total, last = 0, 0
+    for t, force in way:
+        total, last = total + force * max(0, t - max(last, 0.9)) / 0.1, t
+    return total if last > 1 - 1e-6 else math.nan
 
 
-def calculix(scene, options, slope, folder):
+def calculix(scene, options, way, folder):
     mesh = Mesh(os.path.join(folder, "mesh.msh"), True)
-    Deck(os.path.join(folder, "scene.inp"), mesh, scene, slope)
-    seconds, well = cpu(["ccx", "scene"], folder, os.path.join(folder, "log.txt"))
+    Deck(os.path.join(folder, "scene.inp"), mesh, scene, way, int(re.search(r"-steps (\d+)", options)[1]))
+    seconds, code = cpu(["ccx", "scene"], folder, os.path.join(folder, "log.txt"))
     with open(os.path.join(folder, "scene.dat"), encoding="utf-8", errors="replace") as file:
         found = re.findall(r"time\s+(\S+)\s+(\S+)\s+(\S+)\s+(\S+)", file.read())
-    way = [(float(t), -float(fy)) for t, _, fy, _ in found]
+    forces = [(float(t), -SECTOR[SCENES[scene][0]] * float(fy)) for t, _, fy, _ in found]
     with open(os.path.join(folder, "scene.sta"), encoding="utf-8", errors="replace") as file:
         tries = [words for words in map(str.split, file) if words and words[0].isdigit()]
     rejected = sum(t[2].endswith("U") for t in tries)
-    t = way[-1][0] if way else 0
-    return {"scene": scene, "options": options, "program": "CalculiX", "slope": slope, "t": t,
-            "outcome": "finished" if well and t > 1 - 1e-6 else "stopped", "steps": len(tries) - rejected, "rejected": rejected,
-            "force": last_tenth(way), "seconds": seconds}
+    t = forces[-1][0] if forces else 0
+    outcome = "finished" if t > 1 - 1e-6 else "out of time" if seconds > 0.98 * LIMIT else "stopped"
+    return {"scene": scene, "options": options, "program": "CalculiX", "contact": way, "outcome": outcome, "t": t,
+            "steps": len(tries) - rejected, "rejected": rejected, "force": last_tenth(forces), "seconds": seconds}
 
 
 def ours(scene, options, folder):
@@ -170,37 +186,68 @@ def ours(scene, options, folder):
         sys.exit(f"forming.py: {' '.join(words)}:\n{text[-2000:]}")
     words = found[1].split()
     told = {words[k]: float(words[k + 1]) for k in range(0, len(words) - 2, 2)}
-    return {"scene": scene, "options": options, "program": "Burnish", "slope": "", "t": told["t"],
+    return {"scene": scene, "options": options, "program": "Burnish", "contact": "", "t": told["t"],
             "outcome": "finished" if told["status"] == 0 else "stopped", "steps": int(told["steps"]), "rejected": int(told["rejected"]),
             "force": told["late"], "seconds": seconds}
 
 
-MESHES = {"vbend": ("-steps 50", "-steps 50 -size 0.25 -ny 4"), "cup": ("-steps 100", "-steps 100 -size 0.5")}
+def measure(scene, ways, folder):
+    """Rows of a scene: ours, then CalculiX by every way."""
+    options = OPTIONS[scene]
+    os.makedirs(folder, exist_ok=True)
+    yield ours(scene, options, folder)
+    for way in ways:
+        yield calculix(scene, options, way, folder)
+
+
+def told(row):
+    return ", ".join(f"{name} {row[name]:.4g}" if isinstance(row[name], float) else f"{name} {row[name]}" for name in COLUMNS)
+
+
+def rows_of(scenes):
+    """All ways of the scenes; those stored of the other scenes."""
+    rows = []
+    for scene in SCENES:
+        if scene not in scenes and os.path.exists(STORED):
+            with open(STORED, encoding="utf-8") as file:
+                rows += [row for row in csv.DictReader(file) if row["scene"] == scene]
+        if scene in scenes:
+            with tempfile.TemporaryDirectory() as folder:
+                for row in measure(scene, WAYS, folder):
+                    print("  " + told(row), flush=True)
+                    rows.append({k: f"{v:.4g}" if isinstance(v, float) else str(v) for k, v in row.items()})
+    return rows
+
+
+def write(rows, path):
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def table(rows):
+    """Lines of README.md."""
+    lines = ["| Scene | Program, contact | Penalty, E/h | Steps over ours | Outcome | Steps (rejected) | Force, last tenth, N | CPU s | times |", "|" + "---|" * 9]
+    for row in rows:
+        if row["program"] == "Burnish":
+            own = float(row["seconds"])
+        ended = row["outcome"] == "finished"
+        kind, slope, finer = row["contact"].rsplit(" ", 2) if row["contact"] else ("", "", "")
+        outcome = row["outcome"] + ("" if ended else f" at t = {float(row['t']):.3f}")
+        lines.append(f"| {row['scene']} `{row['options']}` | {row['program']} {kind.lower()} | {slope} | {finer} | {outcome} | {row['steps']} ({row['rejected']}) | "
+                     f"{row['force'] if ended else ''} | {row['seconds']} | {float(row['seconds']) / own:.0f} |")
+    return lines
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scenes", nargs="*", default=list(SCENES))
-    parser.add_argument("--slopes", default="1,5")
-    parser.add_argument("--store", action="store_true")
-    parser.add_argument("--keep", default="")
+    parser.add_argument("scene", choices=list(SCENES))
+    parser.add_argument("--ways", default=",".join(WAYS))
+    parser.add_argument("--keep", default="out/bench-peers/forming")
     options = parser.parse_args()
-    rows = []
-    for scene in options.scenes:
-        for words in MESHES[scene]:
-            with tempfile.TemporaryDirectory() as scratch:
-                folder = options.keep or scratch
-                os.makedirs(folder, exist_ok=True)
-                rows.append(ours(scene, words, folder))
-                for slope in map(float, options.slopes.split(",")):
-                    rows.append(calculix(scene, words, slope, folder))
-            for row in rows[-1 - len(options.slopes.split(",")):]:
-                print(", ".join(f"{name} {row[name]:.4g}" if isinstance(row[name], float) else f"{name} {row[name]}" for name in COLUMNS), flush=True)
-    if options.store:
-        with open(os.path.join(HERE, "forming.csv"), "w", encoding="utf-8", newline="") as file:
-            writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-            writer.writeheader()
-            writer.writerows({k: f"{v:.4g}" if isinstance(v, float) else v for k, v in row.items()} for row in rows)
+    for row in measure(options.scene, options.ways.split(","), options.keep):
+        print(told(row), flush=True)
 
 
 if __name__ == "__main__":
