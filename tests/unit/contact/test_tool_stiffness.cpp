@@ -68,8 +68,9 @@ struct Stiff {
   void expect_column(const Eigen::MatrixXd& stiffness, int l, const Eigen::VectorXd& expected,
                      double tolerance) const {
     for (int k = 0; k < 6; ++k)
-      if (!follows(k))
+      if (!follows(k)) {
         EXPECT_NEAR(stiffness(k, l), expected[k], tolerance * expected.norm()) << k << " by " << l;
+      }
   }
 };
 
