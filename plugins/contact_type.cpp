@@ -52,7 +52,7 @@
 #include "mesh/mesh_match.hpp"
 #include "named.hpp"
 #include "settings.hpp"
-#include "solver/host_factor.hpp"
+#include "solver/column_factor.hpp"
 #include "types.hpp"
 #include <algorithm>
 #include <set>
@@ -215,7 +215,7 @@ bool ContactObject::take_solver(const std::string& solver, Stack stack, const ch
   if (name != m_solver) {
     m_solver = name;
     const auto make = [=]() -> std::unique_ptr<BodySolver<2>> {
-      return std::make_unique<HostFactor<2>>(freefem_solver(name, stack));
+      return std::make_unique<ColumnFactor<2>>(freefem_solver(name, stack));
     };
     run().corrector().set_solver(name.empty() ? nullptr
                                               : std::function<std::unique_ptr<BodySolver<2>>()>(make));

@@ -31,7 +31,7 @@ private:
 constexpr int ANALYZED = 2; // state of a FreeFEM solver: the next factorize makes new numbers only
 
 /// Its analysis is kept while the pattern stays.
-class FreefemSolver final : public HostSolver {
+class FreefemSolver final : public SparseSolver {
 public:
   FreefemSolver(std::string name, Stack stack) : m_name(std::move(name)), m_stack(stack) {}
   bool symmetric() const override { return takes_triangle(m_name); }
@@ -55,7 +55,7 @@ bool takes_triangle(const std::string& name) {
   return false;
 }
 
-std::unique_ptr<HostSolver> freefem_solver(const std::string& name, Stack stack) {
+std::unique_ptr<SparseSolver> freefem_solver(const std::string& name, Stack stack) {
   if (name == "UMFPACK") return std::make_unique<UmfpackSolver>();
   return std::make_unique<FreefemSolver>(name, stack);
 }

@@ -1,7 +1,7 @@
 #pragma once
 // A sparse solver of FreeFEM behind the core's interface.
 #include "plugin.hpp"
-#include "solver/host_solver.hpp"
+#include "solver/sparse_solver.hpp"
 
 namespace burnish {
 
@@ -10,6 +10,6 @@ bool takes_triangle(const std::string& name);
 
 /// The solver of that name, of which nothing reaches the screen. UMFPACK is asked without FreeFEM between, since it solves many
 /// right-hand sides at once then. @param name in capitals, see known_solver; @param stack of the script
-std::unique_ptr<HostSolver> freefem_solver(const std::string& name, Stack stack);
+std::unique_ptr<SparseSolver> freefem_solver(const std::string& name, Stack stack);
 
 } // namespace burnish

@@ -139,7 +139,9 @@ template <int Dim>
 int WindowSolver<Dim>::test(const WindowSolution<Dim>& solution, ContactState<Dim>& trial,
                             std::vector<double>& severity) const {
   const auto poses = m_model.poses(solution.state.q);
-  const Eigen::VectorXd du = m_problem.free_increment + m_problem.flexibility->matrix() * solution.load;
+  Eigen::VectorXd du = m_problem.free_increment;
+  for (Eigen::Index k = 0; k < solution.load.size(); ++k)
+    if (solution.load[k] != 0) du += solution.load[k] * m_problem.flexibility->matrix().col(k);
   std::vector<int> all(m_window.size()), place(solution.state.nodes.size(), -1);
   for (std::size_t w = 0; w < m_window.size(); ++w) place[m_window[w]] = all[w] = static_cast<int>(w);
   const std::vector<DecidingForce<Dim>> deciding = deciding_at(solution.state, poses, all, [&](int i) {

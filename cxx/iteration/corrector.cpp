@@ -2,6 +2,8 @@
 #include "base/cpu_time.hpp"
 #include "base/error.hpp"
 #include "iteration/contact_window.hpp"
+#include "solver/cholmod_solver.hpp"
+#include "solver/column_factor.hpp"
 #include "solver/schur_factor.hpp"
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,8 @@ namespace burnish {
 namespace {
 
 constexpr double WINDOW_COVER = 0.3; // part of the window's margin that must be left, else it is chosen anew
+// Nodes of the body per node of the window: with fewer, the window's dense block is most of the factor.
+constexpr int FEW_NODES = 12;
 
 // What rounding leaves of the nodal forces in balance: that of places, times the stiffness [force]. Residuals of
 // a light load on a large body come no lower.
@@ -66,10 +70,18 @@ template <int Dim> void Corrector<Dim>::take_flexibility() {
 }
 
 // A saved state keeps its factor.
-template <int Dim> void Corrector<Dim>::make_tangent() {
-  if (m_tangent && m_tangent.use_count() == 1) return;
+template <int Dim> void Corrector<Dim>::make_tangent(int num_nodes) {
+  const bool by_columns = FEW_NODES * m_window.size() > static_cast<std::size_t>(num_nodes);
+  if (m_tangent && m_tangent.use_count() == 1 && (m_make_solver || by_columns == m_tangent->by_columns))
+    return;
   m_tangent = std::make_shared<FactoredTangent<Dim>>();
-  m_tangent->solver = m_make_solver ? m_make_solver() : std::make_unique<SchurFactor<Dim>>();
+  m_tangent->by_columns = by_columns;
+  if (m_make_solver)
+    m_tangent->solver = m_make_solver();
+  else if (by_columns)
+    m_tangent->solver = std::make_unique<ColumnFactor<Dim>>(std::make_unique<CholmodSolver>());
+  else
+    m_tangent->solver = std::make_unique<SchurFactor<Dim>>();
 }
 
 template <int Dim> bool Corrector<Dim>::serves(const Eigen::VectorXd& u) const {
@@ -91,7 +103,7 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
   it.balance().memory().rounding = rounding_of_forces(K, it.body().X);
   m_age = 0;
   forget_mixing();
-  make_tangent();
+  make_tangent(K.num_nodes);
   m_tangent->window = m_window;
   IterationCounts& counts = it.counts();
   FactorStatus status;

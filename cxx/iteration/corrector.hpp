@@ -43,7 +43,7 @@ public:
 
 private:
   void take_flexibility();
-  void make_tangent();
+  void make_tangent(int num_nodes);
   FactorStatus factorize_held(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
   Failure singular(const WindowSolution<Dim>& solution, const WindowProblem<Dim>& problem);
   WindowProblem<Dim> window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,

@@ -11,8 +11,7 @@ struct SweptLoad {
   Eigen::VectorXd y;
 };
 
-/// One tangent at a time. Implementations: SchurFactor (CHOLMOD, symmetric positive definite), HostFactor (a solver of the host
-/// program).
+/// One tangent at a time. Implementations: SchurFactor (candidates last), ColumnFactor (columns of K^-1).
 template <int Dim> class BodySolver {
 public:
   virtual ~BodySolver() = default;

@@ -1,12 +1,12 @@
 #pragma once
 // UMFPACK behind the interface of a host program's solver: the same factor as FreeFEM's, many right-hand sides at once.
-#include "solver/host_solver.hpp"
+#include "solver/sparse_solver.hpp"
 #include <memory>
 
 namespace burnish {
 
-/// Solves without iterative refinement; HostFactor looks at the residual.
-class UmfpackSolver final : public HostSolver {
+/// Solves without iterative refinement; ColumnFactor looks at the residual.
+class UmfpackSolver final : public SparseSolver {
 public:
   UmfpackSolver();
   ~UmfpackSolver() override;

@@ -1,19 +1,19 @@
 #pragma once
-// The body's tangent in a sparse solver of the host program, which gives K^-1 b and no more: the flexibility of the candidates
-// comes by columns, each when it is first needed (ALGORITHMS.md 8.7).
+// The body's tangent in a sparse solver that gives K^-1 b and no more: the flexibility of the candidates comes by columns,
+// each when it is first needed (ALGORITHMS.md 8.7).
 #include "solver/body_solver.hpp"
-#include "solver/host_solver.hpp"
+#include "solver/sparse_solver.hpp"
 #include <memory>
 
 namespace burnish {
 
 /// Keeps the solver's analysis while the pattern and the fixed dofs stay; the candidates may change. K need not be symmetric
 /// where the solver takes whole matrices.
-template <int Dim> class HostFactor final : public BodySolver<Dim> {
+template <int Dim> class ColumnFactor final : public BodySolver<Dim> {
 public:
-  /// @param solver must outlive it; it serves one HostFactor at a time
-  explicit HostFactor(std::unique_ptr<HostSolver> solver);
-  ~HostFactor() override;
+  /// @param solver must outlive it; it serves one ColumnFactor at a time
+  explicit ColumnFactor(std::unique_ptr<SparseSolver> solver);
+  ~ColumnFactor() override;
 
   /// @throws std::invalid_argument if fixed is not of size Dim*num_nodes or a candidate is out of range
   void analyze(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
@@ -33,7 +33,7 @@ public:
   Eigen::MatrixXd candidate_flexibility() const override;
   void complete_flexibility(const std::vector<int>& columns, Eigen::MatrixXd& C) const override;
   bool symmetric() const override;
-  std::size_t factor_entries() const override { return 0; } ///< not known
+  std::size_t factor_entries() const override; ///< 0: the solver does not say
   int analyses() const override;
   long columns() const; ///< of K^-1 solved for since construction
 

@@ -1,4 +1,6 @@
-#include "solver/host_factor.hpp"
+#include "solver/cholmod_solver.hpp"
+#include "solver/column_factor.hpp"
+#include "solver/schur_factor.hpp"
 #include "solver/umfpack_solver.hpp"
 #include "unit/solver/elastic_sample.hpp"
 #include <gtest/gtest.h>
@@ -34,7 +36,7 @@ NodeBlockMatrix<2> skewed(NodeBlockMatrix<2> K) {
   return K;
 }
 
-void expect_equals_dense(HostFactor<2>& factor, const Plane& plane, const NodeBlockMatrix<2>& K) {
+void expect_equals_dense(ColumnFactor<2>& factor, const Plane& plane, const NodeBlockMatrix<2>& K) {
   factor.analyze(K, plane.fixed, plane.candidates);
   ASSERT_EQ(factor.factorize(K), FactorStatus::OK);
   const Eigen::MatrixXd inverse = constrained(K, plane.fixed).inverse();
@@ -71,9 +73,9 @@ void expect_equals_dense(HostFactor<2>& factor, const Plane& plane, const NodeBl
   EXPECT_EQ(factor.columns(), known) << "nothing is solved for twice";
 }
 
-TEST(HostFactor, AgainstDenseAlgebraSymmetricAndNot) {
+TEST(ColumnFactor, AgainstDenseAlgebraSymmetricAndNot) {
   Plane plane;
-  HostFactor<2> factor(std::make_unique<UmfpackSolver>());
+  ColumnFactor<2> factor(std::make_unique<UmfpackSolver>());
   expect_equals_dense(factor, plane, plane.K);
   EXPECT_TRUE(factor.symmetric());
   expect_equals_dense(factor, plane, skewed(plane.K));
@@ -83,9 +85,9 @@ TEST(HostFactor, AgainstDenseAlgebraSymmetricAndNot) {
   EXPECT_EQ(factor.analyses(), 1) << "another window or other values are no other pattern";
 }
 
-TEST(HostFactor, AddedStiffnessOnTheCandidates) {
+TEST(ColumnFactor, AddedStiffnessOnTheCandidates) {
   Plane plane;
-  HostFactor<2> factor(std::make_unique<UmfpackSolver>());
+  ColumnFactor<2> factor(std::make_unique<UmfpackSolver>());
   factor.analyze(plane.K, plane.fixed, plane.candidates);
   const Eigen::VectorXd added =
       Eigen::VectorXd::LinSpaced(8, 1, 2) * sample::dense(plane.K).cwiseAbs().maxCoeff();
@@ -102,9 +104,28 @@ TEST(HostFactor, AddedStiffnessOnTheCandidates) {
   EXPECT_LT((factor.solve(b) - x).norm(), 1e-10 * x.norm());
 }
 
-TEST(HostFactor, TellsSingularAndIndefiniteMatrices) {
+TEST(ColumnFactor, ByCholmodInItsOwnOrder) {
   Plane plane;
-  HostFactor<2> factor(std::make_unique<UmfpackSolver>());
+  ColumnFactor<2> factor(std::make_unique<CholmodSolver>());
+  EXPECT_EQ(factor.factor_entries(), 0u);
+  expect_equals_dense(factor, plane, plane.K);
+  EXPECT_TRUE(factor.symmetric());
+  EXPECT_GT(factor.factor_entries(), 0u);
+  const Eigen::VectorXd b = sample::random_vector(plane.K.size());
+  const Eigen::VectorXd x = factor.solve(b);
+  SchurFactor<2> other;
+  other.analyze(plane.K, plane.fixed, plane.candidates);
+  ASSERT_EQ(other.factorize(plane.K), FactorStatus::OK);
+  EXPECT_LT((x - other.solve(b)).norm(), 1e-11 * x.norm());
+  NodeBlockMatrix<2> K = plane.K;
+  K.block(K.find(20, 20))[0] *= -1;
+  EXPECT_EQ(factor.factorize(K), FactorStatus::NOT_POSITIVE_DEFINITE);
+  EXPECT_THROW(factor.solve(b), std::invalid_argument);
+}
+
+TEST(ColumnFactor, TellsSingularAndIndefiniteMatrices) {
+  Plane plane;
+  ColumnFactor<2> factor(std::make_unique<UmfpackSolver>());
   factor.analyze(plane.K, plane.fixed, plane.candidates);
   NodeBlockMatrix<2> K = plane.K;
   for (double& value : K.value) value = -value;

@@ -1,15 +1,15 @@
 #pragma once
-// A sparse solver of the host program, as HostFactor uses it.
+// A sparse solver as ColumnFactor uses it: CHOLMOD, or one of the host program.
 #include "solver/sparse_view.hpp"
 #include <Eigen/Dense>
 
 namespace burnish {
 
-/// One matrix at a time, any number of right-hand sides. What such a solver says of failures is not relied on: HostFactor looks
+/// One matrix at a time, any number of right-hand sides. What such a solver says of failures is not relied on: ColumnFactor looks
 /// at the residual.
-class HostSolver {
+class SparseSolver {
 public:
-  virtual ~HostSolver() = default;
+  virtual ~SparseSolver() = default;
   /// It takes one triangle of a symmetric matrix, the lower one by rows; others take the whole matrix.
   virtual bool symmetric() const = 0;
   /// The pattern of the matrices to come; its values are not read. What was kept of another pattern is gone.
@@ -19,6 +19,7 @@ public:
   virtual bool factorize(const double* value) = 0;
   /// Replaces every column of B, n rows, by A^-1 B.
   virtual void solve(Eigen::MatrixXd& B) = 0;
+  virtual std::size_t factor_entries() const { return 0; } ///< numbers stored; 0: not known
 };
 
 } // namespace burnish

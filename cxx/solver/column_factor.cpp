@@ -1,4 +1,4 @@
-#include "solver/host_factor.hpp"
+#include "solver/column_factor.hpp"
 #include "base/error.hpp"
 #include <cmath>
 #include <cstdint>
@@ -13,8 +13,8 @@ constexpr int FIRST_COLUMNS = 32; // of K^-1 that there is room for at first
 
 } // namespace
 
-template <int Dim> struct HostFactor<Dim>::Impl {
-  std::unique_ptr<HostSolver> solver;
+template <int Dim> struct ColumnFactor<Dim>::Impl {
+  std::unique_ptr<SparseSolver> solver;
   std::vector<int> row_start, col; // the node pattern analyzed
   std::vector<char> fixed;
   std::vector<int> candidates;
@@ -46,7 +46,7 @@ template <int Dim> struct HostFactor<Dim>::Impl {
 };
 
 // Rows of the free dofs, columns ascending.
-template <int Dim> void HostFactor<Dim>::Impl::build(const NodeBlockMatrix<Dim>& K) {
+template <int Dim> void ColumnFactor<Dim>::Impl::build(const NodeBlockMatrix<Dim>& K) {
   free.clear();
   place.assign(fixed.size(), -1);
   for (std::size_t d = 0; d < fixed.size(); ++d)
@@ -71,24 +71,24 @@ template <int Dim> void HostFactor<Dim>::Impl::build(const NodeBlockMatrix<Dim>&
   }
   const std::vector<double> nothing(column.size(), 0);
   const SparseView view{static_cast<int>(free.size()), start.data(), column.data(), nothing.data(), half};
-  rows = SparsePattern("HostFactor::analyze", view);
+  rows = SparsePattern("ColumnFactor::analyze", view);
   solver->analyze(view);
   ++analyses;
 }
 
 template <int Dim>
-void HostFactor<Dim>::Impl::take_values(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& added) {
+void ColumnFactor<Dim>::Impl::take_values(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& added) {
   value.resize(slot.size());
   for (std::size_t k = 0; k < slot.size(); ++k) value[k] = K.value[slot[k]];
   for (Eigen::Index i = 0; i < added.size(); ++i) {
     const int at = place[dof_of(static_cast<int>(i))];
     if (at >= 0) value[diagonal[at]] += added[i];
   }
-  check_values("HostFactor::factorize",
+  check_values("ColumnFactor::factorize",
                {rows.n, rows.row_start.data(), rows.col.data(), value.data(), rows.symmetric});
 }
 
-template <int Dim> bool HostFactor<Dim>::Impl::is_symmetric() const {
+template <int Dim> bool ColumnFactor<Dim>::Impl::is_symmetric() const {
   if (rows.symmetric) return true;
   double largest = 0, worst = 0;
   for (std::size_t k = 0; k < value.size(); ++k) {
@@ -99,7 +99,7 @@ template <int Dim> bool HostFactor<Dim>::Impl::is_symmetric() const {
   return worst <= SYMMETRIC * largest;
 }
 
-template <int Dim> Eigen::VectorXd HostFactor<Dim>::Impl::product(const Eigen::VectorXd& x) const {
+template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::Impl::product(const Eigen::VectorXd& x) const {
   Eigen::VectorXd y = Eigen::VectorXd::Zero(x.size());
   for (int i = 0; i < rows.n; ++i)
     for (int k = rows.row_start[i]; k < rows.row_start[i + 1]; ++k) {
@@ -110,7 +110,7 @@ template <int Dim> Eigen::VectorXd HostFactor<Dim>::Impl::product(const Eigen::V
 }
 
 // A right-hand side without symmetry, and its solution as the next one: softest motions come out of an inverse iteration.
-template <int Dim> FactorStatus HostFactor<Dim>::Impl::tried() {
+template <int Dim> FactorStatus ColumnFactor<Dim>::Impl::tried() {
   const FactorStatus refused =
       solver->symmetric() ? FactorStatus::NOT_POSITIVE_DEFINITE : FactorStatus::SINGULAR;
   Eigen::VectorXd b(rows.n);
@@ -124,14 +124,14 @@ template <int Dim> FactorStatus HostFactor<Dim>::Impl::tried() {
   return FactorStatus::OK;
 }
 
-template <int Dim> Eigen::VectorXd HostFactor<Dim>::Impl::solve_free(Eigen::VectorXd b) const {
+template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::Impl::solve_free(Eigen::VectorXd b) const {
   Eigen::MatrixXd x = std::move(b);
   solver->solve(x);
   return x;
 }
 
 template <int Dim>
-Eigen::VectorXd HostFactor<Dim>::Impl::gathered(const Eigen::VectorXd& b, const char* where) const {
+Eigen::VectorXd ColumnFactor<Dim>::Impl::gathered(const Eigen::VectorXd& b, const char* where) const {
   require(static_cast<std::size_t>(b.size()) == fixed.size(), where, "b.size()", b.size(), "Dim*num_nodes");
   Eigen::VectorXd part(static_cast<Eigen::Index>(free.size()));
   for (std::size_t k = 0; k < free.size(); ++k) {
@@ -142,14 +142,14 @@ Eigen::VectorXd HostFactor<Dim>::Impl::gathered(const Eigen::VectorXd& b, const 
   return part;
 }
 
-template <int Dim> Eigen::VectorXd HostFactor<Dim>::Impl::scattered(const Eigen::VectorXd& x) const {
+template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::Impl::scattered(const Eigen::VectorXd& x) const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fixed.size()));
   for (std::size_t k = 0; k < free.size(); ++k) all[free[k]] = x[static_cast<Eigen::Index>(k)];
   return all;
 }
 
 // Columns of K^-1 for these free dofs, those not known yet in one call of the solver.
-template <int Dim> void HostFactor<Dim>::Impl::know(const std::vector<int>& dofs) {
+template <int Dim> void ColumnFactor<Dim>::Impl::know(const std::vector<int>& dofs) {
   std::vector<int> fresh;
   for (const int d : dofs)
     if (place[d] >= 0 && known[d] < 0) {
@@ -169,15 +169,15 @@ template <int Dim> void HostFactor<Dim>::Impl::know(const std::vector<int>& dofs
 }
 
 template <int Dim>
-HostFactor<Dim>::HostFactor(std::unique_ptr<HostSolver> solver) : m_impl(std::make_unique<Impl>()) {
+ColumnFactor<Dim>::ColumnFactor(std::unique_ptr<SparseSolver> solver) : m_impl(std::make_unique<Impl>()) {
   m_impl->solver = std::move(solver);
 }
-template <int Dim> HostFactor<Dim>::~HostFactor() = default;
+template <int Dim> ColumnFactor<Dim>::~ColumnFactor() = default;
 
 template <int Dim>
-void HostFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
-                              const std::vector<int>& candidates) {
-  const char* where = "HostFactor::analyze";
+void ColumnFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
+                                const std::vector<int>& candidates) {
+  const char* where = "ColumnFactor::analyze";
   Impl& impl = *m_impl;
   require(static_cast<int>(fixed.size()) == pattern.size(), where, "fixed.size()", fixed.size(),
           "Dim*num_nodes");
@@ -195,8 +195,8 @@ void HostFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::ve
 }
 
 template <int Dim>
-FactorStatus HostFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added) {
-  const char* where = "HostFactor::factorize";
+FactorStatus ColumnFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added) {
+  const char* where = "ColumnFactor::factorize";
   Impl& impl = *m_impl;
   impl.has_factor = false;
   if (impl.analyses == 0 || matrix.row_start != impl.row_start || matrix.col != impl.col)
@@ -214,25 +214,25 @@ FactorStatus HostFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, cons
   return status;
 }
 
-template <int Dim> Eigen::VectorXd HostFactor<Dim>::solve(const Eigen::VectorXd& b) const {
+template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::solve(const Eigen::VectorXd& b) const {
   return sweep(b).y;
 }
 
-template <int Dim> SweptLoad HostFactor<Dim>::sweep(const Eigen::VectorXd& b) const {
-  const char* where = "HostFactor::sweep";
+template <int Dim> SweptLoad ColumnFactor<Dim>::sweep(const Eigen::VectorXd& b) const {
+  const char* where = "ColumnFactor::sweep";
   m_impl->require_factor(where);
   return {m_impl->scattered(m_impl->solve_free(m_impl->gathered(b, where)))};
 }
 
-template <int Dim> Eigen::VectorXd HostFactor<Dim>::candidate_displacement(const SweptLoad& load) const {
+template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::candidate_displacement(const SweptLoad& load) const {
   Eigen::VectorXd u(Dim * static_cast<Eigen::Index>(m_impl->candidates.size()));
   for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = load.y[m_impl->dof_of(static_cast<int>(i))];
   return u;
 }
 
 template <int Dim>
-Eigen::VectorXd HostFactor<Dim>::displacement(const SweptLoad& load, const Eigen::VectorXd& p) const {
-  const char* where = "HostFactor::displacement";
+Eigen::VectorXd ColumnFactor<Dim>::displacement(const SweptLoad& load, const Eigen::VectorXd& p) const {
+  const char* where = "ColumnFactor::displacement";
   Impl& impl = *m_impl;
   impl.require_factor(where);
   require(static_cast<std::size_t>(p.size()) == Dim * impl.candidates.size(), where, "p.size()", p.size(),
@@ -251,16 +251,16 @@ Eigen::VectorXd HostFactor<Dim>::displacement(const SweptLoad& load, const Eigen
   return load.y + impl.scattered(impl.columns.leftCols(impl.num_known) * weight);
 }
 
-template <int Dim> Eigen::MatrixXd HostFactor<Dim>::candidate_flexibility() const {
-  m_impl->require_factor("HostFactor::candidate_flexibility");
+template <int Dim> Eigen::MatrixXd ColumnFactor<Dim>::candidate_flexibility() const {
+  m_impl->require_factor("ColumnFactor::candidate_flexibility");
   const auto size = Dim * static_cast<Eigen::Index>(m_impl->candidates.size());
   return Eigen::MatrixXd::Zero(size, size);
 }
 
 template <int Dim>
-void HostFactor<Dim>::complete_flexibility(const std::vector<int>& columns, Eigen::MatrixXd& C) const {
+void ColumnFactor<Dim>::complete_flexibility(const std::vector<int>& columns, Eigen::MatrixXd& C) const {
   Impl& impl = *m_impl;
-  impl.require_factor("HostFactor::complete_flexibility");
+  impl.require_factor("ColumnFactor::complete_flexibility");
   std::vector<int> dofs;
   for (const int i : columns) dofs.push_back(impl.dof_of(i));
   const int before = impl.num_known;
@@ -275,11 +275,15 @@ void HostFactor<Dim>::complete_flexibility(const std::vector<int>& columns, Eige
   }
 }
 
-template <int Dim> bool HostFactor<Dim>::symmetric() const { return m_impl->symmetric; }
-template <int Dim> int HostFactor<Dim>::analyses() const { return m_impl->analyses; }
-template <int Dim> long HostFactor<Dim>::columns() const { return m_impl->solved_columns; }
+template <int Dim> std::size_t ColumnFactor<Dim>::factor_entries() const {
+  return m_impl->solver->factor_entries();
+}
 
-template class HostFactor<2>;
-template class HostFactor<3>;
+template <int Dim> bool ColumnFactor<Dim>::symmetric() const { return m_impl->symmetric; }
+template <int Dim> int ColumnFactor<Dim>::analyses() const { return m_impl->analyses; }
+template <int Dim> long ColumnFactor<Dim>::columns() const { return m_impl->solved_columns; }
+
+template class ColumnFactor<2>;
+template class ColumnFactor<3>;
 
 } // namespace burnish
