@@ -15,7 +15,7 @@ template <int Dim> void RunBody<Dim>::set_state(const BodyState<Dim>& state) {
   }
   m_step_error = state.step_error;
   m_pending.clear();
-  m_accepted = true;
+  start();
 }
 
 template <int Dim> void RunBody<Dim>::accept() {
@@ -35,8 +35,8 @@ template <int Dim> void RunBody<Dim>::revert() {
 }
 
 template <int Dim> void RunBody<Dim>::start() {
-  m_accepted = true;
-  m_reverted = false;
+  m_accepted = false;
+  m_reverted = true;
 }
 
 template <int Dim> StateChange RunBody<Dim>::take_change() {

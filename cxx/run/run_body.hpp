@@ -34,7 +34,8 @@ public:
   void accept(); ///< the end of the step becomes the accepted state
   void revert(); ///< back to the accepted state
   /// What a law of the caller's with a state of its own has to follow before the next forces; each change once, however often
-  /// it happened, an acceptance first. NONE for a law of the core. After start() the accepted state is such a change.
+  /// it happened, an acceptance first. NONE for a law of the core. After start() and
+  /// set_state() it has to go back to the accepted state.
   StateChange take_change();
   void start(); ///< a run begins
   /// What the accepted steps have shown of their error.
@@ -62,7 +63,7 @@ private:
   PointDamage<Dim> m_damage;
   std::vector<ElementEvent<Dim>> m_pending;
   StepErrorState m_step_error;
-  bool m_accepted = true, m_reverted = false; // what the caller's law has not followed yet
+  bool m_accepted = false, m_reverted = true; // what the caller's law has not followed yet
 };
 
 } // namespace burnish

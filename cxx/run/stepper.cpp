@@ -32,7 +32,6 @@ Stepper<Dim>::Stepper(ContactRun<Dim>& contact, RunBody<Dim>& body, Diagnosis<Di
     elements = m_options.scheme == Scheme::ARTICLE ? ElementEvents::CUT : ElementEvents::NONE;
   m_diagnosis.restart();
   m_body.start();
-  if (m_options.forms_only) m_body.take_change(); // its law has had no stress yet, so nothing to accept
 }
 
 template <int Dim> Task Stepper<Dim>::ask(Task task, Phase phase) {
@@ -46,8 +45,6 @@ template <int Dim> Task Stepper<Dim>::next(Eigen::VectorXd& u, Eigen::VectorXd& 
   const bool done = !m_refused;
   switch (m_phase) {
   case Phase::STEP:
-    if (m_body.take_change() == StateChange::ACCEPTED) return ask(Task::ACCEPT_LAW, Phase::STEP);
-    return begin_step();
   case Phase::RECORD:
     return begin_step();
   case Phase::PROGRAM:
@@ -205,8 +202,8 @@ template <int Dim> Task Stepper<Dim>::accepted() {
   ++m_counts.steps;
   m_body.workpiece().set_step_length(0);
   look(m_control.time() - t);
-  const bool law = m_options.forms_only && m_body.take_change() == StateChange::ACCEPTED;
-  return law ? ask(Task::ACCEPT_LAW, Phase::ACCEPTED) : ask(Task::RECORD, Phase::RECORD);
+  return m_body.take_change() == StateChange::ACCEPTED ? ask(Task::ACCEPT_LAW, Phase::ACCEPTED)
+                                                       : ask(Task::RECORD, Phase::RECORD);
 }
 
 template <int Dim> AcceptedStep<Dim> Stepper<Dim>::seen() const {
