@@ -90,6 +90,7 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
     fail("Stepper", "jumps= with a law of the script, whose state cannot be taken back over several pieces");
   m_body.workpiece().set_step_length(m_control.dt());
   m_tries = 0;
+  m_refused_jump.clear();
   return try_step();
 }
 
@@ -160,7 +161,7 @@ template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u,
     return accepted();
   case SchemeTask::REJECTED:
     if (converged)
-      m_last_rejection =
+      m_last_rejection = m_refused_jump =
           sentence("a jump to the next equilibrium dissipates more than jumps = ", m_options.events.jumps,
                    " of the tools' work");
     break;
@@ -243,7 +244,8 @@ template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::Vector
   R = m_contact.accepted().R;
   if (m_control.rejected()) return try_step();
   m_at_floor = true;
-  stop(m_last_rejection);
+  const bool told = m_refused_jump.empty() || m_refused_jump == m_last_rejection;
+  stop(told ? m_last_rejection : m_refused_jump + "; without a jump: " + m_last_rejection);
   return end(u, R);
 }
 

@@ -127,6 +127,7 @@ private:
   int m_tries = 0, m_iteration = 0;
   bool m_refused = false, m_stopped = false, m_at_floor = false, m_halted = false;
   std::string m_refusal, m_reason, m_last_rejection;
+  std::string m_refused_jump; // why a jump of this step was given up, "" if none was
   double m_rejected_dt = 0;
 };
 
