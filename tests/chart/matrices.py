@@ -7,7 +7,6 @@ matrices.py [--quick] [--again] [--store] [--out FOLDER]      BURNISH=build/burn
 the page states as measured does not hold any more (claims()).
 """
 import argparse
-import csv
 import os
 import re
 import subprocess
@@ -20,6 +19,7 @@ import matrix_pictures
 import matrix_tables
 import measures
 import surface_integrals
+from run import read, write
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FACTORS = [1, 10, 100, 1000, 10000]
@@ -147,25 +147,6 @@ def ways(folder, quick):
                      "seconds": found["seconds"], "megabytes": found["megabytes"], "depth": found.get("depth_4", float("nan"))})
         print(f"  {name}: {rows[-1]['seconds']:.1f} s", file=sys.stderr, flush=True)
     return rows
-
-
-def write(path, rows):
-    with open(path, "w", newline="") as f:
-        table = csv.DictWriter(f, list(rows[0]), lineterminator="\n")
-        table.writeheader()
-        table.writerows({k: f"{v:.6g}" if isinstance(v, float) else v for k, v in row.items()} for row in rows)
-
-
-def read(path):
-    def value(word):
-        for kind in (int, float):
-            try:
-                return kind(word)
-            except ValueError:
-                pass
-        return word
-    with open(path) as f:
-        return [{k: value(v) for k, v in row.items()} for row in csv.DictReader(f)]
 
 
 def main():

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Plot of lab 7: plot.py FOLDER [FILE]; FOLDER: results of lab.edp, in it hardening/ with those of hardening.edp"""
+"""Plot of lab 7: plot.py FOLDER [FILE]; FOLDER: results of lab.edp, in it hardening/ and history/ with those of hardening.edp
+and history.edp"""
 import os
 import sys
 from pathlib import Path
@@ -33,11 +34,21 @@ def hardening(axes, folder):
     axes.legend(loc="lower right")
 
 
+def memory(axes, folder):
+    file = folder / "history/history.csv"
+    if not file.is_file():
+        return axes.set_title(f"{file} is not there yet: history.edp")
+    history = table(file)
+    axes.plot(history["pressed"], history["force"], color=BLUE)
+    axes.set(xlabel="way of the platen [mm]", ylabel="force [N/mm]", title="A law that remembers: pressed, released, pressed again")
+
+
 def draw(folder):
     folder = Path(folder)
-    figure, axes = new_figure(6.4, 7.2, nrows=2)
+    figure, axes = new_figure(6.4, 10.4, nrows=3)
     rubber(axes[0], table(folder / "history.csv", "work", "Q_y"))
     hardening(axes[1], folder)
+    memory(axes[2], folder)
     return figure
 
 

@@ -26,6 +26,7 @@ PAGES = (
     (("sequence.png", "scene.png", "stress.png", "plastic-strain.png", "stress-error.png", "history.png", "pressure.png", "expected.png",
       "pictures", "plot.py", "movie.html", "movie.gif"), "pictures", "the pictures and movies of a run, and curves of your own"),
     (("springback", "sheet", "u-channel.edp"), "thin-strips", "thin strips and sheets, their support and springback"),
+    (("plasticity", "viscoplastic", "perzyna"), "own-laws", "laws with a history in a script, five examples"),
     (("knurl", "gear", "teeth"), "toothed-tools", "tools with teeth on a block and on a ring"),
     (("paraview", "fields.pvd"), "paraview", "the files of a run in ParaView"),
     (("warnings", "report.txt"), "reports", "warnings and the report of a run"),

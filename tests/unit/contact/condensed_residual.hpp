@@ -70,20 +70,25 @@ inline Eigen::VectorXd condensed_residual(const ContactModel<2>& model, const Bo
   return r;
 }
 
-/// Derivative of the condensed residual, five-point central differences; columns of given unknowns are zero.
+/// Derivative of a residual of the unknowns' increment, five-point central differences; columns of given unknowns are zero.
+template <class Residual>
+Eigen::MatrixXd differenced(const Residual& residual, const std::vector<Unknown>& kind, double step) {
+  const auto n = static_cast<Eigen::Index>(kind.size());
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index j = 0; j < n; ++j)
+    if (kind[j] != Unknown::GIVEN)
+      J.col(j) =
+          finite_difference([&](double t) { return residual(t * Eigen::VectorXd::Unit(n, j)); }, 0, step);
+  return J;
+}
+
+/// That of the condensed residual.
 inline Eigen::MatrixXd differenced(const ContactModel<2>& model, const BodyView<2>& body, const Force& force,
                                    const ContactState<2>& state, const Eigen::VectorXd& u,
                                    const std::vector<Unknown>& kind, double step) {
-  const Eigen::Index n = static_cast<Eigen::Index>(kind.size());
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    if (kind[j] == Unknown::GIVEN) continue;
-    const auto along = [&](double t) {
-      return condensed_residual(model, body, force, t * Eigen::VectorXd::Unit(n, j), state, u);
-    };
-    J.col(j) = finite_difference(along, 0, step);
-  }
-  return J;
+  return differenced(
+      [&](const Eigen::VectorXd& change) { return condensed_residual(model, body, force, change, state, u); },
+      kind, step);
 }
 
 inline std::vector<Eigen::Index> of_kind(const std::vector<Unknown>& kind, Unknown wanted) {

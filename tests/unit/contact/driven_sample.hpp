@@ -74,14 +74,7 @@ struct Driven {
     return kind;
   }
   Eigen::MatrixXd expected() const {
-    const auto kind = kinds();
-    const auto n = static_cast<Eigen::Index>(kind.size());
-    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, n);
-    for (Eigen::Index j = 0; j < n; ++j)
-      if (kind[static_cast<std::size_t>(j)] != Unknown::GIVEN)
-        J.col(j) =
-            finite_difference([&](double t) { return residual(t * Eigen::VectorXd::Unit(n, j)); }, 0, 2e-3);
-    return J;
+    return differenced([&](const Eigen::VectorXd& change) { return residual(change); }, kinds(), 2e-3);
   }
   CondensedSystem system(Condensation<2>& condensation, bool half = false) {
     return condensation.condense({spring.tangent(u), contact.state, contact.prescribed, contact.prescribed, u,

@@ -94,14 +94,7 @@ struct TiedSample {
     return r;
   }
   Eigen::MatrixXd expected() const {
-    const auto kind = kinds();
-    const auto n = static_cast<Eigen::Index>(kind.size());
-    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, n);
-    for (Eigen::Index j = 0; j < n; ++j)
-      if (kind[j] != Unknown::GIVEN)
-        J.col(j) =
-            finite_difference([&](double t) { return residual(t * Eigen::VectorXd::Unit(n, j)); }, 0, 2e-3);
-    return J;
+    return differenced([&](const Eigen::VectorXd& change) { return residual(change); }, kinds(), 2e-3);
   }
 };
 
