@@ -81,7 +81,13 @@ programs: packages ## build the test programs of make test
 compile: $(CORE) $(WRAPPER) $(PLUGIN) $(GMSH) $(CAD)
 compile-programs: $(call program,unit) $(call program,verification)
 
-run: case-rolling ## example 1 of the article with default options; results in out/rolling
+# twice only where nothing is asked for
+FORMS_FOLDER := out/rolling-forms
+FORMS := -forms 1 -solver UMFPACK -inner 4 -outer 40 -sides 8 -pictures 0 -series 0 -out $(FORMS_FOLDER)
+run: build ## example 1 of the article, by forms of the script through UMFPACK (coarse), then by the core: results in out/rolling
+	$(if $(strip $(OPTIONS)),,@$(WRAPPER) cases/rolling/rolling.edp $(FORMS))
+	@$(WRAPPER) cases/rolling/rolling.edp $(OPTIONS)
+	$(if $(strip $(OPTIONS)),,@$(PYTHON) cases/rolling/twice.py $(FORMS_FOLDER) out/rolling)
 
 run-fine: OPTIONS := -element P1 -inner 40 -outer 1200 -sides 80 $(OPTIONS)
 run-fine: case-rolling ## the same on the article's mesh, P1 with 40/1200/80 divisions
