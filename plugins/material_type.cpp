@@ -19,12 +19,15 @@
 //     C=        modulus of the back stress | stress | required with a backstress | finite > 0
 //     gamma=    recovery of the back stress, armstrongfrederick | - | required with it | finite >= 0
 //     rate=     corotational rate of the stress | | "jaumann" | "jaumann", "greennaghdi", "logarithmic"
+//     strain=   "small": geometrically linear body, P = stress, strain = sym grad u, as of laws and forms of textbooks; the
+//       contact follows the deformed surface as ever | | "large" | "large", "small"
 //     axisymmetric=   x >= 0 is the radius, y the axis, [u, v] = [u_r, u_z], no torsion; forces are those of the whole ring.
 //       The script prescribes u_r = 0 on the axis: on(axis, u=0) | | false
 //     law=      "user": the script gives stress and moduli, M.stress, M.moduli; with G, nu, sigY, H it has J2's yield
 //       surface for the events of elements | | "J2" | "J2", "user"
 //     internal=   law="user": names of its internal variables, "damage,s" | | ""
 //     ! , expected J2 or user
+//     ! , expected large or small
 //     ! , or a formula in ep
 //     ! give either hardening or plasticstrain and yieldstress
 //   M.update(u, dt, iteration)   stress at u from the accepted state; 0, or 1: inverted element, or no return to the yield
@@ -72,7 +75,7 @@ struct MakeMaterial {
   static std::vector<basicAC_F0::name_and_type> all_names() {
     std::vector<basicAC_F0::name_and_type> list;
     for (const LawParameter& parameter : law_parameters()) list.push_back({parameter.name, &typeid(double)});
-    for (const char* name : {"law", "internal", "hardening", "backstress", "rate"})
+    for (const char* name : {"law", "internal", "hardening", "backstress", "rate", "strain"})
       list.push_back({name, &typeid(string*)});
     for (const char* name : {"plasticstrain", "yieldstress"}) list.push_back({name, &typeid(NumberList*)});
     list.push_back({"softening", &typeid(bool)});
@@ -86,8 +89,14 @@ struct MakeMaterial {
       fail("rcMaterial", "internal= names the internal variables of law=\"user\", J2 has its own");
     return law == "user";
   }
+  static bool strain_is_small(const Named& a) {
+    const std::string strain = a.text("strain", "large");
+    if (strain != "large" && strain != "small")
+      fail("rcMaterial", "unknown strain \"" + strain + "\", expected large or small");
+    return strain == "small";
+  }
   static std::shared_ptr<const MaterialLaw<2>> user_law(const Named& a) {
-    return std::make_shared<UserLaw<2>>(internal_names(a.text("internal", "")));
+    return std::make_shared<UserLaw<2>>(internal_names(a.text("internal", "")), strain_is_small(a));
   }
   static std::vector<basicAC_F0::name_and_type> list;
   static basicAC_F0::name_and_type* const names;
@@ -99,6 +108,7 @@ struct MakeMaterial {
     input.hardening = a.text("hardening", input.hardening);
     input.backstress = a.text("backstress", input.backstress);
     input.rate = a.text("rate", input.rate);
+    input.small_strain = strain_is_small(a);
     input.softening = a.boolean("softening", input.softening);
     if (a.has("plasticstrain")) input.plastic_strain = a.numbers("plasticstrain");
     if (a.has("yieldstress")) input.yield_stress = a.numbers("yieldstress");

@@ -11,6 +11,7 @@ enum class CorotationalRate {
   JAUMANN,      ///< spin w, the skew part of the velocity gradient; the step's angle by [HughesWinget1980]
   GREEN_NAGHDI, ///< spin of the rotation R of F = R U [Dienes1979]
   LOGARITHMIC,  ///< the spin in which the rate of ln V is d [XiaoBruhnsMeyers1997]
+  SMALL_STRAIN, ///< none turns, and all gradients are by the undeformed place, METHOD.md 1.15; no name of a rate
 };
 /// By its name in a script: jaumann, greennaghdi, logarithmic.
 /// @throws std::invalid_argument "where: ..." for another name (lists them)

@@ -83,6 +83,10 @@ std::shared_ptr<const MaterialLaw<Dim>> make_law(const LawInput& input, const ch
   const BackstressEntry& backstress = backstress_law(input.backstress, where);
   material.kinematic = make_kinematic_hardening(backstress, input.numbers, where);
   material.rate = corotational_rate(input.rate, where);
+  if (input.small_strain && material.rate != CorotationalRate::JAUMANN)
+    fail(where,
+         "rate=\"" + input.rate + "\" with strain=\"small\", in which nothing turns, expected one of them");
+  if (input.small_strain) material.rate = CorotationalRate::SMALL_STRAIN;
   refuse_strangers(
       input.numbers, hardening,
       {std::string("backstress \"") + backstress.name + "\", " + backstress.formula, backstress.parameters},

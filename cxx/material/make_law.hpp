@@ -13,6 +13,7 @@ struct LawInput {
   bool softening = false;                ///< the yield stress may fall
   std::string backstress = "none";       ///< entry of backstress_laws()
   std::string rate = "jaumann";          ///< see corotational_rate()
+  bool small_strain = false;             ///< in place of a rate
 };
 
 /// Every number that some law reads, each name once, in the order of the tables.

@@ -64,6 +64,9 @@ public:
   /// Increments of a step for a user-defined law that takes them; det F_mid > 0. Zero for a law in total strains.
   virtual StepIncrements<Dim> increments(const PointStep<Dim>& step) const;
 
+  /// Its P is its stress, and its strains are sym grad u, METHOD.md 1.15.
+  virtual bool small_strain() const { return false; }
+
   /// False: moduli and stress come from elsewhere (UserLaw), tangent() has none.
   virtual bool has_moduli() const { return true; }
 

@@ -46,4 +46,16 @@ PiolaTangent<Dim> piola_tangent(const StressByF<Dim>& stress_by_F, const Stress<
   return A;
 }
 
+/// F^-1 as P = tau F^-T takes it: I in small strains, METHOD.md 1.15.
+template <int Dim> Gradient<Dim> pull_back(const Gradient<Dim>& F, bool small_strain) {
+  return small_strain ? undeformed<Dim>() : inverse(F);
+}
+/// piola_tangent at F, in small strains without the term of the turned areas.
+template <int Dim>
+PiolaTangent<Dim> piola_tangent(const StressByF<Dim>& stress_by_F, const Stress<Dim>& stress,
+                                const Gradient<Dim>& F, bool small_strain) {
+  const Stress<Dim> turned = small_strain ? Stress<Dim>::Zero() : stress;
+  return piola_tangent<Dim>(stress_by_F, turned, pull_back<Dim>(F, small_strain));
+}
+
 } // namespace burnish

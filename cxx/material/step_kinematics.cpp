@@ -22,7 +22,18 @@ void turn_by_rate(CorotationalRate rate, const Gradient<2>& F_old, const Gradien
   kin.sin_alpha = turn.sin;
 }
 
+StepKinematics<2> small_step(const Gradient<2>& F_old, const Gradient<2>& F) {
+  StepKinematics<2> kin;
+  kin.rate = CorotationalRate::SMALL_STRAIN;
+  kin.det_mid = 1;
+  kin.F_mid_inverse = undeformed<2>();
+  kin.G = F - F_old;
+  kin.strain = midpoint_strain(kin.G);
+  return kin;
+}
+
 AngleByF turn_by_F(const StepKinematics<2>& kin, const StrainByF& strain_by_F, const AngleByF& spin_by_F) {
+  if (kin.rate == CorotationalRate::SMALL_STRAIN) return AngleByF::Zero();
   if (kin.rate == CorotationalRate::GREEN_NAGHDI) return polar_angle_by_F(kin.F);
   if (kin.rate == CorotationalRate::LOGARITHMIC)
     return spin_by_F + logarithmic_excess_by_F(kin.F_mid, midpoint_strain(kin.G), strain_by_F, 0.5);
@@ -31,6 +42,7 @@ AngleByF turn_by_F(const StepKinematics<2>& kin, const StrainByF& strain_by_F, c
 
 IncrementByF<2> rate_by_F(const Gradient<2>& F, const Gradient<2>& F_inverse, CorotationalRate rate) {
   IncrementByF<2> by_F = rate_by_F(F_inverse);
+  if (rate == CorotationalRate::SMALL_STRAIN) by_F.row(4).setZero();
   if (rate == CorotationalRate::GREEN_NAGHDI) by_F.row(4) = polar_angle_by_F(F);
   if (rate == CorotationalRate::LOGARITHMIC)
     for (int c = 0; c < 4; ++c) by_F(4, c) += logarithmic_excess(F, by_F.col(c).head<4>());

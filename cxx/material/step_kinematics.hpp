@@ -26,6 +26,8 @@ template <int Dim> struct StepKinematics {
 /// Rotation of a step by another rate than JAUMANN. @param kin that of JAUMANN in, rate, alpha, F and F_mid of it out
 void turn_by_rate(CorotationalRate rate, const Gradient<2>& F_old, const Gradient<2>& F,
                   StepKinematics<2>& kin);
+/// The step of small strains, METHOD.md (1.36): dd = sym(F - F_old), nothing turns, det_mid = 1.
+StepKinematics<2> small_step(const Gradient<2>& F_old, const Gradient<2>& F);
 /// d(alpha)/dF of it. @param strain_by_F of sym G; @param spin_by_F d(alpha)/dF of JAUMANN
 AngleByF turn_by_F(const StepKinematics<2>& kin, const StrainByF& strain_by_F, const AngleByF& spin_by_F);
 
@@ -35,6 +37,7 @@ AngleByF turn_by_F(const StepKinematics<2>& kin, const StrainByF& strain_by_F, c
 /// Never throws: where det_mid is not > 0 the other members are not set.
 inline StepKinematics<2> step_kinematics(const Gradient<2>& F_old, const Gradient<2>& F, StrainFrame frame,
                                          CorotationalRate rate = CorotationalRate::JAUMANN) {
+  if (rate == CorotationalRate::SMALL_STRAIN) return small_step(F_old, F);
   StepKinematics<2> kin;
   kin.frame = frame;
   const Gradient<2> F_mid = 0.5 * (F_old + F);
@@ -76,7 +79,8 @@ inline IncrementByF<2> increment_by_F(const Gradient<2>& left, const Gradient<2>
 /// Exact linearization of the finite step: dG = (I - G/2) dF F_mid^-1; in the end frame
 /// d(dd) = Q d(sym G) Q' + (w dd - dd w) d(alpha)/2 with w_21 = 1.
 inline IncrementByF<2> finite_increment_by_F(const StepKinematics<2>& kin) {
-  const Gradient<2> left = undeformed<2>() - 0.5 * kin.G;
+  Gradient<2> left = undeformed<2>();
+  if (kin.rate != CorotationalRate::SMALL_STRAIN) left -= 0.5 * kin.G;
   IncrementByF<2> by_F = increment_by_F(left, kin.F_mid_inverse, kin.spin);
   if (kin.rate != CorotationalRate::JAUMANN) by_F.row(4) = turn_by_F(kin, by_F.topRows<4>(), by_F.row(4));
   if (kin.frame == StrainFrame::MIDPOINT) return by_F;

@@ -14,8 +14,8 @@ std::vector<InternalVariable> variables(const std::vector<std::string>& names) {
 } // namespace
 
 template <int Dim>
-UserLaw<Dim>::UserLaw(const std::vector<std::string>& internal)
-    : MaterialLaw<Dim>("user-defined", variables(internal)) {}
+UserLaw<Dim>::UserLaw(const std::vector<std::string>& internal, bool small_strain)
+    : MaterialLaw<Dim>("user-defined", variables(internal)), m_small_strain(small_strain) {}
 
 template <int Dim>
 PointResult UserLaw<Dim>::update(const PointStep<Dim>& step, PointTrial&, PointUpdate<Dim>& now) const {
@@ -33,7 +33,9 @@ PiolaTangent<Dim> UserLaw<Dim>::tangent(TangentKind, const PointStep<Dim>&, cons
 
 template <int Dim> StepIncrements<Dim> UserLaw<Dim>::increments(const PointStep<Dim>& step) const {
   if constexpr (Dim == 2)
-    return increments_of(step_kinematics(step.old.F, step.F, step.options.strain_frame));
+    return increments_of(
+        step_kinematics(step.old.F, step.F, step.options.strain_frame,
+                        m_small_strain ? CorotationalRate::SMALL_STRAIN : CorotationalRate::JAUMANN));
   else
     return MaterialLaw<Dim>::increments(step);
 }

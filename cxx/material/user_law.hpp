@@ -9,15 +9,20 @@ template <int Dim> class UserLaw final : public MaterialLaw<Dim> {
 public:
   /// Internal variable plastic_strain_eq (ep in formulas), always there for the files, and one scalar per name.
   /// @throws std::invalid_argument if a name is empty or occurs twice
-  explicit UserLaw(const std::vector<std::string>& internal = {});
+  /// @param small_strain see MaterialLaw::small_strain
+  explicit UserLaw(const std::vector<std::string>& internal = {}, bool small_strain = false);
   /// The point moves; stress and internal variables stay those of the start until they are given.
   PointResult update(const PointStep<Dim>& step, PointTrial& trial, PointUpdate<Dim>& now) const override;
   /// Zero: the owner gives the moduli.
   PiolaTangent<Dim> tangent(TangentKind kind, const PointStep<Dim>& step, const PointTrial& trial,
                             const PointState<Dim>& now) const override;
   bool has_moduli() const override { return false; }
-  /// With the Jaumann rate; zero in space.
+  /// With the Jaumann rate, or of small strains; zero in space.
   StepIncrements<Dim> increments(const PointStep<Dim>& step) const override;
+  bool small_strain() const override { return m_small_strain; }
+
+private:
+  bool m_small_strain;
 };
 
 /// Names separated by commas; blanks around them do not count. "" gives none.

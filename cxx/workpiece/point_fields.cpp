@@ -72,7 +72,7 @@ template <int Dim> std::vector<double> stress_field(const Workpiece<Dim>& body) 
   return tensors(body, [&](int p) { return carried_stress(body.state(), p); });
 }
 template <int Dim> std::vector<double> piola_field(const Workpiece<Dim>& body) {
-  return tensors(body, [&](int p) { return carried_piola(body.state(), p); });
+  return tensors(body, [&](int p) { return carried_piola(body.state(), p, body.law().small_strain()); });
 }
 template <int Dim>
 std::vector<double> moduli_field(const Workpiece<Dim>& body, TangentKind kind, double elastic_blend) {

@@ -91,7 +91,7 @@ PiolaTangent<Dim> UserPoints<Dim>::moduli(int point, const MaterialLaw<Dim>& law
                                           const PointState<Dim>& now) const {
   if (!m_by_increment) return m_moduli[point];
   const StressByF<Dim> by_F = m_jacobian[point] * law.increments(step).by_F;
-  return piola_tangent<Dim>(by_F, now.stress, inverse(Gradient<Dim>(now.F)));
+  return piola_tangent<Dim>(by_F, now.stress, Gradient<Dim>(now.F), law.small_strain());
 }
 
 template <int Dim> void GivenPoints<Dim>::check(const Values& values, const std::string& name) const {
@@ -125,10 +125,11 @@ template <int Dim> void GivenPoints<Dim>::piola(int component, const Values& val
   follow_piola();
 }
 
-// tau = P F'.
+// tau = P F', in small strains P.
 template <int Dim> void GivenPoints<Dim>::follow_piola() const {
   for (std::size_t p = 0; p < m_points.m_piola.size(); ++p) {
-    const Gradient<Dim> F = Eigen::Map<const Gradient<Dim>>(m_now.F.data() + p * NG);
+    Gradient<Dim> F = Eigen::Map<const Gradient<Dim>>(m_now.F.data() + p * NG);
+    if (m_law.small_strain()) F = undeformed<Dim>();
     const Tensor<Dim> tau = mesh_part<Dim>(m_points.m_piola[p]) * mesh_part<Dim>(F).transpose();
     const double skew = (tau - tau.transpose()).norm();
     if (skew > LEAST_SYMMETRY * tau.norm()) {

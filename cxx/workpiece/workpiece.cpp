@@ -161,7 +161,7 @@ template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal_force() const {
   if (m_user && m_updated) m_user->require_stress("Workpiece::internal_force");
   Eigen::VectorXd force = Eigen::VectorXd::Zero(m_discretization.num_dofs());
   for (int p = 0; p < m_discretization.num_points(); ++p)
-    add_force<Dim>(m_discretization, p, carried_piola(m_state, p), force);
+    add_force<Dim>(m_discretization, p, carried_piola(m_state, p, m_law->small_strain()), force);
   return force;
 }
 

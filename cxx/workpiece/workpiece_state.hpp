@@ -47,12 +47,15 @@ template <int Dim> double integrity_of(const WorkpieceState<Dim>& state, int poi
   return state.integrity.empty() ? 1 : state.integrity[point];
 }
 /// Kirchhoff stress that the body carries, METHOD.md (1.27), and the first Piola stress of it [stress].
+/// @param small_strain of the law
 template <int Dim> Stress<Dim> carried_stress(const WorkpieceState<Dim>& state, int point) {
   return integrity_of(state, point) * point_state(state, point).stress;
 }
-template <int Dim> Gradient<Dim> carried_piola(const WorkpieceState<Dim>& state, int point) {
+template <int Dim>
+Gradient<Dim> carried_piola(const WorkpieceState<Dim>& state, int point, bool small_strain) {
   const PointState<Dim> at = point_state(state, point);
-  return integrity_of(state, point) * first_piola(Stress<Dim>(at.stress), inverse(Gradient<Dim>(at.F)));
+  return integrity_of(state, point) *
+         first_piola(Stress<Dim>(at.stress), pull_back<Dim>(Gradient<Dim>(at.F), small_strain));
 }
 
 } // namespace burnish

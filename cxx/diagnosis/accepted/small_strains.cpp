@@ -8,6 +8,7 @@ namespace burnish {
 namespace {
 
 constexpr double SMALL = 1e-3; // |F - I|: below everywhere, the linear form gives the same
+constexpr double LARGE = 0.05; // above somewhere, the linear form is in doubt
 constexpr double NONE = 1e-6;  // below everywhere, units may be mixed
 
 template <int Dim> class SmallStrains final : public ObserverOf<SmallStrains<Dim>, Dim> {
@@ -21,18 +22,28 @@ public:
     m_gradient = std::max(m_gradient, std::sqrt(squared));
   }
   void end(const EndedRun<Dim>& run, std::vector<Statement>& list) const override {
+    if (run.step.workpiece->law().small_strain()) return judge_linear(list);
     if (!(m_gradient <= SMALL) || !(m_gradient > 0)) return;
     const char* option = flowed(*run.step.workpiece) ? ", and so does update=\"single\"" : "";
     list.push_back(
         {StatementKind::NOT_NEEDED, "strain", m_gradient, 20,
          "strains and rotations are at most " + short_number(m_gradient) +
-             " everywhere: the geometrically linear form gives the same" + option +
+             " everywhere: the geometrically linear form, strain=\"small\" of rcMaterial, gives the same" +
+             option +
              (m_gradient < NONE ? "; strains so small are right only if lengths, forces and stresses are in "
                                   "units of one system"
                                 : "")});
   }
 
 private:
+  void judge_linear(std::vector<Statement>& list) const {
+    if (m_gradient > LARGE)
+      list.push_back({StatementKind::NEEDED, "strain", m_gradient, 20,
+                      "strains and rotations are up to " + short_number(m_gradient) +
+                          ", and strain=\"small\" leaves out what is of their second order: "
+                          "strain=\"large\" of rcMaterial has it"});
+  }
+
   double m_gradient = 0; // largest |F - I| [-]
 };
 

@@ -20,6 +20,7 @@ public:
   PiolaTangent<Dim> tangent(TangentKind kind, const PointStep<Dim>& step, const PointTrial& trial,
                             const PointState<Dim>& now) const override;
   StepIncrements<Dim> increments(const PointStep<Dim>& step) const override;
+  bool small_strain() const override { return m_material.rate == CorotationalRate::SMALL_STRAIN; }
   /// G, K, and C, gamma of the back stress where there is one.
   std::map<std::string, double> moduli() const override;
   YieldStress yield_stress(double plastic_strain_eq) const override {

@@ -62,17 +62,18 @@ PiolaTangent<Dim> consistent_tangent(const J2Parameters& material, const PointSc
                                      const Gradient<Dim>& F, const Stress<Dim>& stress) {
   const ElasticTrial<Dim> trial = elastic_trial<Dim>(material.elastic, kin, Stress<Dim>(old.stress));
   const StressByIncrement<Dim> moduli = consistent_moduli<Dim>(material, scheme, old, kin, trial);
-  return piola_tangent<Dim>(moduli * finite_increment_by_F(kin), stress, inverse(F));
+  const bool small = material.rate == CorotationalRate::SMALL_STRAIN;
+  return piola_tangent<Dim>(moduli * finite_increment_by_F(kin), stress, F, small);
 }
 
 template <int Dim>
 PiolaTangent<Dim> rate_tangent(const J2Parameters& material, const Stress<Dim>& stress,
                                double plastic_strain_eq, const Gradient<Dim>& F, bool plastic,
                                const double* backstress) {
-  const Gradient<Dim> F_inverse = inverse(F);
+  const bool small = material.rate == CorotationalRate::SMALL_STRAIN;
   const StressByIncrement<Dim> moduli =
       rate_moduli<Dim>(material, stress, plastic_strain_eq, plastic, backstress);
-  return piola_tangent<Dim>(moduli * rate_by_F(F, F_inverse, material.rate), stress, F_inverse);
+  return piola_tangent<Dim>(moduli * rate_by_F(F, pull_back<Dim>(F, small), material.rate), stress, F, small);
 }
 
 template J2End<2> updated_point<2>(const J2Parameters&, const PointScheme&, const J2Start<2>&,

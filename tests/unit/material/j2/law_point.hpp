@@ -57,7 +57,7 @@ struct AnyLawPoint {
     old = at(F);
   }
   Gradient<2> piola(const AnyGradient& F, int iteration) {
-    return first_piola(at(F, iteration).stress, inverse(F));
+    return first_piola(at(F, iteration).stress, pull_back<2>(Gradient<2>(F), law->small_strain()));
   }
   /// Relative difference of the consistent tangent at F from finite differences, the number of substeps held.
   double tangent_error(const AnyGradient& F) {
