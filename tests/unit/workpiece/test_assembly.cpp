@@ -95,7 +95,7 @@ TEST(Assembly, PatchTest) {
         }
         if (X[0] > 1 - 1e-9 && X[1] > 1e-9 && X[1] < 1 - 1e-9) side += force.segment<2>(2 * a);
       }
-      const Gradient<2> P = carried_piola(body.state(), 0);
+      const Gradient<2> P = carried_piola(body.state(), 0, false);
       // corner nodes also carry the other sides: P1 gives the middle node 1/2, P2 the three inner ones 1 -
       // 1/6
       const double share = nodes == 3 ? 0.5 : 1 - 1. / 6;
@@ -206,7 +206,7 @@ TEST(Assembly, PointModuliAndPiolaGiveTheSameForms) {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(mesh.num_dofs());
   for (int p = 0; p < mesh.num_points(); ++p) {
     const PiolaTangent<2> A = body.point_moduli(p, TangentKind::CONSISTENT);
-    const Gradient<2> P = carried_piola(body.state(), p);
+    const Gradient<2> P = carried_piola(body.state(), p, false);
     Eigen::MatrixXd B = Eigen::MatrixXd::Zero(5, mesh.num_dofs()); // [du/dx, du/dy, dv/dx, dv/dy, 0]
     for (int a = 0; a < mesh.nodes_per_element; ++a)
       for (int i = 0; i < 2; ++i)
