@@ -118,7 +118,7 @@ TEST(ColumnFactor, ByCholmodInItsOwnOrder) {
   ASSERT_EQ(other.factorize(plane.K), FactorStatus::OK);
   EXPECT_LT((x - other.solve(b)).norm(), 1e-11 * x.norm());
   NodeBlockMatrix<2> K = plane.K;
-  K.block(K.find(plane.candidates[0], plane.candidates[0]))[0] *= -1;
+  K.block(K.find(plane.mesh.outer[0], plane.mesh.outer[0]))[0] *= -1;
   EXPECT_EQ(factor.factorize(K), FactorStatus::NOT_POSITIVE_DEFINITE);
   EXPECT_THROW(factor.solve(b), std::invalid_argument);
 }
