@@ -19,7 +19,7 @@ SWEEPS = {
     "cup": ("size=1,0.75", lambda v: f"-size {float(v) / 2:g}", 4, "blank=30:42:latin nose=3:8:latin shoulder=3:8:latin "
             "gap=1.1:1.6:latin mu=.02:.15:latin bhf=2000:15000:latin", 50, 25, "largest punch force", ""),
     "u-channel": ("edges=4,5,6", lambda v: f"-edges {2 * int(v)}", 6, "thickness=.5:2:latin shoulder=1:6:latin nose=1:6:latin "
-                  "clearance=1.05:1.4:latin mu=0:.2:latin bhf=5:80:latin", 67, 16, "mean punch force of the last third", "-jumps 0.01"),
+                  "clearance=1.05:1.4:latin mu=0:.2:latin bhf=5:80:latin", 67, 24, "mean punch force of the last third", "-jumps 0.01"),
 }
 
 
@@ -57,7 +57,7 @@ def outcome(folder):
     return summary, text.group(0) if text else summary["status"]
 
 
-CAUSES = (("may slip from one to the next", "hangs on single nodes"), ("too little to balance", "friction does not hold it"),
+CAUSES = (("may slip from one to the next", "hangs on single nodes"), ("too little to balance", "slips from node to node"),
           ("wedges", "a node wedges"), ("nothing resists", "the holder hangs in the air"), ("states cycle", "states cycle"),
           ("exit status", "not to be trusted"), ("out of balance", "out of balance"))
 

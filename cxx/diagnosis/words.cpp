@@ -33,9 +33,11 @@ std::string not_converged(const Failure& f) {
       text += std::string(last.residue == Residue::UNKNOWN ? ": " : "; ") +
               "the tool goes on moving under its force, a limit load";
   } else if (f.cause == Cause::TOO_LITTLE_FRICTION) {
-    text += sentence(": the forces balance with friction that adds up to ", f.value,
-                     " over the contact nodes, whose limits add up to ", f.allowed,
-                     ": too little to balance a coordinate under force");
+    text += sentence(
+        ": the forces balance with friction that adds up to ", f.value,
+        " over the contact nodes, whose limits add up to ", f.allowed,
+        ": too little to balance a coordinate under force, or a sheet slips from node to node: jumps=0.01 "
+        "of stepcontrol goes on to the next equilibrium");
   } else {
     text += ": the forces balance, but states cycle";
   }
