@@ -22,14 +22,12 @@ void turn_by_rate(CorotationalRate rate, const Gradient<2>& F_old, const Gradien
   kin.sin_alpha = turn.sin;
 }
 
-StepKinematics<2> small_step(const Gradient<2>& F_old, const Gradient<2>& F) {
-  StepKinematics<2> kin;
+void set_small_step(const Gradient<2>& dF, StepKinematics<2>& kin) {
   kin.rate = CorotationalRate::SMALL_STRAIN;
   kin.det_mid = 1;
   kin.F_mid_inverse = undeformed<2>();
-  kin.G = F - F_old;
+  kin.G = dF;
   kin.strain = midpoint_strain(kin.G);
-  return kin;
 }
 
 AngleByF turn_by_F(const StepKinematics<2>& kin, const StrainByF& strain_by_F, const AngleByF& spin_by_F) {

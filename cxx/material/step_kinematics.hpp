@@ -26,8 +26,8 @@ template <int Dim> struct StepKinematics {
 /// Rotation of a step by another rate than JAUMANN. @param kin that of JAUMANN in, rate, alpha, F and F_mid of it out
 void turn_by_rate(CorotationalRate rate, const Gradient<2>& F_old, const Gradient<2>& F,
                   StepKinematics<2>& kin);
-/// The step of small strains, METHOD.md (1.36): dd = sym(F - F_old), nothing turns, det_mid = 1.
-StepKinematics<2> small_step(const Gradient<2>& F_old, const Gradient<2>& F);
+/// The step of small strains, METHOD.md (1.36): dd = sym dF, nothing turns, det_mid = 1. @param kin as constructed
+void set_small_step(const Gradient<2>& dF, StepKinematics<2>& kin);
 /// d(alpha)/dF of it. @param strain_by_F of sym G; @param spin_by_F d(alpha)/dF of JAUMANN
 AngleByF turn_by_F(const StepKinematics<2>& kin, const StrainByF& strain_by_F, const AngleByF& spin_by_F);
 
@@ -37,8 +37,11 @@ AngleByF turn_by_F(const StepKinematics<2>& kin, const StrainByF& strain_by_F, c
 /// Never throws: where det_mid is not > 0 the other members are not set.
 inline StepKinematics<2> step_kinematics(const Gradient<2>& F_old, const Gradient<2>& F, StrainFrame frame,
                                          CorotationalRate rate = CorotationalRate::JAUMANN) {
-  if (rate == CorotationalRate::SMALL_STRAIN) return small_step(F_old, F);
   StepKinematics<2> kin;
+  if (rate == CorotationalRate::SMALL_STRAIN) {
+    set_small_step(F - F_old, kin);
+    return kin;
+  }
   kin.frame = frame;
   const Gradient<2> F_mid = 0.5 * (F_old + F);
   kin.det_mid = determinant(F_mid);
