@@ -11,6 +11,8 @@
 //     a         one per point | stress | | finite
 //     ! the law of this material is not user-defined, nothing can be given
 //     ! there was no update since the last accepted state, call update first
+//   M.cauchy(i)   Cauchy stress, M.stress over the determinant of F; with small strains M.stress | stress
+//     i         0 xx, 1 yy, 2 zz, 3 xy | - | | 0 to 3
 //   M.piola(i)   first Piola stress | stress
 //     i         0 xx, 1 xy, 2 yx, 3 yy, 4 zz | - | | 0 to 4
 //   M.piola(i, a)   gives it, in place of M.stress
@@ -67,6 +69,7 @@ constexpr double P1DC_PLACES = 0.99; // degrees of freedom of FreeFEM's P1dc, of
 
 struct StressTag {};
 struct GradientTag {};
+struct CauchyTag {};
 struct PiolaTag {};
 struct ModuliTag {};
 struct JacobianTag {};
@@ -106,6 +109,10 @@ Array stress(Stack stack, const Method<H, StressTag>& m, const long& i) {
 bool give_stress(const Method<H, StressTag>& m, const long& i, const Array& a) {
   return give(m.object, "material.stress",
               [&](const Given& given) { given.stress(component_index(i, "material.stress"), values_of(a)); });
+}
+Array cauchy(Stack stack, const Method<H, CauchyTag>& m, const long& i) {
+  return guarded(
+      [&] { return component(stack, cauchy_field(m->get().workpiece()), i, STRESS, "material.cauchy"); });
 }
 Array gradient(Stack stack, const Method<H, GradientTag>& m, const long& i) {
   return guarded([&] { return component(stack, m->get().workpiece().state().F, i, GRADIENT, "material.F"); });
@@ -212,6 +219,8 @@ void register_material_points() {
   add_method<H, StressTag>(
       "stress", [] { return new OneOperator2s_<Array, Method<H, StressTag>, long>(stress); },
       [] { return new OneOperator3_<bool, Method<H, StressTag>, long, Array>(give_stress); });
+  add_method<H, CauchyTag>("cauchy",
+                           [] { return new OneOperator2s_<Array, Method<H, CauchyTag>, long>(cauchy); });
   add_method<H, GradientTag>(
       "F", [] { return new OneOperator2s_<Array, Method<H, GradientTag>, long>(gradient); });
   add_method<H, PiolaTag>(

@@ -12,6 +12,7 @@ constexpr int VTK_TRIANGLE = 5;
 using Field = Eigen::VectorXd;            // over the nodes
 using Names = std::array<const char*, 4>; // of the components xx, yy, zz, xy
 constexpr Names STRESS = {"stress_xx", "stress_yy", "stress_zz", "stress_xy"};
+constexpr Names CAUCHY = {"cauchy_xx", "cauchy_yy", "cauchy_zz", "cauchy_xy"};
 constexpr Names BACKSTRESS = {"backstress_xx", "backstress_yy", "backstress_zz", "backstress_xy"};
 
 /// Node-major numbers of three components from those of two: the plane of the picture.
@@ -68,6 +69,7 @@ void write_points(const Workpiece<2>& body, VtkFile& file) {
   const std::vector<double> stress = stress_field(body);
   file.array("displacement", 3, in_space(body.state().displacement.data(), mesh.num_nodes));
   write_tensor("stress", STRESS, stress_at_nodes(at_nodes, stress), file);
+  write_tensor("cauchy", CAUCHY, stress_at_nodes(at_nodes, cauchy_field(body)), file);
   file.array("stress_eq", 1, list_of(at_nodes(stress_eq_field(body))));
   file.array("plastic_strain_eq", 1, list_of(at_nodes(internal_field(body, "plastic_strain_eq"))));
   file.array("stress_error", 1, list_of(at_nodes(stress_error(mesh, at_nodes, stress).point)));

@@ -71,6 +71,13 @@ template <int Dim> Eigen::VectorXd integrity_field(const Workpiece<Dim>& body) {
 template <int Dim> std::vector<double> stress_field(const Workpiece<Dim>& body) {
   return tensors(body, [&](int p) { return carried_stress(body.state(), p); });
 }
+template <int Dim> std::vector<double> cauchy_field(const Workpiece<Dim>& body) {
+  const bool small = body.law().small_strain();
+  return tensors(body, [&](int p) -> Stress<Dim> {
+    const Gradient<Dim> F = point_state(body.state(), p).F;
+    return carried_stress(body.state(), p) / (small ? 1 : determinant(F));
+  });
+}
 template <int Dim> std::vector<double> piola_field(const Workpiece<Dim>& body) {
   return tensors(body, [&](int p) { return carried_piola(body.state(), p, body.law().small_strain()); });
 }
@@ -92,6 +99,8 @@ template Eigen::VectorXd integrity_field<2>(const Workpiece<2>&);
 template Eigen::VectorXd integrity_field<3>(const Workpiece<3>&);
 template std::vector<double> stress_field<2>(const Workpiece<2>&);
 template std::vector<double> stress_field<3>(const Workpiece<3>&);
+template std::vector<double> cauchy_field<2>(const Workpiece<2>&);
+template std::vector<double> cauchy_field<3>(const Workpiece<3>&);
 template Eigen::VectorXd stress_eq_field<2>(const Workpiece<2>&);
 template Eigen::VectorXd stress_eq_field<3>(const Workpiece<3>&);
 template Eigen::VectorXd yield_distance_field<2>(const Workpiece<2>&);

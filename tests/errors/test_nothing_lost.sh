@@ -35,6 +35,24 @@ for run in INT:implicit TERM:implicit INT:event; do
   whole "$SCRATCH/$name" interrupted interrupted 10 15e-3
 done
 
+# 2b. A law of the script by FreeFEM's solver: no file of its own, but Ctrl-C is heard, and an error of the law ends the run as one
+sed 's/1., 0.05, program/1., 5e-4, program/; s/^func int record(real t) {/& cout << "at " << t << endl;/' edp/manual/examples/law-j2.edp >"$SCRATCH/law.edp"
+"$BURNISH" "$SCRATCH/law.edp" >"$SCRATCH/law.log" 2>&1 &
+process=$!
+for _ in {1..300}; do
+  [ "$(grep -c '^at ' "$SCRATCH/law.log")" -lt 5 ] || break
+  sleep 0.05
+done
+kill -s INT "$process"
+wait "$process"
+status=$?
+finish law 130 ', interrupted'
+sed 's/^func int lawStress(real\[int\] & d, real dt) {/& rcCheck(ep[].max < 0.004, "the law ends at a plastic strain of 0.004");/' \
+  edp/manual/examples/law-j2.edp >"$SCRATCH/law-error.edp"
+"$BURNISH" "$SCRATCH/law-error.edp" >"$SCRATCH/law-error.log" 2>&1
+status=$?
+finish law-error 20 'error: the law ends at a plastic strain of 0.004'
+
 # 3. Errors on the way: copies of the case with one line more
 # broken NAME SED-COMMAND
 broken() {

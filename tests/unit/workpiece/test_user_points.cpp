@@ -86,6 +86,25 @@ TEST(UserPoints, PiolaStressServesAsWell) {
       EXPECT_NEAR(stress_at(pair.user.state(), p)[c], stress_at(pair.core.state(), p)[c], 1e-12 * 1e9);
 }
 
+// sigma = P F' / det F in large strains.
+TEST(UserPoints, CauchyStressIsThatOfTheFirstPiolaStress) {
+  Pair pair;
+  pair.move(0.2);
+  const Workpiece<2>& body = pair.core;
+  const std::vector<double> P = piola_field(body), sigma = cauchy_field(body), tau = stress_field(body);
+  double larger = 0;
+  for (int p = 0; p < 24; ++p) {
+    const double *F = &body.state().F[5 * p], *at = &P[5 * p];
+    const double det = (F[0] * F[3] - F[1] * F[2]) * F[4], scale = 1e-12 * 1e9;
+    EXPECT_NEAR(sigma[4 * p], (at[0] * F[0] + at[1] * F[1]) / det, scale);
+    EXPECT_NEAR(sigma[4 * p + 1], (at[2] * F[2] + at[3] * F[3]) / det, scale);
+    EXPECT_NEAR(sigma[4 * p + 2], at[4] * F[4] / det, scale);
+    EXPECT_NEAR(sigma[4 * p + 3], (at[0] * F[2] + at[1] * F[3]) / det, scale);
+    larger = std::max(larger, std::abs(tau[4 * p] - sigma[4 * p]));
+  }
+  EXPECT_GT(larger, 1e5) << "the two stresses differ here";
+}
+
 TEST(UserPoints, DerivativesByTheIncrementsGiveTheConsistentTangent) {
   Pair pair(6, j2_law<2>(example_material(1e15)));
   Workpiece<2> core(patch(6, 1), j2_law<2>(example_material(1e15)), single());
