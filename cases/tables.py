@@ -86,22 +86,26 @@ def rolling_integrator():
     return table(["", "steps", "factorizations", *NUMBERS, "CPU s"], rows)
 
 
+PHASES = ("assembly", "factorization", "solve", "condensation", "events", "checks", "output", "mesh")
+
+
 def rolling_ways():
     single = f"{MEDIUM} -update single"
     own = rolling(single)
     rows = []
     for law, assembly, solver, options in (
-            ("core", "core", "core", ""), ("script", "core", "core", " -forms 1 -assembly core"),
-            ("script", "varf", "core", " -forms 1"), ("core", "core", "UMFPACK", " -solver UMFPACK"),
-            ("script", "varf", "UMFPACK", " -forms 1 -solver UMFPACK"), ("core", "core", "BURNISH", " -solver BURNISH")):
+            ("core", "core", "core", ""), ("core", "core", "UMFPACK", " -solver UMFPACK"), ("core", "core", "CHOLMOD", " -solver CHOLMOD"),
+            ("script", "core", "core", " -forms 1 -assembly core"), ("script", "varf", "core", " -forms 1"),
+            ("script", "varf", "UMFPACK", " -forms 1 -solver UMFPACK"), ("script", "varf", "CHOLMOD", " -forms 1 -solver CHOLMOD")):
         r = rolling(single + options)
-        way = r.summary["way"]
-        matrix = f"{way['matrix_size']:.0f}, {way['matrix_nonzeros']:.0f}" if "matrix_size" in way else ""
-        times = r.summary["cpu_seconds"]["total"]/own.summary["cpu_seconds"]["total"]
-        rows.append([law, assembly, solver, r.steps, r.counts["iterations"], r.factorizations, *numbers(r), matrix, r.cpu,
-                     brief(times)])
-    return table(["law", "assembly", "solver", "steps", "iterations", "matrices", *NUMBERS, "size, nonzeros", "CPU s",
-                  "times"], rows)
+        seconds = r.summary["cpu_seconds"]
+        law_and_forms = seconds["total"] - sum(seconds[name] for name in PHASES)
+        spent = [law_and_forms, seconds["assembly"], seconds["factorization"], seconds["solve"], seconds["condensation"],
+                 seconds["events"] + seconds["checks"] + seconds["output"] + seconds["mesh"]]
+        rows.append([law, assembly, solver, r.steps, r.counts["iterations"], r.factorizations, *numbers(r), r.cpu,
+                     brief(seconds["total"]/own.summary["cpu_seconds"]["total"]), *(brief(s) for s in spent)])
+    return table(["law", "assembly", "solver", "steps", "iterations", "factors", *NUMBERS, "CPU s", "times", "law, varfs, interpreter",
+                  "assembly by the core", "factors", "solves", "condensing", "events, checks, files"], rows)
 
 
 def outside(r):
