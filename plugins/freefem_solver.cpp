@@ -5,6 +5,7 @@
 #include "VirtualSolver.hpp"
 #include "solver/umfpack_solver.hpp"
 #include <suitesparse/SuiteSparse_config.h>
+#include <typeinfo>
 
 namespace burnish {
 namespace {
@@ -28,9 +29,10 @@ private:
   int (*m_print)(const char*, ...);
 };
 
-constexpr int ANALYZED = 2; // state of a FreeFEM solver: the next factorize makes new numbers only
+// States of a FreeFEM solver: the next factorize does all, or makes new numbers only.
+constexpr int NEW = 0, ANALYZED = 2;
 
-/// Its analysis is kept while the pattern stays.
+/// Its analysis is kept while the pattern stays, but for MUMPS: FreeFEM's takes the numbers of a matrix only with its pattern.
 class FreefemSolver final : public SparseSolver {
 public:
   FreefemSolver(std::string name, Stack stack) : m_name(std::move(name)), m_stack(stack) {}
@@ -40,6 +42,10 @@ public:
   void solve(Eigen::MatrixXd& B) override;
 
 private:
+  bool is_mumps() const; ///< by whatever name: with it loaded, "SPARSESOLVER" is it, too
+  void drop();
+  void solve_columns(Eigen::MatrixXd& B, Eigen::MatrixXd& X);
+
   std::string m_name;
   Stack m_stack;
   std::vector<int> m_place; // of the entries of a pattern in the matrix; empty: the same order
@@ -60,6 +66,19 @@ std::unique_ptr<SparseSolver> freefem_solver(const std::string& name, Stack stac
   return std::make_unique<FreefemSolver>(name, stack);
 }
 
+bool FreefemSolver::is_mumps() const {
+  if (!m_solver) return false;
+  const VirtualSolver<int, double>& made = *m_solver;
+  return std::string(typeid(made).name()).find("MUMPS") != std::string::npos;
+}
+
+// After an error. FreeFEM's MUMPS has ended its instance before it throws; ending it again, as its destructor does, aborts the
+// process: what is left of it is not freed.
+void FreefemSolver::drop() {
+  if (is_mumps()) static_cast<void>(m_solver.release());
+  m_solver.reset();
+}
+
 void FreefemSolver::analyze(const SparseView& pattern) {
   m_solver.reset();
   m_matrix = sorted_matrix(pattern, m_name, m_place);
@@ -71,22 +90,30 @@ bool FreefemSolver::factorize(const double* value) {
   const QuietLibraries quiet;
   try {
     if (m_solver) {
-      m_solver->state = ANALYZED;
+      m_solver->state = is_mumps() ? NEW : ANALYZED;
     } else {
       Data_Sparse_Solver options;
       options.solver = m_name;
       options.sym = A.half;
+      options.verb = 0;
       m_solver.reset(TheFFSolver<int, double>::ffsolver.at(m_name)->create(A, options, m_stack));
       A.re_do_symbolic = 1;
     }
     A.re_do_numerics = 1;
     m_solver->factorize(3);
   } catch (const ::Error&) {
-    m_solver.reset();
+    drop();
     last_error().clear(); // the core says it
     return false;
   }
   return true;
+}
+
+// FreeFEM's MUMPS takes the first of several right-hand sides only.
+void FreefemSolver::solve_columns(Eigen::MatrixXd& B, Eigen::MatrixXd& X) {
+  const int together = is_mumps() ? 1 : static_cast<int>(B.cols());
+  for (Eigen::Index c = 0; c < B.cols(); c += together)
+    m_solver->dosolver(X.col(c).data(), B.col(c).data(), together, 0);
 }
 
 // A failure is left to the residual.
@@ -94,8 +121,12 @@ void FreefemSolver::solve(Eigen::MatrixXd& B) {
   const QuietLibraries quiet;
   Eigen::MatrixXd X = Eigen::MatrixXd::Zero(B.rows(), B.cols());
   try {
-    m_solver->dosolver(X.data(), B.data(), static_cast<int>(B.cols()), 0);
+    if (m_solver && B.cols() > 0)
+      solve_columns(B, X);
+    else
+      X.setConstant(std::nan(""));
   } catch (const ::Error&) {
+    drop();
     last_error().clear();
     X.setConstant(std::nan(""));
   }

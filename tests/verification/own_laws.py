@@ -74,7 +74,7 @@ def main(folder):
 
     def hard(ep):
         return SLAB * (150 + 500 * ep)
-    wanted = (("j2", "", 0.05, hard), ("perzyna", "", 0.05, lambda ep: hard(ep) + SLAB * 500 * rate), ("perzyna", "-eta 1e-6", 0.05, hard),
+    wanted = (("j2", "", 0.05, hard), ("j2-arrays", "", 0.05, hard), ("perzyna", "", 0.05, lambda ep: hard(ep) + SLAB * 500 * rate), ("perzyna", "-eta 1e-6", 0.05, hard),
               ("cyclic", "", 0.05, lambda ep: SLAB * voce_and_back_stress(ep)),
               ("soil", "", 0.15, lambda ep: soil(0.8, 0, 0.5)), ("soil", "-B 0.4", 0.15, lambda ep: soil(0.8, 0.4, 0.5)),
               ("finite", "", 0.05, lambda ep: hard(ep) / (1 - hard(ep) / 2 / bulk)))   # Kirchhoff's over det F
