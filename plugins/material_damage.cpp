@@ -1,6 +1,7 @@
 // Damage and healing of points by user-defined events (METHOD.md 1.12; the events: material_events.cpp).
-// Formulas of events, M.yielddistance and element events see the effective stress, that of the law; M.stress, M.stresseq,
-// M.piola, M.moduli and the forces are those of the body. Not with a law of the script, not with scheme article.
+// Formulas of events, M.yielddistance and element events see the effective stress, that of the law; M.stress (unless the law is the
+// script's), M.stresseq, M.piola, M.moduli and the forces are those of the body. Not with scheme article; a law of the script is damaged,
+// it does not heal, since the core cannot forget the stress that it keeps.
 //   M.damage(event)   where the event happens, the integrity of the point falls from 1 in equal parts of some accepted steps;
 //       stress, moduli and yield stress are that part of those of the law
 //     event     its name, of M.event

@@ -4,7 +4,7 @@
 //   M.userdefined(on)   whether the script owns the law, from now on (always with rcMaterial(Vh, law="user"))
 //     on        true or false
 //   M.userdefined()   whether it does
-//   M.stress(i)   Kirchhoff stress | stress
+//   M.stress(i)   Kirchhoff stress; with damage of a user-defined law that of the law, which its points carry in part | stress
 //     i         0 xx, 1 yy, 2 zz, 3 xy | - | | 0 to 3
 //   M.stress(i, a)   gives it
 //     i         component | - | | 0 to 3
@@ -103,8 +103,9 @@ template <class Give> bool give(H* handle, const char* where, const Give& f) {
 }
 
 Array stress(Stack stack, const Method<H, StressTag>& m, const long& i) {
-  return guarded(
-      [&] { return component(stack, stress_field(m->get().workpiece()), i, STRESS, "material.stress"); });
+  return guarded([&] {
+    return component(stack, script_stress_field(m->get().workpiece()), i, STRESS, "material.stress");
+  });
 }
 bool give_stress(const Method<H, StressTag>& m, const long& i, const Array& a) {
   return give(m.object, "material.stress",

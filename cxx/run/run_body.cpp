@@ -35,6 +35,10 @@ template <int Dim> void RunBody<Dim>::revert() {
 }
 
 template <int Dim> void RunBody<Dim>::start() {
+  if (m_workpiece->user_defined() && m_damage.heals())
+    fail("RunBody",
+         "an event heals, expected damage only: the law is user-defined, the stress that it keeps cannot be "
+         "forgotten");
   m_accepted = false;
   m_reverted = true;
 }

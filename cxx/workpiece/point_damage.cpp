@@ -1,5 +1,6 @@
 #include "workpiece/point_damage.hpp"
 #include "base/error.hpp"
+#include <algorithm>
 
 namespace burnish {
 namespace {
@@ -22,7 +23,6 @@ void PointDamage<Dim>::damage(Workpiece<Dim>& body, const PointEvents<Dim>& even
                               double integrity, int steps) {
   require(integrity > 0 && integrity < 1, POINT_DAMAGE, "integrity", integrity,
           "0 < integrity < 1; at 0 nodes would have no stiffness, and the tangent would be singular");
-  if (body.user_defined()) body.track_integrity(); // says why not
   add(events, event, {integrity, steps});
   body.track_integrity();
 }
@@ -32,6 +32,10 @@ void PointDamage<Dim>::heal(const PointEvents<Dim>& events, const std::string& e
   if (empty())
     fail(POINT_DAMAGE, "event \"" + event + "\" has nothing to heal, expected damage to be defined before");
   add(events, event, {1, steps});
+}
+
+template <int Dim> bool PointDamage<Dim>::heals() const {
+  return std::any_of(m_rules.begin(), m_rules.end(), [](const auto& rule) { return rule.second.goal == 1; });
 }
 
 template <int Dim>

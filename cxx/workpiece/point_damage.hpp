@@ -8,12 +8,13 @@ namespace burnish {
 template <int Dim> class PointDamage {
 public:
   bool empty() const { return m_rules.empty(); }
+  bool heals() const; ///< some event does
   /// From the event on the integrity of a point falls to `integrity` in equal parts of `steps` full steps. Points at or
   /// below it stay as they are. The first rule makes the body track integrities.
   /// @param integrity 0 < integrity < 1 [-]; 0 is refused: a node whose elements all have it would have no stiffness
   /// @param steps >= 1
   /// @throws std::invalid_argument for an unknown event (lists those there are), one that has a rule already, numbers out
-  ///         of range, or a user-defined law
+  ///         of range
   void damage(Workpiece<Dim>& body, const PointEvents<Dim>& events, const std::string& event,
               double integrity, int steps);
   /// From the event on the integrity grows to 1 in equal parts of `steps` full steps, in whole points nothing happens.

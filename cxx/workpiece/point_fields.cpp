@@ -71,6 +71,9 @@ template <int Dim> Eigen::VectorXd integrity_field(const Workpiece<Dim>& body) {
 template <int Dim> std::vector<double> stress_field(const Workpiece<Dim>& body) {
   return tensors(body, [&](int p) { return carried_stress(body.state(), p); });
 }
+template <int Dim> std::vector<double> script_stress_field(const Workpiece<Dim>& body) {
+  return body.user_defined() ? body.state().stress : stress_field(body);
+}
 template <int Dim> std::vector<double> cauchy_field(const Workpiece<Dim>& body) {
   const bool small = body.law().small_strain();
   return tensors(body, [&](int p) -> Stress<Dim> {
@@ -99,6 +102,8 @@ template Eigen::VectorXd integrity_field<2>(const Workpiece<2>&);
 template Eigen::VectorXd integrity_field<3>(const Workpiece<3>&);
 template std::vector<double> stress_field<2>(const Workpiece<2>&);
 template std::vector<double> stress_field<3>(const Workpiece<3>&);
+template std::vector<double> script_stress_field<2>(const Workpiece<2>&);
+template std::vector<double> script_stress_field<3>(const Workpiece<3>&);
 template std::vector<double> cauchy_field<2>(const Workpiece<2>&);
 template std::vector<double> cauchy_field<3>(const Workpiece<3>&);
 template Eigen::VectorXd stress_eq_field<2>(const Workpiece<2>&);

@@ -18,6 +18,8 @@ template <int Dim> Eigen::VectorXd yield_distance_field(const Workpiece<Dim>& bo
 /// Integrity [-], 1 where no damage is defined; Kirchhoff stress that the points carry, num_points x num_stress [stress].
 template <int Dim> Eigen::VectorXd integrity_field(const Workpiece<Dim>& body);
 template <int Dim> std::vector<double> stress_field(const Workpiece<Dim>& body);
+/// Kirchhoff stress for a script: of a user-defined law what it gave, else that which the points carry.
+template <int Dim> std::vector<double> script_stress_field(const Workpiece<Dim>& body);
 /// Cauchy stress that the points carry, tau / det F; with small strains the stress itself; num_points x num_stress [stress].
 template <int Dim> std::vector<double> cauchy_field(const Workpiece<Dim>& body);
 /// sigma_y and its slope [stress] of the law at the given plastic strains, one per point.

@@ -252,10 +252,6 @@ template <int Dim> void Workpiece<Dim>::set_state(const WorkpieceState<Dim>& sta
 template <int Dim> void Workpiece<Dim>::set_user_defined(bool user_defined) {
   if (!user_defined && !m_law->has_moduli())
     fail("Workpiece::set_user_defined", "law \"" + m_law->name() + "\" has no stress of its own");
-  if (user_defined && tracks_integrity())
-    fail("Workpiece::set_user_defined",
-         "damage is defined, expected a law of the core: the stress that a script keeps "
-         "cannot be forgotten");
   if (user_defined && !m_user) m_user.emplace(m_discretization);
   if (!user_defined) m_user.reset();
 }
@@ -267,9 +263,6 @@ template <int Dim> GivenPoints<Dim> Workpiece<Dim>::given(const char* where) {
 }
 
 template <int Dim> void Workpiece<Dim>::track_integrity() {
-  if (m_user)
-    fail("Workpiece::track_integrity", "the law is user-defined, expected a law of the core: the stress that "
-                                       "a script keeps cannot be forgotten");
   if (tracks_integrity()) return;
   for (WorkpieceState<Dim>* state : {&m_state_old, &m_state}) {
     state->integrity.assign(m_discretization.num_points(), 1);
@@ -286,6 +279,8 @@ template <int Dim> void Workpiece<Dim>::change_integrity(int point, double goal,
   require(goal > 0 && goal <= 1, where, "goal", goal, "0 < goal <= 1");
   require(steps >= 1, where, "steps", steps, ">= 1");
   const double w = m_state_old.integrity[point];
+  if (m_user && goal > w)
+    fail(where, "the law is user-defined: the stress that it keeps cannot be forgotten");
   for (WorkpieceState<Dim>* state : {&m_state_old, &m_state}) {
     state->integrity_rate[point] = (goal - w) / steps;
     state->integrity_goal[point] = goal;

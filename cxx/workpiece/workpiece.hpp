@@ -66,7 +66,7 @@ public:
 
   /// From now on (true) the stress of each update and the moduli of each tangent are given from outside, by a user-defined
   /// law; update then moves the points only. Always so with a law without moduli.
-  /// @throws std::invalid_argument for false with such a law, for true if integrities are tracked
+  /// @throws std::invalid_argument for false with such a law
   void set_user_defined(bool user_defined);
   bool user_defined() const { return m_user.has_value(); }
   /// Takes what it gives for state().
@@ -74,11 +74,11 @@ public:
   GivenPoints<Dim> given(const char* where);
 
   /// From now on every point has an integrity, 1 at first (METHOD.md 1.12); without this call none costs anything.
-  /// @throws std::invalid_argument if the law is user-defined: the core cannot forget a stress that a script keeps
   void track_integrity();
   /// Between steps: from the next step on the integrity of a point goes to `goal` in equal parts of `steps` full steps,
   /// in place of any change under way. @param goal 0 < goal <= 1 [-]; @param steps >= 1
-  /// @throws std::invalid_argument if out of range, or without track_integrity
+  /// @throws std::invalid_argument if out of range, without track_integrity, or if it grows with a user-defined law, whose
+  ///         stress the core cannot forget
   void change_integrity(int point, double goal, int steps);
   /// Length of a full step [time], for updates of parts of it: they change integrities by their share. 0: every update
   /// is a full step. @throws std::invalid_argument if < 0 or not finite

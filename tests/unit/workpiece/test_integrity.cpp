@@ -229,9 +229,12 @@ TEST(Integrity, RefusesWhatItCannotDo) {
   expect_invalid([&] { body.change_integrity(0, 0.5, 0); }, "steps = 0");
   expect_invalid([&] { body.change_integrity(8, 0.5, 1); }, "point = 8");
   expect_invalid([&] { body.set_step_length(-1); }, "length = -1");
-  expect_invalid([&] { body.set_user_defined(true); }, "damage is defined");
-  plain.set_user_defined(true);
-  expect_invalid([&] { plain.track_integrity(); }, "the law is user-defined");
+  body.change_integrity(0, 0.5, 1);
+  body.update(Eigen::VectorXd::Zero(body.discretization().num_dofs()), 1, 0);
+  body.accept();
+  body.set_user_defined(true);
+  expect_invalid([&] { body.change_integrity(0, 1, 1); },
+                 "the law is user-defined: the stress that it keeps");
 }
 
 // Two cells in a row between fixed ends, sides guided: after the first has lost integrity the forces balance anew. The

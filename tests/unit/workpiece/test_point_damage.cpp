@@ -155,7 +155,10 @@ TEST(PointDamage, Errors) {
   Body users;
   users.define("crumble", "ep - 0.1");
   users.workpiece().set_user_defined(true);
-  expect_invalid([&] { users.damage().damage(users.workpiece(), users.user(), "crumble", 0.1, 1); },
-                 "the law is user-defined");
-  EXPECT_FALSE(users.run.has_damage());
+  users.damage().damage(users.workpiece(), users.user(), "crumble", 0.1, 1);
+  EXPECT_TRUE(users.run.has_damage());
+  users.run.start();
+  users.define("mend", "ep - 0.2");
+  users.damage().heal(users.user(), "mend", 1);
+  expect_invalid([&] { users.run.start(); }, "an event heals, expected damage only: the law is user-defined");
 }
