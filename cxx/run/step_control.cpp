@@ -25,10 +25,6 @@ constexpr double STEER_LEAST = 0.75, STEER_MOST = 1.15; // ... within these boun
 constexpr double WIDTH_MEMORY = 0.75;
 constexpr double CRAWL = 0.02; // a run crawls while its steps are below this part of dt_max after a failure
 
-// A step below this part of dt_max is tiny; so many in a row, which could have grown by far more, end a run.
-constexpr double TINY = 1e-3;
-constexpr int MOST_TINY = 500;
-
 // That scale: the end of a program, which may be zero or negative, the present time, or the step.
 double scale(const StepControlOptions& o, const StepControlState& s) {
   return std::max({std::abs(o.t_end), std::abs(s.t), s.dt});
@@ -69,8 +65,6 @@ bool StepControl::is_last() const {
 }
 
 bool StepControl::crawls() const { return m_state.failed_dt > 0 && m_state.dt < CRAWL * m_options.dt_max; }
-
-bool StepControl::stands_still() const { return m_state.tiny >= MOST_TINY; }
 
 bool StepControl::at_output() const {
   const double same = SAME_TIME * scale(m_options, m_state);
@@ -115,7 +109,6 @@ void StepControl::accepted() {
   s.t += s.dt;
   const double stop = next_stop();
   if (std::abs(s.t - stop) < AT_END * scale(m_options, s)) s.t = stop;
-  s.tiny = s.dt < TINY * m_options.dt_max ? s.tiny + 1 : 0;
   s.last_dt = s.dt;
   s.first = false;
   s.cap *= RELAXATION;

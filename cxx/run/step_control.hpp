@@ -24,7 +24,6 @@ struct StepControlState {
   double failed_dt = 0; ///< the length that failed last, while it limits the steps; 0: none does
   double cap = 0;       ///< largest step near it
   bool first = true;    ///< no step has been accepted
-  int tiny = 0;         ///< steps in a row that were tiny, the last one included
   // A step that failed once leaves the division of the program as it was.
   double width = 0; ///< contact width that counts
   double error = 0; ///< of the last steps, geometric mean; 0: not estimated
@@ -46,8 +45,6 @@ public:
   bool at_output() const; ///< time() is an output time or the end
   /// Steps are far shorter than dt_max since one failed.
   bool crawls() const;
-  /// So many steps in a row were tiny that going on leads nowhere (ALGORITHMS.md 1).
-  bool stands_still() const;
   /// Chooses the next step. @param width contact width [length]; @param speed of the contact along the body
   /// [length/time]; either 0: unknown
   double propose(double width, double speed);

@@ -203,10 +203,6 @@ template <int Dim> Task Stepper<Dim>::accepted() {
   ++m_counts.steps;
   m_body.workpiece().set_step_length(0);
   look(m_control.time() - t);
-  if (m_control.stands_still() && !m_stopped) {
-    m_at_floor = true;
-    stop("the run stands still, step after step stays tiny: " + m_last_rejection);
-  }
   return m_body.take_change() == StateChange::ACCEPTED ? ask(Task::ACCEPT_LAW, Phase::ACCEPTED)
                                                        : ask(Task::RECORD, Phase::RECORD);
 }

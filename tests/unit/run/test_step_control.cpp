@@ -162,22 +162,6 @@ TEST(StepControl, FloorEndsTheRun) {
   EXPECT_FALSE(control.rejected()) << "0.00625 is below the floor";
 }
 
-TEST(StepControl, TinyStepsInARowStandStill) {
-  StepControl control(0, options());
-  const auto take = [&](double part) { // of dt_max
-    control.propose(0, 0);
-    control.cut(part * control.options().dt_max / control.dt());
-    control.accepted();
-  };
-  for (int i = 0; i < 499; ++i) take(1e-7);
-  EXPECT_FALSE(control.stands_still());
-  take(2e-3); // one that is long enough starts the count anew
-  for (int i = 0; i < 499; ++i) take(1e-7);
-  EXPECT_FALSE(control.stands_still());
-  take(1e-7);
-  EXPECT_TRUE(control.stands_still());
-}
-
 TEST(StepControl, CutTakesAPart) {
   StepControl control(0, options());
   control.propose(0, 0);
