@@ -9,13 +9,13 @@
 //     C         contact
 //     M         material on the same mesh
 //   S.next(u, R)   what has to be done next, a task such as rcForces | -
-//     u         displacement of the run: only rcSolve may change it | length
+//     u         displacement of the run: only rcSolve may change it, and C.expand in rcTangent | length
 //     R         nodal forces | force
 //     ! no run has been started, call start first
 //     ! : the run's displacement was changed by
 //   rcProgram, rcAcceptLaw, rcRevertLaw, rcForces, rcTangent, rcSolve, rcRecord, rcFinished, rcStopped   tasks of S.next: set
-//       every coordinate for S.target; of a law of the script: the end of the step becomes its start, back to that; M.update(u, S.piece, S.iteration) and nodal forces into R; C.factorize(M, u); pure rates: condense, solve, expand; a
-//       step has been accepted; the end is reached; the run has ended early, S.reason tells why
+//       every coordinate for S.target; of a law of the script: the end of the step becomes its start, back to that; M.update(u, S.piece, S.iteration) and nodal forces into R; C.factorize(M, u), or C.condense, a
+//       solution, C.expand; pure rates: the same; a step has been accepted; the end is reached; the run has ended early, S.reason tells why
 //   S.scheme(name)   another scheme from the next step on
 //     name      "implicit", "event", "article"
 //   S.refuse(text)   the task cannot be done: the step is tried shorter
@@ -107,9 +107,11 @@ bool start_forms(const Method<H, StartTag>& m, ContactHandle* const& contact) {
   });
 }
 
-// Only rcSolve moves u. What a script has written there is taken back, so that the run can end at its accepted state.
+// Only rcSolve moves u, and rcTangent by C.expand. What a script has written there is taken back, so that the run can end at its
+// accepted state.
 void require_untouched(const ControlObject& object, const Eigen::VectorXd& now, const KN_<double>& u) {
   if (!object.under_way() || object.stopping || object.task == Task::SOLVE) return;
+  if (object.task == Task::TANGENT && object.contact->run().iteration().policy().condensed()) return;
   for (Eigen::Index d = 0; d < now.size(); ++d) {
     if (now[d] == object.u[d]) continue;
     to_array(object.u, u, "stepcontrol.next");

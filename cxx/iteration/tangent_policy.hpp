@@ -10,6 +10,7 @@ public:
   void begin();
   /// The tangent of every iteration is new: a matrix of the caller's.
   void set_condensed() { m_condensed = true; }
+  bool condensed() const { return m_condensed; }
   /// Looks at the residual of an iterate that has not converged [force].
   void look(double residual, double allowed);
   bool grows() const { return m_grows; } ///< it is much larger than that of the last iterate

@@ -128,7 +128,9 @@ template <int Dim> Task Stepper<Dim>::check(Eigen::VectorXd& u, Eigen::VectorXd&
   if (m_scheme->solve().stepping == Stepping::RATES)
     return solved(m_contact.check(u, R) == StepStatus::CONVERGED, u, R);
   ++m_iteration;
-  switch (m_contact.check(u, R)) {
+  const StepStatus status = m_contact.check(u, R);
+  m_made = m_contact.iteration().number();
+  switch (status) {
   case StepStatus::CONVERGED:
     return solved(true, u, R);
   case StepStatus::FAILED:
@@ -140,11 +142,13 @@ template <int Dim> Task Stepper<Dim>::check(Eigen::VectorXd& u, Eigen::VectorXd&
   case StepStatus::ITERATE:
     break;
   }
-  return correct(u, R);
+  return m_contact.condensed().again() ? ask(Task::TANGENT, Phase::TANGENT) : correct(u, R);
 }
 
+// A caller that has condensed, solved and expanded has made the iteration itself.
 template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  if (m_contact.correct(u, R) == StepStatus::FAILED) return solved(false, u, R);
+  const bool made = m_contact.condensed().again() || m_contact.iteration().number() > m_made;
+  if (!made && m_contact.correct(u, R) == StepStatus::FAILED) return solved(false, u, R);
   return ask_forces();
 }
 

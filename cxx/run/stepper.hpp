@@ -15,7 +15,8 @@ enum class Task {
   REVERT_LAW, ///< the same: back to the start of the step
   FORCES, ///< update the stress at u for a step of length dt(), iteration(); its internal nodal forces into R; refuse() if
           ///< the material cannot follow
-  TANGENT,  ///< factorize a tangent at u (ContactRun::factorize); refuse() if there is none
+  TANGENT,  ///< factorize a tangent at u (ContactRun::factorize), or make the iteration: condense a tangent, solve, expand
+            ///< into u (CondensedStep); refuse() if there is none
   SOLVE,    ///< pure rates: tangent, condense, solve, expand into u; refuse() if that fails
   RECORD,   ///< a step has been accepted: u and control().time() hold it
   FINISHED, ///< the end of the program has been reached
@@ -125,6 +126,7 @@ private:
   StepScheme<Dim>* m_scheme; // of the present try
   Phase m_phase = Phase::STEP;
   int m_tries = 0, m_iteration = 0;
+  int m_made = 0; // iterations of this equilibrium at its last check
   bool m_refused = false, m_stopped = false, m_at_floor = false, m_halted = false;
   std::string m_refusal, m_reason, m_last_rejection;
   std::string m_refused_jump; // why a jump of this step was given up, "" if none was
