@@ -20,13 +20,18 @@
 //     file      path
 //   C.savesupports(file)   .vtp file: nodes whose displacement is given
 //     file      path
+//   S.savestopped()   out/SCRIPT/stopped.vtu, below the folder where FreeFEM runs: fields of the accepted state of a run, of forms
+//       without a material the displacement; returns its name
+//     ! no run has been started, call start first
 //   internal: rcRemoveResults
 #include "base/run_folder.hpp"
 #include "base/whole_file.hpp"
 #include "output/contact_files.hpp"
 #include "output/workpiece_file.hpp"
-#include "types.hpp"
+#include "script_options.hpp"
+#include "step_control.hpp"
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 
 namespace burnish {
@@ -75,6 +80,24 @@ bool save_tools_of(const Method<ContactHandle, ToolsTag>& m, string* const& path
   });
 }
 
+struct StoppedTag {};
+string* save_stopped(Stack stack, const Method<StepControlHandle, StoppedTag>& m) {
+  return guarded([&] {
+    const ControlObject& run = m->get();
+    run.running("stepcontrol.savestopped");
+    namespace fs = std::filesystem;
+    const fs::path file = "out" / fs::path(script_options().script()).stem() / "stopped.vtu";
+    std::error_code unmade; // is told when the file is written
+    fs::create_directories(file.parent_path(), unmade);
+    const Workpiece<2>& body = run.material->body->workpiece();
+    if (run.options.forms_only)
+      save_displacement(body.discretization(), run.contact->run().accepted().u, file.string());
+    else
+      save_fields(body, file.string());
+    return new_string(stack, file.string());
+  });
+}
+
 } // namespace
 
 void register_files() {
@@ -86,6 +109,9 @@ void register_files() {
   Global.Add("rcAppended", "(", new OneOperator2_<bool, std::ostream**, string*>(appended));
   add_method<MaterialHandle, SaveTag>("savefields", [] {
     return new OneOperator2_<bool, Method<MaterialHandle, SaveTag>, string*>(save_fields_of);
+  });
+  add_method<StepControlHandle, StoppedTag>("savestopped", [] {
+    return new OneOperator1s_<string*, Method<StepControlHandle, StoppedTag>>(save_stopped);
   });
   add_method<ContactHandle, SurfaceTag>("savesurface", [] {
     return new OneOperator2_<bool, Method<ContactHandle, SurfaceTag>, string*>(save_surface_of);

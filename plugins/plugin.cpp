@@ -73,9 +73,9 @@ static void init() {
   register_geo_mesh();
   register_tools_of_the_trade();
   register_options();
+  register_step_control();
   register_files();
   register_pictures();
-  register_step_control();
   register_summary();
   register_callables();
 }

@@ -81,21 +81,34 @@ void write_points(const Workpiece<2>& body, VtkFile& file) {
   if (body.state().tracks_integrity()) file.array("integrity", 1, list_of(at_nodes(integrity_field(body))));
 }
 
-} // namespace
-
-void save_fields(const Workpiece<2>& body, const std::string& path) {
-  const Discretization<2>& mesh = body.discretization();
+// @param fields writes the arrays at the nodes; @param names attributes of the element that holds them
+template <class Fields>
+void write_nodes(const Discretization<2>& mesh, const char* names, Fields fields, const std::string& path) {
   VtkFile file("UnstructuredGrid");
   file.open("Piece", "NumberOfPoints=\"" + std::to_string(mesh.num_nodes) + "\" NumberOfCells=\"" +
                          std::to_string(mesh.num_elements * cut(mesh.nodes_per_element).size()) + "\"");
-  file.open("PointData", "Scalars=\"stress_eq\" Vectors=\"displacement\" Tensors=\"stress\"");
-  write_points(body, file);
+  file.open("PointData", names);
+  fields(file);
   file.close();
   file.open("Points");
   file.array("Points", 3, in_space(mesh.X.data(), mesh.num_nodes));
   file.close();
   write_cells(mesh, file);
   write_whole(path, file.text());
+}
+
+} // namespace
+
+void save_fields(const Workpiece<2>& body, const std::string& path) {
+  write_nodes(
+      body.discretization(), "Scalars=\"stress_eq\" Vectors=\"displacement\" Tensors=\"stress\"",
+      [&](VtkFile& file) { write_points(body, file); }, path);
+}
+
+void save_displacement(const Discretization<2>& mesh, const Eigen::VectorXd& u, const std::string& path) {
+  write_nodes(
+      mesh, "Vectors=\"displacement\"",
+      [&](VtkFile& file) { file.array("displacement", 3, in_space(u.data(), mesh.num_nodes)); }, path);
 }
 
 } // namespace burnish

@@ -11,5 +11,7 @@ namespace burnish {
 /// those of nodal_average.
 /// @throws FileError
 void save_fields(const Workpiece<2>& body, const std::string& path);
+/// The displacement alone, of a body of whose stress nothing is known. @param u x and y of every node [length]
+void save_displacement(const Discretization<2>& mesh, const Eigen::VectorXd& u, const std::string& path);
 
 } // namespace burnish

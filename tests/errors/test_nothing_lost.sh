@@ -35,9 +35,19 @@ for run in INT:implicit TERM:implicit INT:event; do
   whole "$SCRATCH/$name" interrupted interrupted 10 15e-3
 done
 
-# 2b. A law of the script by FreeFEM's solver: no file of its own, but Ctrl-C is heard, and an error of the law ends the run as one
+# 2b. Scripts without a case have no files of their own: the last accepted state is in out/SCRIPT/stopped.vtu. A law of the script by
+# FreeFEM's solver: Ctrl-C is heard, an error of the law ends the run as one; a law of the core
+# kept NAME FIELD LEAST MOST: the largest component of a field of that file
+kept() {
+  "${PYTHON:-/usr/bin/python3}" -c 'import sys, meshio
+name, least, most = sys.argv[2], *map(float, sys.argv[3:])
+value = abs(meshio.read(sys.argv[1]).point_data[name]).max()
+sys.exit(None if least < value < most else f"FAILED: {sys.argv[1]}: {name} {value}, expected {least} to {most}")' \
+    "$SCRATCH/out/$1/stopped.vtu" "${@:2}" || failures=$((failures + 1))
+  grep -q "burnish: the last accepted state, t = .*, is in out/$1/stopped.vtu" "$SCRATCH/$1.log" || report "$1: no word of stopped.vtu"
+}
 sed 's/1., 0.05, program/1., 5e-4, program/; s/^func int record(real t) {/& cout << "at " << t << endl;/' edp/manual/examples/law-j2.edp >"$SCRATCH/law.edp"
-"$BURNISH" "$SCRATCH/law.edp" >"$SCRATCH/law.log" 2>&1 &
+(cd "$SCRATCH" && exec "$BURNISH" law.edp) >"$SCRATCH/law.log" 2>&1 &
 process=$!
 for _ in {1..300}; do
   [ "$(grep -c '^at ' "$SCRATCH/law.log")" -lt 5 ] || break
@@ -47,11 +57,24 @@ kill -s INT "$process"
 wait "$process"
 status=$?
 finish law 130 ', interrupted'
+kept law displacement 1e-5 1
 sed 's/^func int lawStress(real\[int\] & d, real dt) {/& rcCheck(ep[].max < 0.004, "the law ends at a plastic strain of 0.004");/' \
   edp/manual/examples/law-j2.edp >"$SCRATCH/law-error.edp"
-"$BURNISH" "$SCRATCH/law-error.edp" >"$SCRATCH/law-error.log" 2>&1
+(cd "$SCRATCH" && "$BURNISH" law-error.edp) >"$SCRATCH/law-error.log" 2>&1
 status=$?
 finish law-error 20 'error: the law ends at a plastic strain of 0.004'
+kept law-error displacement 0.004 0.02
+awk '/^```freefem/ { inside = 1; next } /^```/ { inside = 0 } inside' README.md |
+  sed 's/^func int record(real t) {/& rcCheck(t < 0.5, "enough");/' >"$SCRATCH/core.edp"
+(cd "$SCRATCH" && "$BURNISH" core.edp) >"$SCRATCH/core.log" 2>&1
+status=$?
+finish core 20 'error: enough'
+kept core plastic_strain_eq 1e-4 0.02
+# where the file cannot be written the run ends as it would
+(cd "$SCRATCH" && rm -r out && touch out && "$BURNISH" core.edp) >"$SCRATCH/core.log" 2>&1
+status=$?
+finish core 20 'the last accepted state is lost: file "out/core/stopped.vtu" cannot be written'
+rm "$SCRATCH/out"
 
 # 3. Errors on the way: copies of the case with one line more
 # broken NAME SED-COMMAND
