@@ -15,10 +15,10 @@ enum class Task {
   REVERT_LAW, ///< the same: back to the start of the step
   FORCES, ///< update the stress at u for a step of length dt(), iteration(); its internal nodal forces into R; refuse() if
           ///< the material cannot follow
-  TANGENT,  ///< factorize a tangent at u (ContactRun::factorize), or make the iteration: condense a tangent, solve, expand
-            ///< into u (CondensedStep); refuse() if there is none
-  SOLVE,    ///< pure rates: tangent, condense, solve, expand into u; refuse() if that fails
-  RECORD,   ///< a step has been accepted: u and control().time() hold it
+  TANGENT, ///< factorize a tangent at u (ContactRun::factorize), or make the iteration: condense a tangent, solve, expand
+           ///< into u (CondensedStep); refuse() if there is none
+  SOLVE,   ///< pure rates: tangent, condense, solve, expand into u; refuse() if that fails
+  RECORD,  ///< a step has been accepted: u and control().time() hold it
   FINISHED, ///< the end of the program has been reached
   STOPPED,  ///< the run has ended before: reason() tells why; u holds the last accepted state
 };
