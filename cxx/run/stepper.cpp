@@ -79,9 +79,8 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
     return ask(Task::FINISHED, Phase::ENDED);
   }
   m_diagnosis.begin(seen());
-  const double narrow = m_options.width_steps * m_options.nodes_per_step * m_contact.setup().body().spacing;
   m_control.stop_at(m_contact.loads().hold.state().until);
-  m_control.propose(std::max(contact_width(m_contact), narrow), contact_speed(m_contact));
+  propose();
   if (m_options.scheme == Scheme::ARTICLE && m_body.has_damage())
     fail("Stepper",
          "scheme article with damage, expected implicit or event: pure rates never take off the force that a "
@@ -92,6 +91,11 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
   m_tries = 0;
   m_refused_jump.clear();
   return try_step();
+}
+
+template <int Dim> void Stepper<Dim>::propose() {
+  const double narrow = m_options.width_steps * m_options.nodes_per_step * m_contact.setup().body().spacing;
+  m_control.propose(std::max(contact_width(m_contact), narrow), contact_speed(m_contact));
 }
 
 template <int Dim> Task Stepper<Dim>::try_step() {
@@ -247,6 +251,11 @@ template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::Vector
   u = m_contact.accepted().u;
   R = m_contact.accepted().R;
   if (m_control.rejected()) return try_step();
+  if (m_scheme == &m_event) { // not without one try with the states inside the iteration
+    m_tries = MAX_TRIES;
+    propose();
+    return try_step();
+  }
   m_at_floor = true;
   const bool told = m_refused_jump.empty() || m_refused_jump == m_last_rejection;
   stop(told ? m_last_rejection : m_refused_jump + "; without a jump: " + m_last_rejection);

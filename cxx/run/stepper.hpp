@@ -95,6 +95,7 @@ public:
 private:
   enum class Phase { STEP, ACCEPTED, PROGRAM, LAW, FORCES, TANGENT, SOLVE, RECORD, ENDED };
   Task begin_step();
+  void propose();
   void measure_step();
   void warn_of_error();
   Task ask(Task task, Phase phase);
