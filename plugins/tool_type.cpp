@@ -127,8 +127,8 @@ private:
         fail("tool.coordinates", "coordinates \"" + list + "\" of tool \"" + object.tool->name() +
                                      "\" lack the formula " + formula + "=");
     const PlaneFormulas formulas{named.text("x", ""), named.text("y", ""), named.text("angle", "0")};
-    return std::make_shared<FormulaCoordinates>(object.tool->name(), coordinate_names(list), formulas,
-                                                object.tool->parameters());
+    return std::make_shared<FormulaCoordinates<2>>(object.tool->name(), coordinate_names(list), formulas,
+                                                   object.tool->parameters());
   }
 };
 basicAC_F0::name_and_type ChooseCoordinates::names[] = {{"pivot", &typeid(E_Array)},

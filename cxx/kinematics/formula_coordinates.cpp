@@ -1,14 +1,23 @@
 #include "kinematics/formula_coordinates.hpp"
 #include "base/error.hpp"
-#include "geometry/plane.hpp"
 #include <sstream>
 
 namespace burnish {
 namespace {
 
-Formula formula(const char* which, const std::string& tool, const std::string& text,
-                const FormulaNames& names) {
-  return Formula(std::string(which) + " of tool \"" + tool + "\"", text, names);
+std::vector<FormulaText> origin_of(const PlaneFormulas& formulas) {
+  return {{"x", formulas.x}, {"y", formulas.y}};
+}
+std::vector<FormulaText> origin_of(const SpaceFormulas& formulas) {
+  return {{"x", formulas.x}, {"y", formulas.y}, {"z", formulas.z}};
+}
+RotationFormulas<2> rotation_of(const std::string&, const PlaneFormulas& formulas,
+                                const std::map<std::string, double>&) {
+  return {std::make_shared<AngleRotation>(), {{"angle", formulas.angle}}};
+}
+RotationFormulas<3> rotation_of(const std::string& tool, const SpaceFormulas& formulas,
+                                const std::map<std::string, double>& parameters) {
+  return rotation_formulas("rotation of tool \"" + tool + "\"", formulas.rotation, parameters);
 }
 
 std::vector<std::string> checked(const std::string& tool, std::vector<std::string> names,
@@ -33,54 +42,91 @@ std::vector<std::string> coordinate_names(const std::string& list) {
   return names;
 }
 
-FormulaCoordinates::FormulaCoordinates(const std::string& tool, std::vector<std::string> names,
-                                       const PlaneFormulas& formulas,
-                                       const std::map<std::string, double>& parameters)
-    : m_names(checked(tool, std::move(names), parameters)),
-      m_x(component(formula("x", tool, formulas.x, {m_names, parameters}), size())),
-      m_y(component(formula("y", tool, formulas.y, {m_names, parameters}), size())),
-      m_angle(component(formula("angle", tool, formulas.angle, {m_names, parameters}), size())) {
+template <int Dim>
+FormulaCoordinates<Dim>::FormulaCoordinates(const std::string& tool, std::vector<std::string> names,
+                                            const PoseFormulas<Dim>& formulas,
+                                            const std::map<std::string, double>& parameters)
+    : m_names(checked(tool, std::move(names), parameters)) {
+  for (const auto& formula : origin_of(formulas)) add(m_origin, tool, formula, parameters);
+  const RotationFormulas<Dim> rotation = rotation_of(tool, formulas, parameters);
+  m_rotation = rotation.rotation;
+  for (const auto& formula : rotation.numbers) add(m_numbers, tool, formula, parameters);
   require_use(tool);
 }
 
-FormulaCoordinates::Component FormulaCoordinates::component(const Formula& value, int size) {
-  Component result{value, {}, {}};
-  for (int k = 0; k < size; ++k) {
-    result.first.push_back(value.derivative(k));
-    result.second.emplace_back();
-    for (int l = 0; l <= k; ++l) result.second.back().push_back(result.first.back().derivative(l));
+template <int Dim>
+void FormulaCoordinates<Dim>::add(std::vector<Component>& components, const std::string& tool,
+                                  const FormulaText& formula,
+                                  const std::map<std::string, double>& parameters) const {
+  const Formula value(formula.label + " of tool \"" + tool + "\"", formula.text, {m_names, parameters});
+  Component component{formula.label, value, {}, {}};
+  for (int k = 0; k < this->size(); ++k) {
+    component.first.push_back(value.derivative(k));
+    component.second.emplace_back();
+    for (int l = 0; l <= k; ++l) component.second.back().push_back(component.first.back().derivative(l));
   }
-  return result;
+  components.push_back(std::move(component));
 }
 
-void FormulaCoordinates::require_use(const std::string& tool) const {
-  for (int k = 0; k < size(); ++k)
-    if (!m_x.value.depends_on(k) && !m_y.value.depends_on(k) && !m_angle.value.depends_on(k))
+template <int Dim> void FormulaCoordinates<Dim>::require_use(const std::string& tool) const {
+  for (int k = 0; k < this->size(); ++k) {
+    bool used = false;
+    std::string all;
+    for (const auto* components : {&m_origin, &m_numbers})
+      for (const Component& component : *components) {
+        used = used || component.value.depends_on(k);
+        all += (all.empty() ? "" : ", ") + component.label + " = " + quoted(component.value.text());
+      }
+    if (!used)
       fail_at("coordinates of tool \"" + tool + "\"",
-              "coordinate \"" + m_names[static_cast<std::size_t>(k)] +
-                  "\" moves nothing: x = " + quoted(m_x.value.text()) + ", y = " + quoted(m_y.value.text()) +
-                  ", angle = " + quoted(m_angle.value.text()));
+              "coordinate \"" + m_names[static_cast<std::size_t>(k)] + "\" moves nothing: " + all);
+  }
 }
 
-Pose<2> FormulaCoordinates::pose(const Eigen::VectorXd& q) const {
-  require_coordinates("FormulaCoordinates::pose", m_names, q);
-  Pose<2> pose = blank_pose<2>(size());
-  pose.origin << m_x.value(q.data()), m_y.value(q.data());
-  pose.R = plane_rotation(m_angle.value(q.data()));
-  const Tensor<2> turned = plane_rotation_derivative(pose.R);
-  for (std::size_t k = 0; k < m_names.size(); ++k) {
-    pose.origin_q[k] << m_x.first[k](q.data()), m_y.first[k](q.data());
-    const double angle_k = m_angle.first[k](q.data());
-    pose.R_q[k] = angle_k * turned;
-    for (std::size_t l = 0; l <= k; ++l) {
-      pose.origin_qq[k][l] << m_x.second[k][l](q.data()), m_y.second[k][l](q.data());
-      pose.R_qq[k][l] =
-          m_angle.second[k][l](q.data()) * turned - angle_k * m_angle.first[l](q.data()) * pose.R;
-      pose.origin_qq[l][k] = pose.origin_qq[k][l];
-      pose.R_qq[l][k] = pose.R_qq[k][l];
+template <int Dim> void FormulaCoordinates<Dim>::set_origin(Pose<Dim>& pose, const double* q) const {
+  for (int i = 0; i < Dim; ++i) {
+    const Component& x = m_origin[static_cast<std::size_t>(i)];
+    pose.origin[i] = x.value(q);
+    for (std::size_t k = 0; k < m_names.size(); ++k) {
+      pose.origin_q[k][i] = x.first[k](q);
+      for (std::size_t l = 0; l <= k; ++l)
+        pose.origin_qq[k][l][i] = pose.origin_qq[l][k][i] = x.second[k][l](q);
     }
   }
+}
+
+template <int Dim> void FormulaCoordinates<Dim>::set_rotation(Pose<Dim>& pose, const double* q) const {
+  const std::size_t size = m_numbers.size(), count = m_names.size();
+  Eigen::VectorXd a(size);
+  Eigen::MatrixXd a_q(size, count);
+  for (std::size_t i = 0; i < size; ++i) {
+    a(i) = m_numbers[i].value(q);
+    for (std::size_t k = 0; k < count; ++k) a_q(i, k) = m_numbers[i].first[k](q);
+  }
+  const RotationValue<Dim> rotation = m_rotation->at(a);
+  pose.R = rotation.R;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 0; i < size; ++i) pose.R_q[k] += a_q(i, k) * rotation.first[i];
+    for (std::size_t l = 0; l <= k; ++l) {
+      Tensor<Dim>& R_kl = pose.R_qq[k][l];
+      for (std::size_t i = 0; i < size; ++i) {
+        R_kl += m_numbers[i].second[k][l](q) * rotation.first[i];
+        for (std::size_t j = 0; j < size; ++j) R_kl += a_q(i, k) * a_q(j, l) * rotation.second[i][j];
+      }
+      pose.R_qq[l][k] = R_kl;
+    }
+  }
+}
+
+template <int Dim> Pose<Dim> FormulaCoordinates<Dim>::pose(const Eigen::VectorXd& q) const {
+  require_coordinates("FormulaCoordinates::pose", m_names, q);
+  Pose<Dim> pose = blank_pose<Dim>(this->size());
+  set_origin(pose, q.data());
+  set_rotation(pose, q.data());
   return pose;
 }
+
+template class FormulaCoordinates<2>;
+template class FormulaCoordinates<3>;
 
 } // namespace burnish

@@ -7,41 +7,75 @@ namespace burnish {
 namespace {
 
 constexpr const char* TRIANGLES = "triangles";
+constexpr const char* TETRAHEDRA = "tetrahedra";
 
-/// Signed area of an element's triangle and the gradients of its barycentric coordinates.
-struct Triangle {
-  double area;
-  std::array<Vector<2>, 3> vertex, gradient;
+/// Signed area or volume of an element's simplex and the gradients of its barycentric coordinates.
+template <int Dim> struct Simplex {
+  double size;
+  std::array<Vector<Dim>, Dim + 1> vertex, gradient;
 };
 
-Triangle triangle(const Discretization<2>& mesh, int e) {
-  Triangle t;
-  for (int v = 0; v < 3; ++v) t.vertex[v] = mesh.node(mesh.element(e)[v]);
-  const Vector<2> a = t.vertex[1] - t.vertex[0], b = t.vertex[2] - t.vertex[0];
-  t.area = 0.5 * (a[0] * b[1] - a[1] * b[0]);
-  if (!(t.area > 0)) {
-    std::ostringstream what;
-    what << "area of element " << e << " = " << t.area << ", expected > 0 (vertices counter-clockwise)";
-    fail(TRIANGLES, what.str());
-  }
-  for (int v = 0; v < 3; ++v) { // normal of the opposite edge, inwards, over twice the area
+double signed_size(const std::array<Vector<2>, 3>& vertex) {
+  const Vector<2> a = vertex[1] - vertex[0], b = vertex[2] - vertex[0];
+  return 0.5 * (a[0] * b[1] - a[1] * b[0]);
+}
+double signed_size(const std::array<Vector<3>, 4>& vertex) {
+  return (vertex[1] - vertex[0]).cross(vertex[2] - vertex[0]).dot(vertex[3] - vertex[0]) / 6;
+}
+
+void set_gradients(Simplex<2>& t) { // normal of the opposite edge, inwards, over twice the area
+  for (int v = 0; v < 3; ++v) {
     const Vector<2> edge = t.vertex[(v + 2) % 3] - t.vertex[(v + 1) % 3];
-    t.gradient[v] = Vector<2>(-edge[1], edge[0]) / (2 * t.area);
+    t.gradient[v] = Vector<2>(-edge[1], edge[0]) / (2 * t.size);
   }
+}
+void set_gradients(Simplex<3>& t) { // normal of the opposite face, inwards, over three times the volume
+  constexpr int face[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
+  for (int v = 0; v < 4; ++v) {
+    const Vector<3>&a = t.vertex[face[v][0]], &b = t.vertex[face[v][1]], &c = t.vertex[face[v][2]];
+    t.gradient[v] = (b - a).cross(c - a) / (6 * t.size);
+  }
+}
+
+[[noreturn]] void fail_size(const Simplex<2>& t, int e) {
+  std::ostringstream what;
+  what << "area of element " << e << " = " << t.size << ", expected > 0 (vertices counter-clockwise)";
+  fail(TRIANGLES, what.str());
+}
+[[noreturn]] void fail_size(const Simplex<3>& t, int e) {
+  const Vector<3> center = (t.vertex[0] + t.vertex[1] + t.vertex[2] + t.vertex[3]) / 4;
+  std::ostringstream what;
+  what << "volume of element " << e << " at (" << center[0] << ", " << center[1] << ", " << center[2]
+       << ") = " << t.size << ", expected > 0 (seen from vertex 3 the others are counter-clockwise)";
+  fail(TETRAHEDRA, what.str());
+}
+
+template <int Dim> Simplex<Dim> simplex(const Discretization<Dim>& mesh, int e) {
+  Simplex<Dim> t;
+  for (int v = 0; v <= Dim; ++v) t.vertex[v] = mesh.node(mesh.element(e)[v]);
+  t.size = signed_size(t.vertex);
+  if (!(t.size > 0)) fail_size(t, e);
+  set_gradients(t);
   return t;
 }
 
-void check_mid_edges(const Discretization<2>& mesh, int e, const Triangle& t) {
+template <int Dim>
+void check_mid_edges(const Discretization<Dim>& mesh, int e, const Simplex<Dim>& t, const char* where) {
   constexpr double tolerance = 1e-6; // of the edge's length: what a mesh file's digits can cost
-  for (int v = 0; v < 3; ++v) {
-    const Vector<2>&a = t.vertex[(v + 1) % 3], &b = t.vertex[(v + 2) % 3];
-    const int node = mesh.element(e)[3 + v];
+  for (int k = 0; k < num_edges<Dim>; ++k) {
+    const auto [i, j] = SimplexEdges<Dim>::ends[k];
+    const Vector<Dim>&a = t.vertex[i], &b = t.vertex[j];
+    const int node = mesh.element(e)[Dim + 1 + k];
     const double offset = (mesh.node(node) - 0.5 * (a + b)).norm() / (b - a).norm();
     if (offset <= tolerance) continue;
     std::ostringstream what;
-    what << "node " << node << " of element " << e << " is off the middle of the edge opposite vertex " << v
-         << " by " << offset << " of its length, expected the middle (straight sides)";
-    fail(TRIANGLES, what.str());
+    what << "node " << node << " of element " << e << " is off the middle of the edge ";
+    if (Dim == 2)
+      what << "opposite vertex " << k;
+    else
+      what << "from vertex " << i << " to " << j;
+    what << " by " << offset << " of its length, expected the middle (straight sides)";
+    fail(where, what.str());
   }
 }
 
@@ -52,41 +86,62 @@ Barycentric<2> point_of(const Discretization<2>& mesh, int q) {
   l[q] = 1 - 2 * l[q];
   return l;
 }
+Barycentric<3> point_of(const Discretization<3>& mesh, int q) {
+  if (mesh.points_per_element == 1) return Barycentric<3>::Constant(0.25);
+  constexpr double others = 0.1381966011250105; // (5 - sqrt(5))/20; the largest one is 0.5854101966249685
+  Barycentric<3> l = Barycentric<3>::Constant(others);
+  l[(q + 1) % 4] = 1 - 3 * others; // the order of FEQF23d
+  return l;
+}
 
-void add_point(Discretization<2>& mesh, const Triangle& t, const Barycentric<2>& l) {
-  const Vector<2> at = l[0] * t.vertex[0] + l[1] * t.vertex[1] + l[2] * t.vertex[2];
+template <int Dim>
+void add_point(Discretization<Dim>& mesh, const Simplex<Dim>& t, const Barycentric<Dim>& l) {
+  Vector<Dim> at = l[0] * t.vertex[0];
+  for (int v = 1; v <= Dim; ++v) at += l[v] * t.vertex[v];
   mesh.point.insert(mesh.point.end(), at.begin(), at.end());
-  mesh.weight.push_back(t.area / mesh.points_per_element * (mesh.axisymmetric ? 2 * M_PI * at[0] : 1));
+  mesh.weight.push_back(t.size / mesh.points_per_element * (mesh.axisymmetric ? 2 * M_PI * at[0] : 1));
   for (int a = 0; a < mesh.nodes_per_element; ++a) {
-    const Vector<2> gradient = shape_gradient<2, 2>(mesh.nodes_per_element, l, t.gradient, a);
+    const Vector<Dim> gradient = shape_gradient<Dim, Dim>(mesh.nodes_per_element, l, t.gradient, a);
     mesh.shape_grad.insert(mesh.shape_grad.end(), gradient.begin(), gradient.end());
   }
 }
 
-} // namespace
-
-Discretization<2> triangles(Mesh<2> input) {
-  require(input.nodes_per_element == 3 || input.nodes_per_element == 6, TRIANGLES, "nodes_per_element",
-          input.nodes_per_element, "3 (P1) or 6 (P2)");
-  require_valid(input, TRIANGLES);
-  Discretization<2> mesh;
-  static_cast<Mesh<2>&>(mesh) = std::move(input);
-  mesh.points_per_element = mesh.nodes_per_element == 3 ? 1 : 3;
+template <int Dim> Discretization<Dim> discretized(Mesh<Dim> input, const char* where) {
+  constexpr int quadratic = Dim + 1 + num_edges<Dim>;
+  require_valid(input, where);
+  Discretization<Dim> mesh;
+  static_cast<Mesh<Dim>&>(mesh) = std::move(input);
+  mesh.points_per_element = mesh.nodes_per_element == quadratic ? Dim + 1 : 1;
   const std::size_t points = mesh.num_points(), shapes = points * mesh.nodes_per_element;
   mesh.weight.reserve(points);
-  mesh.point.reserve(2 * points);
-  mesh.shape_grad.reserve(2 * shapes);
+  mesh.point.reserve(Dim * points);
+  mesh.shape_grad.reserve(Dim * shapes);
   for (int q = 0; q < mesh.points_per_element; ++q) {
-    double shape[6];
-    shape_functions<2>(mesh.nodes_per_element, point_of(mesh, q), shape);
+    double shape[quadratic];
+    shape_functions<Dim>(mesh.nodes_per_element, point_of(mesh, q), shape);
     mesh.shape.insert(mesh.shape.end(), shape, shape + mesh.nodes_per_element);
   }
   for (int e = 0; e < mesh.num_elements; ++e) {
-    const Triangle t = triangle(mesh, e);
-    if (mesh.nodes_per_element == 6) check_mid_edges(mesh, e, t);
+    const Simplex<Dim> t = simplex(mesh, e);
+    if (mesh.nodes_per_element == quadratic) check_mid_edges(mesh, e, t, where);
     for (int q = 0; q < mesh.points_per_element; ++q) add_point(mesh, t, point_of(mesh, q));
   }
   return mesh;
+}
+
+} // namespace
+
+Discretization<2> triangles(Mesh<2> mesh) {
+  require(mesh.nodes_per_element == 3 || mesh.nodes_per_element == 6, TRIANGLES, "nodes_per_element",
+          mesh.nodes_per_element, "3 (P1) or 6 (P2)");
+  return discretized(std::move(mesh), TRIANGLES);
+}
+
+Discretization<3> tetrahedra(Mesh<3> mesh) {
+  require(mesh.nodes_per_element == 4 || mesh.nodes_per_element == 10, TETRAHEDRA, "nodes_per_element",
+          mesh.nodes_per_element, "4 (P1) or 10 (P2)");
+  require(!mesh.axisymmetric, TETRAHEDRA, "axisymmetric", mesh.axisymmetric, "0: such meshes are plane ones");
+  return discretized(std::move(mesh), TETRAHEDRA);
 }
 
 Discretization<2> triangles(int nodes_per_element, std::vector<double> X, std::vector<int> connectivity,

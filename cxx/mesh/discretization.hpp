@@ -42,4 +42,11 @@ Discretization<2> triangles(Mesh<2> mesh);
 Discretization<2> triangles(int nodes_per_element, std::vector<double> X, std::vector<int> connectivity,
                             bool axisymmetric = false);
 
+/// Straight tetrahedra, seen from vertex 3 the others counter-clockwise: P1 (4 nodes, 1 point, the centroid) or P2 (10
+/// nodes, vertices then mid-edge nodes in the order of SimplexEdges<3>; 4 points in the order of FreeFEM's FEQF23d:
+/// nearest to vertex 1, 2, 3, 0). The quadrature is exact for polynomials of degree 1 (P1), 2 (P2).
+/// @throws std::invalid_argument for what require_valid refuses, an axisymmetric mesh, an inverted element (names its
+///         number, place and volume), and a P2 mid-edge node off the middle of its edge (names element and node)
+Discretization<3> tetrahedra(Mesh<3> mesh);
+
 } // namespace burnish

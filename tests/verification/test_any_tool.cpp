@@ -59,7 +59,7 @@ std::shared_ptr<const Profile<2>> crowned() {
 
 std::shared_ptr<const Coordinates<2>> by_formula(const std::string& names, const PlaneFormulas& formulas,
                                                  const std::map<std::string, double>& parameters = {}) {
-  return std::make_shared<FormulaCoordinates>("tool", coordinate_names(names), formulas, parameters);
+  return std::make_shared<FormulaCoordinates<2>>("tool", coordinate_names(names), formulas, parameters);
 }
 AnyTool cartesian(std::shared_ptr<const Profile<2>> profile) {
   return {profile, std::make_shared<Cartesian>(), roller_path, "y"};

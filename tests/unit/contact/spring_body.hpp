@@ -88,13 +88,14 @@ enum class Frame { CARTESIAN, POLAR, CRANK, POLAR_BY_FORMULA };
 inline std::shared_ptr<const Coordinates<2>> make_coordinates(const std::string& tool, Frame frame) {
   if (frame == Frame::POLAR) return std::make_shared<Polar>(Vector<2>(0.4, -0.3));
   if (frame == Frame::CRANK) // one coordinate: crank and connecting rod, turning the tool a little
-    return std::make_shared<FormulaCoordinates>(
+    return std::make_shared<FormulaCoordinates<2>>(
         tool, std::vector<std::string>{"beta"},
         PlaneFormulas{"e*cos(beta)+sqrt(l^2-e^2*sin(beta)^2)-1", "h", "beta/2"},
         std::map<std::string, double>{{"e", 0.6}, {"l", 1.5}, {"h", -0.3}});
   if (frame == Frame::POLAR_BY_FORMULA)
-    return std::make_shared<FormulaCoordinates>(tool, std::vector<std::string>{"r", "phi", "theta"},
-                                                PlaneFormulas{"0.4+r*cos(phi)", "r*sin(phi)-0.3", "theta"});
+    return std::make_shared<FormulaCoordinates<2>>(
+        tool, std::vector<std::string>{"r", "phi", "theta"},
+        PlaneFormulas{"0.4+r*cos(phi)", "r*sin(phi)-0.3", "theta"});
   return std::make_shared<Cartesian>();
 }
 

@@ -6,8 +6,9 @@
 namespace burnish::test {
 
 /// Every first and second derivative of the pose at q, lengths and angles about 1, to 1e-10.
-inline void check_pose_derivatives(const Coordinates<2>& coordinates, const Eigen::VectorXd& q) {
-  const Pose<2> pose = coordinates.pose(q);
+template <int Dim>
+void check_pose_derivatives(const Coordinates<Dim>& coordinates, const Eigen::VectorXd& q) {
+  const Pose<Dim> pose = coordinates.pose(q);
   for (int k = 0; k < coordinates.size(); ++k) {
     SCOPED_TRACE("coordinate " + coordinates.names()[k]);
     const auto moved = [&](double t) {
@@ -19,11 +20,11 @@ inline void check_pose_derivatives(const Coordinates<2>& coordinates, const Eige
       const auto expected = finite_difference([&](double t) { return member(moved(t)); }, q(k), 1e-3);
       expect_close(derivative, expected, 1, 1e-10, "derivative");
     };
-    check([](const Pose<2>& p) { return p.origin; }, pose.origin_q[k]);
-    check([](const Pose<2>& p) { return p.R; }, pose.R_q[k]);
+    check([](const Pose<Dim>& p) { return p.origin; }, pose.origin_q[k]);
+    check([](const Pose<Dim>& p) { return p.R; }, pose.R_q[k]);
     for (int l = 0; l < coordinates.size(); ++l) {
-      check([l](const Pose<2>& p) { return p.origin_q[l]; }, pose.origin_qq[l][k]);
-      check([l](const Pose<2>& p) { return p.R_q[l]; }, pose.R_qq[l][k]);
+      check([l](const Pose<Dim>& p) { return p.origin_q[l]; }, pose.origin_qq[l][k]);
+      check([l](const Pose<Dim>& p) { return p.R_q[l]; }, pose.R_qq[l][k]);
     }
   }
 }

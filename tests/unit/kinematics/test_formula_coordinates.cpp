@@ -54,12 +54,12 @@ const Mechanism MECHANISMS[] = {
      {},
      {{0.3, 0.2}, {1.2, -0.5}}}};
 
-FormulaCoordinates made(const Mechanism& m) {
-  return FormulaCoordinates(m.name, coordinate_names(m.coordinates), m.formulas, m.parameters);
+FormulaCoordinates<2> made(const Mechanism& m) {
+  return FormulaCoordinates<2>(m.name, coordinate_names(m.coordinates), m.formulas, m.parameters);
 }
 
-FormulaCoordinates crank(const std::vector<std::string>& names, const PlaneFormulas& formulas) {
-  return FormulaCoordinates("crank", names, formulas, {{"e", 0.01}, {"h", 1}, {"zero", 0}});
+FormulaCoordinates<2> crank(const std::vector<std::string>& names, const PlaneFormulas& formulas) {
+  return FormulaCoordinates<2>("crank", names, formulas, {{"e", 0.01}, {"h", 1}, {"zero", 0}});
 }
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
@@ -84,13 +84,13 @@ void expect_same_pose(const Pose<2>& a, const Pose<2>& b, double tolerance) {
 TEST(FormulaCoordinates, DerivativesAgainstFiniteDifferences) {
   for (const Mechanism& mechanism : MECHANISMS) {
     SCOPED_TRACE(mechanism.name);
-    const FormulaCoordinates coordinates = made(mechanism);
+    const FormulaCoordinates<2> coordinates = made(mechanism);
     for (const auto& place : mechanism.places) check_pose_derivatives(coordinates, vector_of(place));
   }
 }
 
 TEST(FormulaCoordinates, CrankByHand) { // slider-crank: x, dx/dbeta and d2x/dbeta2 at beta = 0 and pi/2
-  const FormulaCoordinates slider = made(MECHANISMS[0]);
+  const FormulaCoordinates<2> slider = made(MECHANISMS[0]);
   EXPECT_EQ(slider.names(), std::vector<std::string>{"beta"});
   const Pose<2> dead_center = slider.pose(Eigen::VectorXd::Zero(1));
   EXPECT_NEAR(dead_center.origin.x(), 1.3, 1e-15);
@@ -103,11 +103,11 @@ TEST(FormulaCoordinates, CrankByHand) { // slider-crank: x, dx/dbeta and d2x/dbe
 
 TEST(FormulaCoordinates, SameAsPolarAndCartesian) {
   const Polar polar({0.4, -0.7});
-  const FormulaCoordinates by_formula("roller", {"r", "phi", "theta"},
-                                      {"x0+r*cos(phi)", "y0+r*sin(phi)", "theta"},
-                                      {{"x0", 0.4}, {"y0", -0.7}});
+  const FormulaCoordinates<2> by_formula("roller", {"r", "phi", "theta"},
+                                         {"x0+r*cos(phi)", "y0+r*sin(phi)", "theta"},
+                                         {{"x0", 0.4}, {"y0", -0.7}});
   EXPECT_EQ(by_formula.names(), polar.names());
-  const FormulaCoordinates plain("roller", {"x", "y", "angle"}, {"x", "y", "angle"});
+  const FormulaCoordinates<2> plain("roller", {"x", "y", "angle"}, {"x", "y", "angle"});
   for (const Eigen::Vector3d& q : {Eigen::Vector3d(1, 0, 0), {1.5, 0.3, -2}, {0.8, -4, 9}, {0, 1, 1}}) {
     expect_same_pose(by_formula.pose(q), polar.pose(q), 1e-14);
     expect_same_pose(plain.pose(q), Cartesian().pose(q), 1e-14);
@@ -123,7 +123,7 @@ TEST(FormulaCoordinates, CarrierIsTheTranslation) {
 
 TEST(FormulaCoordinates, SameInMetersAndMillimeters) {
   const Mechanism m = MECHANISMS[0];
-  const FormulaCoordinates in_mm("crank", {"beta"}, m.formulas, {{"e", 300}, {"l", 1000}});
+  const FormulaCoordinates<2> in_mm("crank", {"beta"}, m.formulas, {{"e", 300}, {"l", 1000}});
   for (const auto& place : m.places) {
     const Pose<2> a = made(m).pose(vector_of(place)), b = in_mm.pose(vector_of(place));
     expect_close(1000 * a.origin, b.origin, 1000, 1e-15, "origin");
@@ -161,7 +161,7 @@ TEST(FormulaCoordinates, RefuseBadInput) {
         crank({"a", "b"}, {"a", "2*a", "zero*b"});
       },
       "tool \"crank\": coordinate \"b\" moves nothing: x = \"a\", y = \"2*a\", angle = \"zero*b\"");
-  const FormulaCoordinates good = crank({"b"}, {"e/b", "0"}), root = crank({"b"}, {"b^(3/2)", "0"});
+  const FormulaCoordinates<2> good = crank({"b"}, {"e/b", "0"}), root = crank({"b"}, {"b^(3/2)", "0"});
   expect_invalid([&] { good.pose(vector_of({1, 2})); }, "size of q = 2, expected 1 (b)");
   expect_invalid([&] { good.pose(vector_of({std::nan("")})); }, "b = nan, expected a finite number");
   expect_invalid([&] { good.pose(vector_of({0})); },

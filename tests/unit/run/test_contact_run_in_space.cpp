@@ -1,5 +1,5 @@
 // A whole run in space through the same stepper, corrector and contact as in the plane: a plane comes down on a prism
-// and is drawn along. Only leaves are made by hand.
+// and is drawn along. Only the law and the measure of triangles are made by hand.
 #include "contact/tributary_area.hpp"
 #include "run/stepper.hpp"
 #include "run/workpiece_tangent.hpp"
