@@ -72,7 +72,7 @@ def others():
     return table(["", "nodes", "steps", *STRAINS, "advance µm", "CPU s", ""], rows)
 
 
-WHOLE = [("P1, 0.8 mm", equal("P1", 0.8), (0, 2, 1)), ("P2, 300 µm", COARSER, (0, 1, 2)),
+WHOLE = [("P1, 0.8 mm", equal("P1", 0.8), (0, 1, 2)), ("P2, 300 µm", COARSER, (0, 1, 2)),
          ("the same by event steps", COARSER + " -scheme event", (0, 1)), ("P2, 80 µm (default)", "", (0, 1))]
 
 

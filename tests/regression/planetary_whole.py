@@ -8,7 +8,7 @@ import sys
 from case import number
 from run import Checks
 
-PAIRS = {"half": "whole", "p1-coarse": "p1-whole"}
+PAIRS = (("half", "whole", True), ("p1-coarse", "p1-whole", True), ("p1-coarse", "p1-free", False))  # half, whole, geared
 ALLOWED = 1e-4  # residual / load of the runs; measured: up to 3e-5 in the results, 8e-6 between mirror images
 SIGNS = {"roller 1.r": 1, "roller 1.phi": -1, "roller 1.theta": -1, "roller 2.advance": 1, "roller 2.beta": 1, "roller 2.turn": 1}
 IMAGE = {"roller 1": "roller 3", "roller 2": "roller 4"}
@@ -49,11 +49,11 @@ def mirrored(checks, label, history, geared):
 
 def main(folder):
     checks = Checks()
-    for name, image in PAIRS.items():
+    for name, image, geared in PAIRS:
         half, _ = read(folder, name)
         whole, history = read(folder, image)
         same_results(checks, image, half, whole)
-        mirrored(checks, image, history, image == "whole")
+        mirrored(checks, image, history, geared)
     checks.done()
 
 
