@@ -14,16 +14,27 @@ from plotting.tools import FACE
 
 LEVELS = (0.87e8, 1.72e8, 1.93e8)  # Pa, the article's figure 7
 STRAINS = (1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1)
-VIEW = (-33.0, 33.0, -1.0, 33.0)  # mm
 NEAR = 6.0  # mm  to both sides of the middle of a rolled arc
 
 
+def whole(run):
+    return option(run.summary, "whole") > 0
+
+
+def view(run):
+    """Limits in mm: the ring, or its half."""
+    return -33.0, 33.0, -33.0 if whole(run) else -1.0, 33.0
+
+
 def centers(run):
-    """Centers of the rollers at the end [mm]; roller 2 by its own coordinates, see planetary.edp."""
+    """Centers of the rollers at the end [mm], by their own coordinates, see planetary.edp; 3 and 4 are mirror images."""
     h, reach = {k: v[-1] for k, v in run.history.items()}, option(run.summary, "Ro") + option(run.summary, "R")
-    r, phi = h["roller 1.r"], h["roller 1.phi"]
-    d, beta = reach - h["roller 2.advance"], h["roller 2.beta"]
-    return 1e3 * np.array([[r * np.cos(phi), r * np.sin(phi)], [-d * np.cos(beta), d * np.sin(beta)]])
+    found = []
+    for one, two, side in (("roller 1", "roller 2", 1), ("roller 3", "roller 4", -1))[:1 + whole(run)]:
+        r, phi = h[one + ".r"], h[one + ".phi"]
+        d, beta = reach - h[two + ".advance"], h[two + ".beta"]
+        found += [[r * np.cos(phi), r * np.sin(phi)], [-d * np.cos(beta), side * d * np.sin(beta)]]
+    return 1e3 * np.array(found)
 
 
 def draw_rollers(axes, run):
@@ -36,10 +47,10 @@ def draw_rollers(axes, run):
 
 
 def isolines(run):
-    figure, axes = new_figure(9.0, 6.0)
-    maps.set_view(axes, VIEW)
+    figure, axes = new_figure(9.0, 9.0 if whole(run) else 6.0)
+    maps.set_view(axes, view(run))
     axes.grid(False)
-    handles = maps.draw_isolines(axes, run.mesh, run.field.data["stress_eq"], LEVELS, VIEW)
+    handles = maps.draw_isolines(axes, run.mesh, run.field.data["stress_eq"], LEVELS, view(run))
     maps.draw_outline(axes, run.mesh)
     draw_rollers(axes, run)
     axes.set_title(rf"Isolines of the von Mises stress at t = {run.t:.4g}, "
@@ -57,16 +68,17 @@ def box_at(run, side):
 
 
 def strain_zones(run):
-    """Plastic strain, bands on a logarithmic scale: the half ring, and through the thickness under each roller."""
+    """Plastic strain, bands on a logarithmic scale: the ring or its half, and through the thickness under rollers 1 and 2."""
     values = np.maximum(np.nan_to_num(run.field.data["plastic_strain_eq"]), 1e-9)
-    figure, panels = new_figure(10.0, 8.8, nrows=2, ncols=2, height_ratios=(1.1, 1))
+    height, ratio = (13.0, 2.0) if whole(run) else (8.8, 1.1)
+    figure, panels = new_figure(10.0, height, nrows=2, ncols=2, height_ratios=(ratio, 1))
     grid = panels[0, 0].get_gridspec()
     for axes in panels[0]:
         axes.remove()
-    whole = figure.add_subplot(grid[0, :])
+    ring = figure.add_subplot(grid[0, :])
     left, right = panels[1]
     bands = None
-    for axes, box in ((whole, VIEW), (left, box_at(run, -1)), (right, box_at(run, 1))):
+    for axes, box in ((ring, view(run)), (left, box_at(run, -1)), (right, box_at(run, 1))):
         maps.set_view(axes, box)
         axes.grid(False)
         if values.max() > STRAINS[0]:
@@ -79,10 +91,10 @@ def strain_zones(run):
     for axes, name in ((left, "roller 2"), (right, "roller 1")):
         rolled, opposite = (run.result(f"ep, {name}, {side} side") for side in ("rolled", "opposite"))
         axes.set_title(f"{name}: rolled side {rolled:.2g}, opposite {opposite:.2g}")
-    whole.set_title(f"Accumulated plastic strain at t = {run.t:.4g}, largest at a point "
-                    f"{run.result('largest plastic strain'):.3g}")
+    ring.set_title(f"Accumulated plastic strain at t = {run.t:.4g}, largest at a point "
+                   f"{run.result('largest plastic strain'):.3g}")
     if bands:
-        figure.colorbar(bands, ax=[whole, left, right], label="accumulated plastic strain [-]\nwhite: elastic", ticks=STRAINS, format="%g",
+        figure.colorbar(bands, ax=[ring, left, right], label="accumulated plastic strain [-]\nwhite: elastic", ticks=STRAINS, format="%g",
                         shrink=0.8)
     return figure
 

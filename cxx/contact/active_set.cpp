@@ -21,7 +21,8 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   std::vector<double> severity(state.nodes.size());
   WindowSolution<Dim> best;
   for (solution.passes = 1;; ++solution.passes) {
-    if (problem.adapt) stick_unsupported(model, *problem.prescribed, trial, refused);
+    while (problem.adapt && stick_unsupported(model, *problem.prescribed, trial, refused, true) >= 0)
+      continue;
     if (problem.adapt && problem.added_stiffness.size() > 0 && trials < MAX_NEUTRAL_TRIALS)
       trials += stick_at_neutral_point(model, trial, refused);
     follow_ends(model, trial);

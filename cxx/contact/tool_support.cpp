@@ -52,11 +52,21 @@ bool resisted_through_followers(const ContactModel<Dim>& model, const std::vecto
   return false;
 }
 
+// Whether a force decides where k goes: on itself, or on one that it follows.
+template <int Dim>
+bool under_force(const ContactModel<Dim>& model, const PrescribedValues& prescribed, int k) {
+  const auto free = [&](int i) { return !prescribed.is_motion[i] && !prescribed.is_held(i); };
+  const Coupling* coupling = model.coupling_of(k);
+  if (!coupling) return free(k);
+  const std::vector<int>& arguments = coupling->formula->arguments();
+  return std::any_of(arguments.begin(), arguments.end(), free);
+}
+
 } // namespace
 
 template <int Dim>
 int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                      ContactState<Dim>& state, const std::vector<char>& refused) {
+                      ContactState<Dim>& state, const std::vector<char>& refused, bool geared) {
   const auto poses = model.poses(state.q);
   for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
     if (model.laws[t].frictionless()) continue;
@@ -64,9 +74,9 @@ int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& pr
     if (!contact.any || contact.sticks) continue;
     for (Eigen::Index k = 0; k < contact.normal.size(); ++k) {
       const int q = model.first[t] + static_cast<int>(k);
-      if (prescribed.is_motion[q] || contact.normal[k] > ALONG * contact.size[k]) continue;
-      if (prescribed.is_held(q) || model.coupling_of(q) || resisted_through_followers(model, poses, state, q))
-        continue;
+      if (contact.normal[k] > ALONG * contact.size[k] || !under_force(model, prescribed, q)) continue;
+      const bool shared = model.coupling_of(q) || resisted_through_followers(model, poses, state, q);
+      if (shared && (!geared || refused[contact.least_slip])) continue;
       make_stick(state.nodes[contact.least_slip]);
       return contact.least_slip;
     }
@@ -160,7 +170,7 @@ std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedV
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template int stick_unsupported<Dim>(const ContactModel<Dim>&, const PrescribedValues&, ContactState<Dim>&, \
-                                      const std::vector<char>&);                                             \
+                                      const std::vector<char>&, bool);                                       \
   template bool stick_at_neutral_point<Dim>(const ContactModel<Dim>&, ContactState<Dim>&,                    \
                                             const std::vector<char>&);                                       \
   template void support_after_events<Dim>(const ContactModel<Dim>&, const PrescribedValues&,                 \

@@ -7,10 +7,12 @@ namespace burnish {
 /// Makes one node of a tool stick where a coordinate under force would otherwise only meet sliding friction:
 /// the sliding node with the smallest slip.
 /// @param refused per candidate: sticking was tried and exceeded the friction, taken last; may be empty
+/// @param geared  of a tool whose coordinate shares its force with another one's through a coupling, too, where that was not refused
+///        yet: each of them may stick, and one may slide everywhere. With refused
 /// @returns its candidate number or -1 if nothing had to be done
 template <int Dim>
 int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                      ContactState<Dim>& state, const std::vector<char>& refused = {});
+                      ContactState<Dim>& state, const std::vector<char>& refused = {}, bool geared = false);
 
 /// A body that only its tools support slides one way before the neutral point of a tool, the other way behind it.
 /// If no node sticks there, nothing but the curvature of the contact supports it along the tool, and the solution

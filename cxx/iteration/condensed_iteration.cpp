@@ -31,8 +31,9 @@ template <int Dim> void CondensedIteration<Dim>::begin_passes() {
 template <int Dim> void CondensedIteration<Dim>::prepare() {
   WindowProblem<Dim> problem;
   m_iteration.state_problem(problem);
-  if (problem.adapt)
-    stick_unsupported(m_iteration.model(), m_iteration.prescribed(), m_iteration.state(), m_refused);
+  while (problem.adapt && stick_unsupported(m_iteration.model(), m_iteration.prescribed(),
+                                            m_iteration.state(), m_refused, true) >= 0)
+    continue;
   follow_ends(m_iteration.model(), m_iteration.state());
 }
 
