@@ -61,7 +61,7 @@ def panel(ax, rows, quantity, size):
 
 
 def keys(rows):
-    handles = [plt.Line2D([], [], color=COLORS.get(m, "k"), lw=3, label=m) for m in dict.fromkeys(r["method"] for r in rows)]
+    handles = [plt.Line2D([], [], color=COLORS.get(m, "k"), lw=3, label=m) for m in COLORS if any(r["method"] == m for r in rows)]
     handles += [plt.Line2D([], [], color="0.5", marker=MARKERS[e], ls=s, mfc="w" if e == "P1" else "0.5", label=e)
                 for e, s in (("P1", ":"), ("P2", "-"))]
     if len({(r["method"], r["dtsteps"]) for r in rows}) > len({r["method"] for r in rows}):

@@ -118,10 +118,23 @@ def not_run(rows):
     for r in rows:
         finest[r["method"], r["element"]] = max(finest.get((r["method"], r["element"]), 0), r["n"])
     for (method, element), n in finest.items():
-        if n < finest.get((BASE, element), 0) and not method.startswith(BASE):
+        if n < finest.get((BASE, element), 0) and "," not in method:
             most.setdefault((element, n), []).append(method)
     words = [f"{', '.join(names)} on {element} above n = {n}" for (element, n), names in most.items()]
     return ["", f"Not run: {'; '.join(words)}."] if words else []
+
+
+def quarters(rows, known):
+    """Error of ours at every quarter, on the coarsest and the finest mesh; known: that of the reference."""
+    names = sorted(known)
+    lines = ["| P2 | degrees of freedom | steps taken | s | " + " | ".join(f"{n.replace('_', ', quarter ')}, %" for n in names) + " |",
+             "|---" * (4 + len(names)) + "|"]
+    for method in dict.fromkeys(r["method"] for r in rows if r["whose"] == "ours"):
+        mine = sorted((r for r in rows if r["method"] == method and r["element"] == "P2"), key=lambda r: (r["n"], r["dtsteps"]))
+        for r in mine if len(mine) < 2 else (mine[0], mine[-1]):
+            lines.append(f"| {run_name(r)} | {r['dofs']} | {r['steps']} | {r['seconds']:.2f} | "
+                         + " | ".join(f"{100 * r[n]:.2f}" for n in names) + " |")
+    return [*lines, "| the reference's own | | | | " + " | ".join(f"{100 * known[n]:.2f}" for n in names) + " |"]
 
 
 def use(cases):

@@ -138,8 +138,11 @@ def show(scene, folder, bound):
     draw.chart(done, quantities[:1], os.path.join(folder, scene["name"] + ".png"))
     draw.chart(done, quantities[1:], os.path.join(folder, scene["name"] + "-all.png"))
     wrong = wrong_runs(scene, rows, bound)
+    parts = {q: e for (name, q), (_, e) in read_references().items() if name == scene["name"] and q.startswith(quantities[0] + "_")}
     tables = {"use": report.table(done, quantities, known), "forms": report.costs(rows)}
     tables["forms"] += ["", f"Finished, and off by more than {100 * bound:g} %: {'; '.join(wrong)}."] if wrong else []
+    if len(parts) > 2:
+        tables["quarters"] = report.quarters(done, parts)
     text = report.report(scene["name"], rows, done, quantities, tables)
     if scene["name"] == criterion.SCENE and os.path.exists(os.path.join(folder, "criterion.csv")):
         tables["criterion"] = criterion.table(read(os.path.join(folder, "criterion.csv")))
