@@ -127,7 +127,7 @@ bench-peers: build ## CalculiX (installed) and Ipopt against ours in interleaved
 	@$(PACKAGES) peers
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) -B tests/peers/bench.py $(OPTIONS)
 
-chart-quick: build ## the same on coarse meshes, two minutes
+chart-quick: build ## the same on coarse meshes, three minutes
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py --quick $(OPTIONS)
 
 test: packages format-check ## all quick tests: format, unit, plugin, verification, regression (a quarter of an hour on two cores)

@@ -19,7 +19,7 @@ import matrix_pictures
 import matrix_tables
 import measures
 import surface_integrals
-from run import read, write
+from store import read, write
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FACTORS = [1, 10, 100, 1000, 10000]

@@ -1,7 +1,11 @@
 """Words of the chart: what to use for which error, where a rival is better."""
 
+from scene_files import methods
+
+BASE = "implicit"
 LEVELS = [0.05, 0.01, 0.002]
 STEP = 0.1
+NEARLY = 0.8
 MEANING = {"pressure": "pressure, L2", "pressure_inner": "pressure, L2 inside 0.8 a", "a": "half-width, and largest pressure",
            "depth": "depth of the tool", "shift": "way along the surface",
            "traction": "traction, L2", "sticking": "sticking share", "width": "width of the contact", "p99": "plastic strain, 99 %",
@@ -40,7 +44,21 @@ def cell(rows, row, quantity, whose, level):
     if best is None:
         return "no run finished"
     kept = "" if best[quantity] > level else ", by chance: not on finer meshes"
-    return f"not reached ({100 * best[quantity]:.2g} % by {run_name(best)}{kept})"
+    finest = max(r["n"] for r in rows if (r["method"], r["element"]) == (best["method"], best["element"]))
+    run = "; finer not run" if any(r["n"] > finest and r["element"] == best["element"] for r in rows if r["method"] == BASE) else ""
+    return f"not reached ({100 * best[quantity]:.2g} % by {run_name(best)} in {best['seconds']:.2f} s{kept}{run})"
+
+
+def kernels(a, b):
+    """Both kernels in words: a ratio of seconds is that of the methods and of these."""
+    return f"both {a['kernel']}" if a["kernel"] == b["kernel"] else f"{a['kernel']} against {b['kernel']}"
+
+
+def by_work(winner, loser):
+    """Ratio of the factorizations: that of the methods alone."""
+    if not winner["factorizations"] or not loser["factorizations"]:
+        return ""
+    return f"; factorizations {loser['factorizations']} : {winner['factorizations']} = {loser['factorizations'] / winner['factorizations']:.1f}"
 
 
 def verdict(ours, rival):
@@ -50,68 +68,118 @@ def verdict(ours, rival):
     ratio = ours["seconds"] / rival["seconds"]
     noise = 1 + ours["spread"] + rival["spread"]
     if 1 / noise < ratio < noise:
-        return f"equal within the spread ({ratio:.2f})"
-    return f"ours, {1 / ratio:.1f} times" if ratio < 1 else f"**the rival, {ratio:.1f} times**"
+        return f"equal within the spread ({ratio:.2f}, {kernels(ours, rival)}{by_work(ours, rival)})"
+    if ratio < 1:
+        return f"ours, {1 / ratio:.1f} times ({kernels(ours, rival)}{by_work(ours, rival)})"
+    return f"**the rival, {ratio:.1f} times** ({kernels(rival, ours)}{by_work(rival, ours)})"
 
 
-def table(rows, quantities):
-    lines = ["| Error at most | Fastest of ours | Fastest rival | Faster |", "|---|---|---|---|"]
+def table(rows, quantities, known):
+    """known: to which error the reference answers for a quantity."""
+    lines = ["| Error at most | Fastest of ours | Fastest rival | Faster, in seconds |", "|---|---|---|---|"]
     for quantity in quantities:
         for level in LEVELS:
+            words = f"{MEANING.get(quantity, quantity)}: {100 * level:g} %"
+            if level < known.get(quantity, 0):
+                lines.append(f"| {words} | - | - | the reference is known to {100 * known[quantity]:.2g} % |")
+                continue
             ours, rival = (fastest(rows, quantity, level, whose) for whose in ("ours", "rival"))
-            lines.append(f"| {MEANING.get(quantity, quantity)}: {100 * level:g} % | {cell(rows, ours, quantity, 'ours', level)} | "
-                         f"{cell(rows, rival, quantity, 'rival', level)} | {verdict(ours, rival)} |")
+            lines.append(f"| {words} | {cell(rows, ours, quantity, 'ours', level)} | {cell(rows, rival, quantity, 'rival', level)} | "
+                         f"{verdict(ours, rival)} |")
     return lines
+
+
+def over(row, base, name):
+    return f"{row[name] / base[name]:.2f}" if base and row[name] and base[name] else "-"
 
 
 def costs(rows):
-    """What every method takes with the finest mesh and step; with condensed, on the same forms, beside it."""
-    finest = max((r["n"], r["dtsteps"]) for r in rows if r["whose"] == "ours")
-    last = {(r["method"], r["element"]): r for r in rows if (r["n"], r["dtsteps"]) == finest}
-    based = ("condensed", "P1") in last
-    head = ["s", "solves", "over condensed"] if based else ["s", "factorizations", "rejected steps", "outcome"]
-    n = f"n = {finest[0]}" + (f", {finest[1]} steps" if finest[1] else "")
-    titles = [f"Method, {n}"] + [(f"{e}: " if k == 0 else "") + t for e in ("P1", "P2") for k, t in enumerate(head)]
-    lines = ["| " + " | ".join(titles) + " |", "|---" * len(titles) + "|"]
-    for method in dict.fromkeys(r["method"] for r in rows):
-        cells = [method]
-        for element in ("P1", "P2"):
-            row = last.get((method, element))
-            if row is None:
-                cells += ["not run"] + ["-"] * (len(head) - 1)
-                continue
-            seconds = f"{row['seconds']:.2f}" + (f" ± {100 * row['spread']:.0f} %" if row["repeats"] > 1 else "")
-            if based:
-                cells += [seconds, str(row["solves"] or "-"), f"{row['seconds'] / last['condensed', element]['seconds']:.2f}"]
-            else:
-                cells += [seconds, str(row["factorizations"] or "-"), str(row["rejected"]), row["outcome"]]
-        lines.append("| " + " | ".join(cells) + " |")
+    """What every method takes on the finest mesh and step that nearly all have run; beside condensed, whose loop is interpreted."""
+    count = {}
+    for r in rows:
+        count[r["n"], r["dtsteps"]] = count.get((r["n"], r["dtsteps"]), 0) + 1
+    shared = max(key for key in count if count[key] > NEARLY * max(count.values()))
+    here = {(r["method"], r["element"]): r for r in rows if (r["n"], r["dtsteps"]) == shared}
+    title = f"n = {shared[0]}" + (f", {shared[1]} steps" if shared[1] else "")
+    lines = [f"| {title} | kernel | s | s over condensed | factorizations | over condensed | MB | rejected steps | outcome |", "|---" * 9 + "|"]
+    for (method, element), r in sorted(here.items(), key=lambda item: item[0][1]):
+        base = here.get(("condensed", element))
+        seconds = f"{r['seconds']:.2f}" + (f" ± {100 * r['spread']:.0f} %" if r["repeats"] > 1 else "")
+        lines.append(f"| {method}, {element} | {r['kernel']} | {seconds} | {over(r, base, 'seconds')}"
+                     + (f", {kernels(r, base)}" if base else "")
+                     + f" | {r['factorizations'] or '-'} | {over(r, base, 'factorizations')} | {r['megabytes']:.0f} | {r['rejected']} | "
+                     + f"{r['outcome']} |")
+    return lines + not_run(rows)
+
+
+def not_run(rows):
+    """A sentence of the meshes that the base has run and others have not."""
+    finest, most = {}, {}
+    for r in rows:
+        finest[r["method"], r["element"]] = max(finest.get((r["method"], r["element"]), 0), r["n"])
+    for (method, element), n in finest.items():
+        if n < finest.get((BASE, element), 0) and "," not in method:
+            most.setdefault((element, n), []).append(method)
+    words = [f"{', '.join(names)} on {element} above n = {n}" for (element, n), names in most.items()]
+    return ["", f"Not run: {'; '.join(words)}."] if words else []
+
+
+def quarters(rows, known):
+    """Error of ours at every quarter, on the coarsest and the finest mesh; known: that of the reference."""
+    names = sorted(known)
+    lines = ["| P2 | degrees of freedom | steps taken | s | " + " | ".join(f"{n.replace('_', ', quarter ')}, %" for n in names) + " |",
+             "|---" * (4 + len(names)) + "|"]
+    for method in dict.fromkeys(r["method"] for r in rows if r["whose"] == "ours"):
+        mine = sorted((r for r in rows if r["method"] == method and r["element"] == "P2"), key=lambda r: (r["n"], r["dtsteps"]))
+        for r in mine if len(mine) < 2 else (mine[0], mine[-1]):
+            lines.append(f"| {run_name(r)} | {r['dofs']} | {r['steps']} | {r['seconds']:.2f} | "
+                         + " | ".join(f"{100 * r[n]:.2f}" for n in names) + " |")
+    return [*lines, "| the reference's own | | | | " + " | ".join(f"{100 * known[n]:.2f}" for n in names) + " |"]
+
+
+def use(cases):
+    """Lines of the project's README.md; cases: scene, words for it, quantity, what n is, levels, rows."""
+    lines = ["| Error | Set | Ours | Forms of the script, `condensed` | Best rival |", "|---|---|---|---|---|"]
+    for _, words, quantity, n, levels, rows in cases:
+        rows = [r for r in rows if r["outcome"] == "finished"]
+        own = [r for r in rows if r["method"].split(",")[0] == "condensed"]
+        for level in levels:
+            ours = fastest(rows, quantity, level, "ours")
+            cells = [cell(some, fastest(some, quantity, level, whose), quantity, whose, level) for some, whose in ((own, "ours"), (rows, "rival"))]
+            lines.append(f"| {words}: {100 * level:g} % | " + (f"{setting(ours, n)} | {ours['seconds']:.2f} s" if ours else "- | not reached")
+                         + f" | {' | '.join(cells)} |")
     return lines
+
+
+def setting(row, n):
+    """Method, element, mesh and steps of a run in words."""
+    meaning = "" if row["method"] == BASE else ": " + next(m["meaning"] for m in methods() if m["name"] == row["method"])
+    return f"`{row['method']}`{meaning}; {row['element']}, n = {row['n']} ({n}), {row['steps']} step" + "s" * (row["steps"] > 1)
 
 
 def better_rivals(rows, quantities):
     """Sentences: rivals on a front, and penalties that are more accurate than the exact constraint."""
-    lines, base = [], "condensed" if any(r["method"] == "condensed" for r in rows) else "implicit"
+    lines = []
     for quantity in quantities:
         rivals = [run_name(r) for r in front(rows, quantity) if r["whose"] == "rival"]
         if rivals:
             lines.append(f"- On the front of {MEANING.get(quantity, quantity)}: {'; '.join(rivals)}.")
     for quantity in quantities:
         better = [(r, o) for r in rows for o in rows
-                  if r["whose"] == "rival" and o["method"] == base
+                  if r["whose"] == "rival" and o["method"] == BASE
                   and (o["element"], o["n"], o["dtsteps"]) == (r["element"], r["n"], r["dtsteps"])
                   and r[quantity] < 0.8 * o[quantity]]
         if better:
-            lines.append(f"- {MEANING.get(quantity, quantity)} with a smaller error than {base} on the same mesh: "
+            lines.append(f"- {MEANING.get(quantity, quantity)} with a smaller error than {BASE} on the same mesh: "
                          + "; ".join(f"{run_name(r)} ({100 * r[quantity]:.2g} against {100 * o[quantity]:.2g} %)" for r, o in better)
                          + ".")
     return lines or ["- Nowhere in this run."]
 
 
-def report(scene, rows, done, quantities):
+def report(scene, rows, done, quantities, tables):
     """rows: all; done: those that finished."""
-    lines = [f"## {scene}: for this error use this", "", *table(done, quantities), "",
-             f"## {scene}: what it takes", "", *costs(rows), "",
+    lines = [f"## {scene}: for this error use this", "", *tables["use"], "",
+             f"## {scene}: what it takes", "", *tables["forms"], "",
              f"## {scene}: where a rival is better", "", *better_rivals(done, quantities), ""]
     failed = [f"{run_name(r)}: {r['outcome']}" for r in rows if r["outcome"] != "finished"]
     lines += [f"Not finished: {'; '.join(failed)}.", ""] if failed else []

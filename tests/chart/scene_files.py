@@ -13,6 +13,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 PEERS = os.path.join(os.path.dirname(HERE), "peers")
 LONGEST = 500  # [s] of a run
 POINTS = 81  # of a stored curve
+SIZES = ["quick", "full", "medium"]
 
 
 def rows_of(name, width):
@@ -27,25 +28,27 @@ def rows_of(name, width):
 
 def methods():
     """Peers, other programs, are rivals with a program."""
-    return [{"name": n, "whose": "rival" if w == "peer" else w, "program": o if w == "peer" else "",
+    return [{"name": n, "whose": "rival" if w == "peer" else w, "kernel": k, "program": o if w == "peer" else "",
              "options": [] if w == "peer" else o.split(), "meaning": meaning}
-            for n, w, o, meaning in rows_of("methods.csv", 4)]
+            for n, w, k, o, meaning in rows_of("methods.csv", 5)]
 
 
 def installed(method):
     """Is the program of a peer there?"""
+    if not method["program"]:
+        return True
     if method["program"].endswith(".py"):
         return shutil.which("ccx") is not None
     folders = os.environ.get("FF_LOADPATH", "/usr/lib/freefem++").split(";")
     return any(os.path.exists(os.path.join(folder, "ff-Ipopt.so")) for folder in folders)
 
 
-def peer_runs(scene, method, medium):
-    """(element, n, steps) of a peer in a scene."""
-    for name, where, element, small, more in rows_of("peers.csv", 5):
+def own_runs(scene, method, *sizes):
+    """(element, n, steps) of the lines of runs.csv for a method in a scene; sizes: of SIZES."""
+    for name, where, element, *grids in rows_of("runs.csv", 6):
         if (name, where) == (method["name"], scene["name"]):
-            for text in (small, more) if medium else (small,):
-                meshes, steps = grid(text)
+            for size in sizes:
+                meshes, steps = grid(grids[SIZES.index(size)])
                 yield from ((element, n, k) for n in meshes for k in steps)
 
 
@@ -57,9 +60,8 @@ def grid(text):
 
 def scenes():
     for name, chosen, elements, quick, full, reference, quantities in rows_of("scenes.csv", 7):
-        yield {"name": name, "methods": [m.strip() for m in chosen.split(",") if m.strip() != "all"],
-               "elements": elements.replace("*", "").split(), "trusted": elements.replace("*", "").split()[-1],
-               "ours": [e[:-1] for e in elements.split() if e.endswith("*")], "quick": grid(quick), "full": grid(full),
+        yield {"name": name, "methods": [m.strip() for m in chosen.split(",")],
+               "elements": elements.split(), "trusted": elements.split()[-1], "quick": grid(quick), "full": grid(full),
                "reference": [r.split() for r in reference.split("|")],
                "quantities": dict(word.split("=") for word in quantities.split())}
 

@@ -2,7 +2,7 @@
 
 bench.py [--only TEXT] [--repeat N] [--medium] [--exact] [--store] [--out FOLDER]      see the Makefile's target bench-peers
 A pair is one run of ours (rcRun with a material, `implicit`) and one of the peer on the mesh and steps of a line of
-tests/chart/peers.csv, one after the other, every other pair the other way round; a peer that takes longer than ONCE is asked once,
+tests/chart/runs.csv, one after the other, every other pair the other way round; a peer that takes longer than ONCE is asked once,
 between two of ours. Ratios are those of the medians. The same error: the fastest of ours, on any mesh of LADDER, whose error is not above the peer's. Seconds: CPU
 without the start of a script and its mesh; with reading its deck and writing its results for CalculiX. Results: bench.csv, all quantities
 of the scene; table of the quantities SHOWN; --store: both into this folder.
@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(HERE), "chart"))
 import forming  # noqa: E402
 from report import MEANING  # noqa: E402
 from run import errors_of  # noqa: E402
-from scene_files import installed, methods, peer_runs, read_curves, read_fields, read_references, run, scenes  # noqa: E402
+from scene_files import installed, methods, own_runs, read_curves, read_fields, read_references, run, scenes  # noqa: E402
 
 ONCE, LONGEST = 10, 3000  # [s]
 SHOWN = {"hertz": ["pressure", "pressure_inner"], "indentation": ["depth", "strain"], "rolling": ["depth", "torque", "strain"]}
@@ -83,7 +83,8 @@ def measure(options):
     known, found = (read_references(), read_curves(), read_fields()), []
     own = next(m for m in methods() if m["name"] == "implicit")
     for scene in scenes():
-        wanted = {m["name"]: (m, list(peer_runs(scene, m, options.medium))) for m in methods() if m["program"]}
+        sizes = ["full", "medium"] if options.medium else ["full"]
+        wanted = {m["name"]: (m, list(own_runs(scene, m, *sizes))) for m in methods() if m["program"]}
         wanted = {n: w for n, w in wanted.items() if w[1] and re.search(options.only, f"{n} {scene['name']}")}
         for name in [n for n, w in wanted.items() if not installed(w[0])]:
             print(f"{scene['name']}: {name} is not installed and left out")

@@ -1,3 +1,3 @@
 #!/usr/bin/env bash
-# Scenes of the chart, coarse: rivals against our own method, ours against the stored references.
+# Scenes of the chart, coarse: other methods against our own, ours against the stored references.
 exec "$PYTHON" tests/chart/check.py
