@@ -23,8 +23,7 @@ Revolved::Revolved(std::shared_ptr<const Profile<2>> profile, const AxisFrame& a
   check_mirror(places);
   require(m_largest > 0, "Revolved", "largest distance from the axis", m_largest, "> 0");
   for (const auto& end : m_meridian.ends())
-    if (distance(end) >= -ON_AXIS * m_largest && !at_pole(distance(end), m_meridian.frame(end)))
-      m_ends.push_back(end);
+    if (!at_pole(distance(end), m_meridian.frame(end))) m_ends.push_back(end);
   for (const auto& place : places)
     m_tightest =
         std::min(m_tightest, 1 / std::abs(curvature_around(distance(place), m_meridian.frame(place))));
@@ -107,8 +106,9 @@ bool Revolved::closed() const { return m_ends.empty(); }
 std::vector<SurfacePlace<3>> Revolved::ends() const {
   std::vector<SurfacePlace<3>> places;
   for (const auto& end : m_ends) {
-    const bool apex = distance(end) <= ON_AXIS * m_largest;
-    for (int i = 0; i < (apex ? 1 : RIM_PLACES); ++i)
+    const double r = distance(end), apex = ON_AXIS * m_largest;
+    if (r < -apex) continue; // the mirror image
+    for (int i = 0; i < (r <= apex ? 1 : RIM_PLACES); ++i)
       places.push_back(turned(end, 2 * M_PI * i / RIM_PLACES));
   }
   return places;

@@ -49,7 +49,7 @@ private:
   ProfileSurface m_meridian;
   AxisFrame m_axis;
   double m_radius, m_largest = 0, m_tightest;
-  std::vector<SurfacePlace<2>> m_ends; ///< of the profile, at r >= 0, without poles
+  std::vector<SurfacePlace<2>> m_ends; ///< of the profile, without poles
 };
 
 } // namespace burnish

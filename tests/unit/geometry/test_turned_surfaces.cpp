@@ -228,5 +228,7 @@ TEST(TurnedSurfaces, ProfilesThatCannotBeTurned) {
   const Revolved disc(line(-2, 0, 2, 0)); // both sides alike
   EXPECT_EQ(disc.ends().size(), std::size_t(Revolved::RIM_PLACES));
   EXPECT_NEAR(disc.foot({0.3, -1, 0.5}, ANY).gap, 0.5, 1e-15);
+  for (const auto& place : disc.samples(9))
+    EXPECT_NEAR(disc.distance_to_end(place), 2 - place.y.norm(), 1e-15);
   EXPECT_NEAR(Revolved(line(-1, 0, 1, 0), {}, 1).length_scale(), 2, 1e-15) << "from the axis outwards";
 }
