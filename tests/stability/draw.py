@@ -7,8 +7,9 @@ sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pa
 from matplotlib.patches import Patch, Rectangle
 from plotting.figure import plt, save
 
-COLORS = {"right": "#3a9b5c", "detected": "#f2c14e", "slow": "#b0b0b0", "silent": "#9b1c16", "failed": "#000000"}
-MARKERS = {"right": "o", "detected": "X", "slow": "P", "silent": "s", "failed": "v"}
+# from the best outcome to the worst
+COLORS = {"right": "#3a9b5c", "detected": "#f2c14e", "slow": "#b0b0b0", "unnamed": "#e07b28", "silent": "#9b1c16", "failed": "#000000"}
+MARKERS = {"right": "o", "detected": "X", "slow": "P", "unnamed": "D", "silent": "s", "failed": "v"}
 
 
 LINE, WORDS = 0.27, 9  # height of a danger [inches], size of letters
