@@ -17,6 +17,7 @@ our methods, ends with status 1. references.csv holds the numbers of the referen
 import argparse
 import concurrent.futures
 import csv
+import glob
 import os
 import re
 import subprocess
@@ -54,6 +55,22 @@ def dangers():
             yield {"name": name, "script": script.split(), "values": values.split(), "reference": reference.split(),
                    "causes": [one.strip() for one in names.split("|")], "meaning": meaning, "rivals": rivals.split(),
                    "without": without.removeprefix("not:").split()}
+
+
+def unknown_names():
+    """Names of dangers.csv that the program has not, and causes.csv's words that it does not say."""
+    top = os.path.join(HERE, os.pardir, os.pardir)
+    text, words = "", causes()
+    for path in glob.glob(os.path.join(top, "cxx", "**", "*.cpp"), recursive=True) + glob.glob(os.path.join(top, "plugins", "*.cpp")):
+        with open(path) as f:
+            text += re.sub(r'"\s*"', "", f.read())  # literals in pieces
+    said = set(re.findall(r'"([^"\n]+)"', text))
+    for name in sorted({name for d in dangers() for name in d["causes"]} - set(words)):
+        if name not in said and not any(one.endswith(" ") and name.startswith(one) for one in said):
+            yield f"dangers.csv: no check is named \"{name}\", and causes.csv has no such line"
+    for name, line in words.items():
+        if line not in text:
+            yield f"causes.csv: {name}: the program does not say \"{line}\""
 
 
 def methods_of(danger):
@@ -167,7 +184,7 @@ def make_references(chosen, jobs):
             for method in methods_of(danger):
                 options = filled(danger["reference"], value, method)
                 wanted[danger["name"], " ".join(options)] = (danger["script"], options)
-    table = read_references()
+    table = {key: found for key, found in read_references().items() if key[0] not in {d["name"] for d in chosen}}
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for key, (status, text) in zip(wanted, pool.map(lambda job: run(*job), wanted.values())):
             found = verdicts(text) or []
@@ -252,7 +269,11 @@ def main():
     parser.add_argument("--references", action="store_true", help="run the reference runs first")
     parser.add_argument("--store", action="store_true", help="store the outcomes as expected")
     parser.add_argument("--out", default="out/stability")
+    parser.add_argument("--names", action="store_true", help="only look whether the program has all names of causes")
     options = parser.parse_args()
+    unknown = list(unknown_names())
+    if unknown or options.names:
+        sys.exit("\n".join(unknown) or None)
     jobs = int(os.environ.get("JOBS", os.cpu_count()))
     chosen = [d for d in dangers() if re.search(options.only, d["name"])]
     if not chosen:
