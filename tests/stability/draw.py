@@ -13,7 +13,7 @@ MARKERS = {"right": "o", "detected": "X", "slow": "P", "unnamed": "D", "silent":
 
 
 LINE, WORDS = 0.36, 9  # height of a danger [inches], size of letters
-LEFT, CELL, RIGHT = 2.3, 0.82, 5.2  # widths of names, of a method, of what stands behind [inches]
+LEFT, CELL, RIGHT = 2.0, 0.7, 4.5  # widths of names, of a method, of what stands behind [inches]
 
 
 def label(method):
@@ -83,7 +83,7 @@ def draw_map(dangers, ours, rivals, rows, path):
     ax.axvline(len(ours), color="0.4", lw=1)
     ax.set_xlim(0, len(methods))
     ax.set_ylim(len(dangers), 0)
-    ax.set_xticks([j + 0.5 for j in range(len(methods))], [label(m) for m in methods], fontsize=WORDS)
+    ax.set_xticks([j + 0.5 for j in range(len(methods))], [label(m) for m in methods], fontsize=WORDS - 1)
     ax.xaxis.tick_top()
     ax.set_yticks([i + 0.5 for i in range(len(dangers))], [d["name"] for d in dangers], fontsize=WORDS)
     ax.tick_params(length=0)
