@@ -33,8 +33,8 @@ def say_below(fig, rows, ours, rivals):
     patches = [Patch(color=COLORS[n], label=f"{n}: ours {mine.count(n)}, rivals {others.count(n)}") for n in COLORS]
     fig.legend(handles=patches, loc="upper center", ncol=3, frameon=False, fontsize=10,
                bbox_to_anchor=(0.5, 1.35 / height))
-    for k, text in enumerate(("right: within its tolerance, behind the line.  detected: refused, stopped or warned, and the cause of this danger is named.  "
-                              "unnamed: refused, stopped or not trusted for another cause.",
+    for k, text in enumerate(("right: within its tolerance, behind the line.  detected: refused, stopped or warned, and the cause of this "
+                              "danger is named.  unnamed: refused, stopped or not trusted for another cause.",
                               "silent: wrong without a word.  slow: more than 15 s by the article's literal scheme or a rival; "
                               "what the article needs stands behind, ~ by the share done.",
                               "white: not asked.  In a cell from left to right: the values behind the line.")):
@@ -50,10 +50,11 @@ def tolerances(rows):
 def needed(rows):
     """Seconds of the shortest and the longest run, ~: an estimate."""
     times = sorted((float(r["needs"]), r["outcome"] == "slow") for r in rows if r["needs"])
-    unknown = "" if all(r["needs"] for r in rows) else ", > 15"
-    words = [f"{'~' if estimated else ''}{seconds:.2g}" if seconds < 99.5 else f"{'~' if estimated else ''}{seconds:.0f}"
-             for seconds, estimated in (times[:1] + times[-1:])]
-    return " to ".join(dict.fromkeys(words)) + unknown + " s" if rows else ""
+    words = [("~" if estimated else "") + (f"{seconds:.2g}" if seconds < 99.5 else f"{seconds:.0f}")
+             for seconds, estimated in times[:1] + times[-1:]]
+    if any(r["outcome"] == "slow" and not r["needs"] for r in rows):
+        words = words[:1] + ["> 15"]  # of one nothing is known, not a step was accepted
+    return " to ".join(dict.fromkeys(words)) + " s" if words else ""
 
 
 def draw_cells(ax, place, danger, outcomes):

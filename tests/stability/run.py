@@ -4,8 +4,8 @@ run.py [--only TEXT] [--references] [--store]      see the Makefile's target sta
   right     the numbers are within their tolerance, and the run says that it finished
   detected  they are not, or there is no answer, and the run names the cause: a finding by the name of its check, a refusal or
             a stop by the words of causes.csv; dangers.csv says which of them are causes of the danger
-  slow      the article's literal scheme, which stops at every event of every element, or a method of others
-            did not end within SLOW seconds; "needs" of results.csv estimates from the share done how long it takes
+  slow      the article's literal scheme, which stops at every event of every element, or a method of others did not end
+            within SLOW seconds; "needs" of results.csv estimates from the share done how long it takes, "" where it stops
   unnamed   wrong or no answer, and the run refused, stopped or is not to be trusted, but for another cause than the danger's
   silent    they are not, and no word of it
   failed    the run crashed, or did not end in time
@@ -59,8 +59,7 @@ def dangers():
 
 def unknown_names():
     """Names of dangers.csv that the program has not, and causes.csv's words that it does not say."""
-    top = os.path.join(HERE, os.pardir, os.pardir)
-    text, words = "", causes()
+    top, text, words = os.path.join(HERE, os.pardir, os.pardir), "", causes()
     for path in glob.glob(os.path.join(top, "cxx", "**", "*.cpp"), recursive=True) + glob.glob(os.path.join(top, "plugins", "*.cpp")):
         with open(path) as f:
             text += re.sub(r'"\s*"', "", f.read())  # literals in pieces
@@ -214,7 +213,7 @@ def run_one(danger, method, x, references, words):
     lines = said(text)
     return {"danger": danger["name"], "scheme": method[0], "element": method[1], "x": x, "outcome": outcome,
             "error_over_tolerance": "" if off is None else f"{off:.4g}", "status": status, "seconds": f"{seconds:.2f}",
-            "reached": f"{share:.4g}", "needs": f"{seconds / share if late and share > 0 else seconds:.3g}" if share > 0 or not late else "",
+            "reached": f"{share:.4g}", "needs": f"{seconds / share:.3g}" if share > (0 if late else 0.999) else "",
             "allowed": tolerances(text), "findings": "|".join(findings(text)), "last_line": lines[-1][:200] if lines else ""}
 
 
@@ -271,8 +270,7 @@ def main():
     parser.add_argument("--out", default="out/stability")
     parser.add_argument("--names", action="store_true", help="only look whether the program has all names of causes")
     options = parser.parse_args()
-    unknown = list(unknown_names())
-    if unknown or options.names:
+    if (unknown := list(unknown_names())) or options.names:
         sys.exit("\n".join(unknown) or None)
     jobs = int(os.environ.get("JOBS", os.cpu_count()))
     chosen = [d for d in dangers() if re.search(options.only, d["name"])]
