@@ -7,11 +7,13 @@ sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pa
 from matplotlib.patches import Patch, Rectangle
 from plotting.figure import plt, save
 
-COLORS = {"right": "#3a9b5c", "detected": "#f2c14e", "slow": "#b0b0b0", "silent": "#9b1c16", "failed": "#000000"}
-MARKERS = {"right": "o", "detected": "X", "slow": "P", "silent": "s", "failed": "v"}
+# from the best outcome to the worst
+COLORS = {"right": "#3a9b5c", "detected": "#f2c14e", "slow": "#b0b0b0", "unnamed": "#e07b28", "silent": "#9b1c16", "failed": "#000000"}
+MARKERS = {"right": "o", "detected": "X", "slow": "P", "unnamed": "D", "silent": "s", "failed": "v"}
 
 
-LINE, WORDS = 0.27, 9  # height of a danger [inches], size of letters
+LINE, WORDS = 0.36, 9  # height of a danger [inches], size of letters
+LEFT, CELL, RIGHT = 2.0, 0.7, 4.5  # widths of names, of a method, of what stands behind [inches]
 
 
 def label(method):
@@ -30,32 +32,59 @@ def say_below(fig, rows, ours, rivals):
     height = fig.get_figheight()
     patches = [Patch(color=COLORS[n], label=f"{n}: ours {mine.count(n)}, rivals {others.count(n)}") for n in COLORS]
     fig.legend(handles=patches, loc="upper center", ncol=3, frameon=False, fontsize=10,
-               bbox_to_anchor=(0.5, 1.15 / height))
-    for k, text in enumerate(("right: within its tolerance.  detected: refused, stopped, or the cause reported.",
-                              "silent: wrong without a word.  slow: more than 15 s by the article's literal scheme or a rival.",
-                              "white: rivals are not asked.  In a cell from left to right: the values behind the line.")):
-        fig.text(0.5, (0.5 - 0.19 * k) / height, text, ha="center", fontsize=10)
+               bbox_to_anchor=(0.5, 1.35 / height))
+    for k, text in enumerate(("right: within its tolerance, behind the line.  detected: refused, stopped or warned, and the cause of this "
+                              "danger is named.  unnamed: refused, stopped or not trusted for another cause.",
+                              "silent: wrong without a word.  slow: more than 15 s by the article's literal scheme or a rival; "
+                              "what the article needs stands behind, ~ by the share done.",
+                              "white: not asked.  In a cell from left to right: the values behind the line.")):
+        fig.text(0.5, (0.6 - 0.2 * k) / height, text, ha="center", fontsize=10)
+
+
+def tolerances(rows):
+    """What the verdicts of these runs allow, in words."""
+    said = dict.fromkeys(r["allowed"] for r in rows if r["allowed"])
+    return max(said, key=len) if said else "there is no answer"
+
+
+def needed(rows):
+    """Seconds of the shortest and the longest run, ~: an estimate."""
+    times = sorted((float(r["needs"]), r["outcome"] == "slow") for r in rows if r["needs"])
+    words = [("~" if estimated else "") + (f"{seconds:.2g}" if seconds < 99.5 else f"{seconds:.0f}")
+             for seconds, estimated in times[:1] + times[-1:]]
+    if any(r["outcome"] == "slow" and not r["needs"] for r in rows):
+        words = words[:1] + ["> 15"]  # of one nothing is known, not a step was accepted
+    return " to ".join(dict.fromkeys(words)) + " s" if words else ""
+
+
+def draw_cells(ax, place, danger, outcomes):
+    """The values of a sweep from left to right; None: not asked."""
+    width = 0.94 / len(outcomes)
+    for k, outcome in enumerate(outcomes):
+        if outcome:
+            ax.add_patch(Rectangle((place + 0.03 + k * width, danger + 0.12), 0.92 * width, 0.76, color=COLORS[outcome], lw=0))
 
 
 def draw_map(dangers, ours, rivals, rows, path):
     """Dangers down, methods across, ours first; a cell is divided into the values of its sweep, from left to right."""
     by = {(r["danger"], r["scheme"], r["element"], r["x"]): r["outcome"] for r in rows}
     methods = [*ours, *rivals]
-    fig, ax = plt.subplots(figsize=(12.5, 1.9 + LINE * len(dangers)))
+    wide = LEFT + CELL * len(methods) + RIGHT
+    fig, ax = plt.subplots(figsize=(wide, 2.1 + LINE * len(dangers)))
     for i, d in enumerate(dangers):
         for j, method in enumerate(methods):
-            width = 0.94 / len(d["values"])
-            for k, x in enumerate(d["values"]):
-                outcome = by.get((d["name"], *method, x))
-                if outcome is None:
-                    continue
-                color = COLORS[outcome]
-                ax.add_patch(Rectangle((j + 0.03 + k * width, i + 0.1), 0.92 * width, 0.8, color=color, lw=0))
-        ax.text(len(methods) + 0.06, i + 0.5, f"{d['meaning']}: {', '.join(d['values'])}", va="center", fontsize=WORDS)
+            draw_cells(ax, j, i, [by.get((d["name"], *method, x)) for x in d["values"]])
+        mine = [r for r in rows if r["danger"] == d["name"]]
+        ax.text(len(methods) + 0.08, i + 0.3, f"{d['meaning']}: {', '.join(d['values'])}", va="center", fontsize=WORDS)
+        ax.text(len(methods) + 0.08, i + 0.72, tolerances(mine), va="center", fontsize=WORDS - 1, color="0.35")
+        ax.text(len(methods) + RIGHT / CELL - 0.1, i + 0.5, needed([r for r in mine if r["scheme"] == "article"]), va="center",
+                ha="right", fontsize=WORDS)
+    ax.text(len(methods) + 0.08, -0.15, "values, and what is allowed", va="bottom", fontsize=WORDS)
+    ax.text(len(methods) + RIGHT / CELL - 0.1, -0.15, "the article needs", va="bottom", ha="right", fontsize=WORDS)
     ax.axvline(len(ours), color="0.4", lw=1)
     ax.set_xlim(0, len(methods))
     ax.set_ylim(len(dangers), 0)
-    ax.set_xticks([j + 0.5 for j in range(len(methods))], [label(m) for m in methods], fontsize=WORDS)
+    ax.set_xticks([j + 0.5 for j in range(len(methods))], [label(m) for m in methods], fontsize=WORDS - 1)
     ax.xaxis.tick_top()
     ax.set_yticks([i + 0.5 for i in range(len(dangers))], [d["name"] for d in dangers], fontsize=WORDS)
     ax.tick_params(length=0)
@@ -63,7 +92,7 @@ def draw_map(dangers, ours, rivals, rows, path):
         side.set_visible(False)
     say_below(fig, rows, ours, rivals)
     height = fig.get_figheight()
-    fig.subplots_adjust(left=0.17, right=0.7, top=1 - 0.65 / height, bottom=1.2 / height)
+    fig.subplots_adjust(left=LEFT / wide, right=1 - RIGHT / wide, top=1 - 0.65 / height, bottom=1.4 / height)
     save_as(fig, path)
 
 
@@ -93,7 +122,7 @@ def draw_danger(danger, methods, rows, path):
     ax.set_xticks(range(len(values)), values)
     ax.set_xlabel(danger["meaning"])
     ax.set_ylabel("error / allowed error [-]")
-    ax.set_title(danger["name"])
+    ax.set_title(f"{danger['name']}\nallowed: {tolerances([r for r in rows if r['danger'] == danger['name']])}")
     marks = [plt.Line2D([], [], ls="", marker=MARKERS[n], color=COLORS[n], label=n) for n in COLORS]
     handles = ax.get_legend_handles_labels()[0] + marks
     ax.legend(handles=handles, fontsize=10, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)

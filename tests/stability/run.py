@@ -2,18 +2,22 @@
 
 run.py [--only TEXT] [--references] [--store]      see the Makefile's target stability
   right     the numbers are within their tolerance, and the run says that it finished
-  detected  they are not, or there is no answer, and the run refused, stopped, or reported the cause by name
-  silent    they are not, and no word of the cause
-  slow      the article's literal scheme, which stops at every event of every element, or a method of others
-            did not end within SLOW seconds
+  detected  they are not, or there is no answer, and the run names the cause: a finding by the name of its check, a refusal or
+            a stop by the words of causes.csv; dangers.csv says which of them are causes of the danger
+  slow      the article's literal scheme, which stops at every event of every element, or a method of others did not end
+            within SLOW seconds; "needs" of results.csv estimates from the share done how long it takes, "" where it stops
+  unnamed   wrong or no answer, and the run refused, stopped or is not to be trusted, but for another cause than the danger's
+  silent    they are not, and no word of it
   failed    the run crashed, or did not end in time
-Methods of others (rivals.edp) run the dangers whose line names one for them; a silent cell of theirs is shown as such.
+Columns that a line leaves out (words behind "not:") and methods of others (rivals.edp) that it does not name stay white; a silent
+cell of theirs is shown as such.
 expected.csv holds what every cell came to when it was stored; a run that comes to less, or any silent or failed cell of
 our methods, ends with status 1. references.csv holds the numbers of the reference runs.
 """
 import argparse
 import concurrent.futures
 import csv
+import glob
 import os
 import re
 import subprocess
@@ -23,13 +27,22 @@ import time
 import draw
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-METHODS = [("implicit", "P2"), ("implicit", "P1"), ("event", "P2"), ("event", "P1"), ("article", "P2")]
+METHODS = [("implicit", "P2"), ("implicit", "P1"), ("event", "P2"), ("event", "P1"), ("UMFPACK", "P2"), ("CHOLMOD", "P2"),
+           ("forms", "P2"), ("tied", "P2"), ("article", "P2")]
+WAYS = {"implicit": [], "UMFPACK": ["-solver", "UMFPACK"], "CHOLMOD": ["-solver", "CHOLMOD"], "forms": ["-forms", "1"],
+        "tied": ["-tied", "1"]}   # options of a column; the others are a -scheme
 RIVALS = [("penalty10", "P2"), ("penalty1000", "P2"), ("multiplier", "P2"), ("augmented", "P2")]
-RANK = {"right": 0, "detected": 1, "slow": 2, "silent": 3, "failed": 4}
+RANK = {name: k for k, name in enumerate(draw.COLORS)}
 REFUSED = {3, 4, 20}
 LIMIT = 200  # seconds of one run
-SLOW = 15    # of the article's scheme
-ANY = "does not come back to equilibrium|coarser than the stress gradient"  # causes of every danger
+SLOW = 15    # of the article's scheme and the rivals
+
+
+def causes():
+    """{name: fixed words of the program's line} of what stops or refuses a run; findings of accepted steps have names of their own."""
+    with open(os.path.join(HERE, "causes.csv")) as f:
+        lines = [line.split(";") for line in f if line.strip() and not line.startswith("#")]
+    return {name.strip(): words.strip() for name, words in lines}
 
 
 def dangers():
@@ -37,13 +50,34 @@ def dangers():
         for line in f:
             if line.startswith("#") or not line.strip():
                 continue
-            name, script, values, reference, word, meaning, *rivals = (part.strip() for part in line.split(";"))
+            name, script, values, reference, names, meaning, *more = (part.strip() for part in line.split(";"))
+            rivals, without = (more + ["", ""])[:2]
             yield {"name": name, "script": script.split(), "values": values.split(), "reference": reference.split(),
-                   "word": word, "meaning": meaning, "rivals": rivals[0].split() if rivals else None}
+                   "causes": [one.strip() for one in names.split("|")], "meaning": meaning, "rivals": rivals.split(),
+                   "without": without.removeprefix("not:").split()}
+
+
+def unknown_names():
+    """Names of dangers.csv that the program has not, and causes.csv's words that it does not say."""
+    top, text, words = os.path.join(HERE, os.pardir, os.pardir), "", causes()
+    for path in glob.glob(os.path.join(top, "cxx", "**", "*.cpp"), recursive=True) + glob.glob(os.path.join(top, "plugins", "*.cpp")):
+        with open(path) as f:
+            text += re.sub(r'"\s*"', "", f.read())  # literals in pieces
+    said = set(re.findall(r'"([^"\n]+)"', text))
+    for name in sorted({name for d in dangers() for name in d["causes"]} - set(words)):
+        if name not in said and not any(one.endswith(" ") and name.startswith(one) for one in said):
+            yield f"dangers.csv: no check is named \"{name}\", and causes.csv has no such line"
+    for name, line in words.items():
+        if line not in text:
+            yield f"causes.csv: {name}: the program does not say \"{line}\""
 
 
 def methods_of(danger):
-    return METHODS + (RIVALS if danger["rivals"] else [])
+    return [one for one in METHODS if one[0] not in danger["without"]] + (RIVALS if danger["rivals"] else [])
+
+
+def way_of(method):
+    return WAYS.get(method[0], ["-scheme", method[0]])
 
 
 def script_of(danger, method):
@@ -51,12 +85,12 @@ def script_of(danger, method):
 
 
 def run(script, options, limit=LIMIT):
-    """Exit status (None: killed after its limit, in seconds) and output of a run."""
+    """Exit status (None: killed after its limit, in seconds) and output of a run, until then."""
     command = [os.environ["BURNISH"], os.path.join(HERE, script[0] + ".edp"), *script[1:], *options]
     try:
         done = subprocess.run(command, cwd=HERE, capture_output=True, text=True, timeout=limit, errors="replace")
-    except subprocess.TimeoutExpired:
-        return None, ""
+    except subprocess.TimeoutExpired as late:
+        return None, (late.stdout or b"").decode(errors="replace")
     return done.returncode, done.stdout + done.stderr
 
 
@@ -80,40 +114,55 @@ def error(value, reference, scale):
     return abs(value - reference) / (abs(reference if scale is None else scale) or 1)
 
 
+def reached(text):
+    """Share of the program that was run."""
+    shares = [line.split()[1] for line in text.splitlines() if line.startswith("reached ") and len(line.split()) == 2]
+    return float(shares[-1]) if shares else 0
+
+
+def findings(text):
+    return [line.removeprefix("finding ") for line in text.splitlines() if line.startswith("finding ")]
+
+
 def said(text):
     """The lines of a run that name what is wrong; what was modelled for nothing is nothing wrong."""
-    aside = ("verdict", "lean:", "modelled and not needed:")
+    aside = ("verdict", "reached", "finding", "lean:", "modelled and not needed:")
     return [line for line in text.splitlines() if line.strip() and not line.startswith(aside)]
 
 
-def reported(text, word):
-    """Is there a line of burnish's that names the cause?"""
-    return any(re.search(word + "|" + ANY, line, re.IGNORECASE) for line in said(text))
+def names_cause(danger, text, words):
+    """Does the run name a cause of the danger: a finding by the name of its check, a stop or a refusal by its fixed words?"""
+    if any(name in danger["causes"] for name in findings(text)):
+        return True
+    return any(words[name] in line for name in danger["causes"] if name in words for line in said(text))
 
 
-def judge(danger, status, text, references):
+def judge(danger, status, text, references, words):
     """Outcome and the largest error over its tolerance, or None."""
     if status is None or status not in REFUSED | {0}:
         return "failed", None
     found = verdicts(text)
-    named = reported(text, danger["word"])
-    if found is None or not found:
-        # a run that stops early may not reach its verdict
-        return ("detected" if status in REFUSED and text.strip() or named else "silent"), None
+    wrong = "detected" if names_cause(danger, text, words) else "unnamed" if status in REFUSED else "silent"
+    if not found:
+        return wrong, None  # there is no answer, or a run that stops early may not reach its verdict
     worst = 0
     for name, value, reference, allowed, scale in found:
         if reference is None:
             reference = references.get(name)
         off = float("inf") if reference is None else error(value, reference, scale) / allowed
         worst = max(worst, off if off == off else float("inf"))
-    if status == 0 and worst <= 1:
-        return "right", worst
-    return ("detected" if status in REFUSED or named else "silent"), worst
+    return ("right" if status == 0 and worst <= 1 else wrong), worst
+
+
+def tolerances(text):
+    """What the verdicts of a run allow, in words; where 0 is expected it is a number itself."""
+    return ", ".join(f"{name.replace('_', ' ')} {f'{100 * allowed:g} %' if reference != 0 else f'{allowed:g}'}"
+                     for name, _, reference, allowed, _ in verdicts(text) or [])
 
 
 def filled(template, value, method):
-    known = {"{x}": value, "{scheme}": method[0], "{element}": method[1]}
-    return [known.get(word, word) for word in template]
+    known = {"{x}": [value], "{way}": way_of(method), "{element}": [method[1]]}
+    return [option for word in template for option in known.get(word, [word])]
 
 
 def read_references():
@@ -131,10 +180,10 @@ def make_references(chosen, jobs):
     wanted = {}
     for danger in chosen:
         for value in danger["values"] if danger["reference"] else []:
-            for method in METHODS:
+            for method in methods_of(danger):
                 options = filled(danger["reference"], value, method)
                 wanted[danger["name"], " ".join(options)] = (danger["script"], options)
-    table = read_references()
+    table = {key: found for key, found in read_references().items() if key[0] not in {d["name"] for d in chosen}}
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for key, (status, text) in zip(wanted, pool.map(lambda job: run(*job), wanted.values())):
             found = verdicts(text) or []
@@ -148,29 +197,34 @@ def make_references(chosen, jobs):
                 out.writerow([*key, name, f"{value:.8g}"])
 
 
-FIELDS = ["danger", "scheme", "element", "x", "outcome", "error_over_tolerance", "status", "seconds", "last_line"]
+FIELDS = ["danger", "scheme", "element", "x", "outcome", "error_over_tolerance", "status", "seconds", "reached", "needs", "allowed",
+          "findings", "last_line"]
+
+
+def run_one(danger, method, x, references, words):
+    """A row of FIELDS."""
+    begun = time.time()
+    slow = method[0] == "article" or method in RIVALS
+    status, text = run(script_of(danger, method), ["-x", x, "-element", method[1], *way_of(method)], SLOW if slow else LIMIT)
+    seconds, share = time.time() - begun, reached(text)
+    known = references.get((danger["name"], " ".join(filled(danger["reference"], x, method))), {})
+    late = status is None and slow
+    outcome, off = ("slow", None) if late else judge(danger, status, text, known, words)
+    lines = said(text)
+    return {"danger": danger["name"], "scheme": method[0], "element": method[1], "x": x, "outcome": outcome,
+            "error_over_tolerance": "" if off is None else f"{off:.4g}", "status": status, "seconds": f"{seconds:.2f}",
+            "reached": f"{share:.4g}", "needs": f"{seconds / share:.3g}" if share > (0 if late else 0.999) else "",
+            "allowed": tolerances(text), "findings": "|".join(findings(text)), "last_line": lines[-1][:200] if lines else ""}
 
 
 def run_all(chosen, jobs, table):
     """Rows of FIELDS; each is written to the CSV table as soon as its run has ended."""
-    references = read_references()
-    tasks = [(d, scheme, element, x) for d in chosen for scheme, element in methods_of(d) for x in d["values"]]
+    references, words = read_references(), causes()
+    tasks = [(d, method, x) for d in chosen for method in methods_of(d) for x in d["values"]]
     started, rows = time.time(), []
 
-    def one(task):
-        danger, scheme, element, x = task
-        begun = time.time()
-        slow = scheme == "article" or (scheme, element) in RIVALS
-        status, text = run(script_of(danger, (scheme, element)), ["-x", x, "-element", element, "-scheme", scheme], SLOW if slow else LIMIT)
-        known = references.get((danger["name"], " ".join(filled(danger["reference"], x, (scheme, element)))), {})
-        outcome, off = ("slow", None) if status is None and slow else judge(danger, status, text, known)
-        words = said(text)
-        return {"danger": danger["name"], "scheme": scheme, "element": element, "x": x, "outcome": outcome,
-                "error_over_tolerance": "" if off is None else f"{off:.4g}", "status": status,
-                "seconds": f"{time.time() - begun:.2f}", "last_line": words[-1][:200] if words else ""}
-
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for k, row in enumerate(pool.map(one, tasks), 1):
+        for k, row in enumerate(pool.map(lambda task: run_one(*task, references, words), tasks), 1):
             rows.append(row)
             table.writerow(row)
             left = (time.time() - started) * (len(tasks) - k) / k
@@ -192,7 +246,7 @@ def compare(rows, store):
     for row in rows:
         key = (row["danger"], row["scheme"], row["element"], row["x"])
         expected = stored.get(key)
-        if key[1:3] not in RIVALS and RANK[row["outcome"]] >= RANK["silent"]:
+        if key[1:3] not in RIVALS and row["outcome"] in ("silent", "failed"):
             complaints.append(f"{row['outcome']}: {', '.join(key)}: error over tolerance {row['error_over_tolerance'] or '-'}, "
                               f"status {row['status']}: {row['last_line']}")
         elif row["outcome"] == "slow" or expected == "slow":
@@ -214,7 +268,10 @@ def main():
     parser.add_argument("--references", action="store_true", help="run the reference runs first")
     parser.add_argument("--store", action="store_true", help="store the outcomes as expected")
     parser.add_argument("--out", default="out/stability")
+    parser.add_argument("--names", action="store_true", help="only look whether the program has all names of causes")
     options = parser.parse_args()
+    if (unknown := list(unknown_names())) or options.names:
+        sys.exit("\n".join(unknown) or None)
     jobs = int(os.environ.get("JOBS", os.cpu_count()))
     chosen = [d for d in dangers() if re.search(options.only, d["name"])]
     if not chosen:
