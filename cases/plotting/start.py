@@ -24,9 +24,10 @@ def draw_supports(axes, run):
 
 
 def draw_surface(axes, run):
-    """The contact surface, which the table has in order."""
+    """The contact surface, which the table has in order; one that is closed ends beside its beginning."""
     surface = run.surface
     path = run.units.length * np.column_stack([surface["X"], surface["Y"]])
+    path = np.vstack([path, path[:1]])
     steps = np.hypot(*np.diff(path, axis=0).T)
     edges = np.stack([path[:-1], path[1:]], axis=1)[steps < 8 * np.median(steps)]
     axes.add_collection(LineCollection(edges, colors=BLUE, linewidths=2.2, zorder=4))

@@ -10,6 +10,8 @@ constexpr double SOLVED = 1e-3; // residual over the right-hand side: beyond, th
 constexpr double SYMMETRIC =
     1e-10; // largest |k_ij - k_ji| over the largest entry of a matrix that counts as symmetric
 constexpr int FIRST_COLUMNS = 32; // of K^-1 that there is room for at first
+constexpr int MOST_TURNS = 12;    // of the inverse iteration that looks for a negative eigenvalue
+constexpr double GROWS = 1.1;     // it has settled where the softness found grows by less a turn
 
 } // namespace
 
@@ -109,16 +111,21 @@ template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::Impl::product(const Eigen:
   return y;
 }
 
-// A right-hand side without symmetry, and its solution as the next one: softest motions come out of an inverse iteration.
+// A right-hand side without symmetry, and its solution as the next one: softest motions come out of an inverse iteration, a
+// negative one among them, too. Goes on until the softness found hardly grows.
 template <int Dim> FactorStatus ColumnFactor<Dim>::Impl::tried() {
   const FactorStatus refused =
       solver->symmetric() ? FactorStatus::NOT_POSITIVE_DEFINITE : FactorStatus::SINGULAR;
   Eigen::VectorXd b(rows.n);
   for (int i = 0; i < rows.n; ++i) b[i] = std::sin(1. + 7. * i);
-  for (int turn = 0; turn < 2; ++turn) {
+  double softness = 0;
+  for (int turn = 0; turn < MOST_TURNS; ++turn) {
     const Eigen::VectorXd x = solve_free(b);
     if (!x.allFinite() || !((product(x) - b).norm() <= SOLVED * b.norm())) return refused;
     if (symmetric && b.dot(x) < 0) return FactorStatus::NOT_POSITIVE_DEFINITE;
+    const double before = softness;
+    softness = x.norm() / b.norm();
+    if (turn > 0 && softness < GROWS * before) break;
     b = x.normalized();
   }
   return FactorStatus::OK;

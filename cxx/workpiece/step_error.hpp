@@ -15,8 +15,8 @@ struct StepErrorState {
   static constexpr double STEP_ERROR_PER_ETA = 4;
 };
 
-/// Adds the step of the last update, before it is accepted. Nothing is added for user-defined laws, laws without
-/// plastic_strain_eq, and forward Euler.
+/// Adds the step of the last update, before it is accepted. Nothing is added for laws without plastic_strain_eq, forward Euler, and
+/// user-defined laws that are not the material's own by a single return.
 template <int Dim> void add_step_error(const Workpiece<Dim>& workpiece, StepErrorState& state);
 
 } // namespace burnish

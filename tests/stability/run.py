@@ -175,6 +175,13 @@ def read_references():
     return table
 
 
+def reference_run(script, options):
+    """By events where implicit steps are refused."""
+    found = run(script, options)
+    again = found[0] not in (0, 4) and "-scheme" not in options
+    return run(script, [*options, "-scheme", "event"], 5 * LIMIT) if again else found
+
+
 def make_references(chosen, jobs):
     """Runs the reference of every danger again; those of others stay."""
     wanted = {}
@@ -185,7 +192,7 @@ def make_references(chosen, jobs):
                 wanted[danger["name"], " ".join(options)] = (danger["script"], options)
     table = {key: found for key, found in read_references().items() if key[0] not in {d["name"] for d in chosen}}
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for key, (status, text) in zip(wanted, pool.map(lambda job: run(*job), wanted.values())):
+        for key, (status, text) in zip(wanted, pool.map(lambda job: reference_run(*job), wanted.values())):
             found = verdicts(text) or []
             print(f"  {key[0]}: {key[1]}: status {status}, " + ", ".join(f"{v[0]} {v[1]:.6g}" for v in found), flush=True)
             table[key] = {v[0]: v[1] for v in found if v[2] is None} if status in (0, 4) else {}

@@ -53,14 +53,16 @@ void StrainCheck<Dim>::look_at_elastic(const AcceptedStep<Dim>& step, FindingLis
 }
 
 template <int Dim> void StrainCheck<Dim>::look(const AcceptedStep<Dim>& step, FindingList& findings) {
-  if (!known_law(step.workpiece)) return;
+  const bool known = known_law(step.workpiece) != nullptr;
+  if (!known && (!step.workpiece || !with_jaumann_rate(*step.workpiece))) return;
   Eigen::Index worst = 0;
   const double strain = plastic_strains(*step.workpiece).maxCoeff(&worst);
   findings.largest("plastic strain", strain);
   if (!with_jaumann_rate(*step.workpiece)) return;
   if (!(strain > 0)) look_at_elastic(step, findings);
   if (!(strain > STRAIN.noted)) return;
-  Finding* finding = findings.beyond("plastic strain", "", strain, STRAIN, step.t);
+  // of a script's law for such a material the rate is not known for certain
+  Finding* finding = findings.beyond("plastic strain", "", strain, known ? STRAIN : Bounds{STRAIN.noted}, step.t);
   if (!finding) return;
   const Vector<Dim> x = step.point(static_cast<int>(worst));
   finding->place = step.place_of(x);
