@@ -98,7 +98,7 @@ bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim
   const std::vector<int> active = active_positions(trial);
   const FreeComponents free = free_components(m_model, m_window, active);
   out.weakest_coordinate = -1;
-  out.singular = !m_problem.flexibility->select(free.in_window);
+  out.singular = out.indefinite = !m_problem.flexibility->select(free.in_window);
   if (out.singular) return false;
   ContactBlockInput<Dim> input;
   const auto nodes = linearize(trial, active, input.offset);

@@ -30,6 +30,8 @@ template <int Dim> struct WindowProblem {
 
 template <int Dim> struct WindowSolution {
   bool singular = false, unstable = false; ///< see ContactBlockSolution
+  bool indefinite =
+      false; ///< singular, since a part of the flexibility is not positive definite: the body is not
   int weakest_coordinate = -1;
   int passes = 0;
   int left = 0; ///< states that contradict the forces in the last pass; 0: it is a solution of the window

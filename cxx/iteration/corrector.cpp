@@ -37,6 +37,7 @@ Corrector<Dim>::Corrector(Iteration<Dim>& iteration)
 
 template <int Dim> void Corrector<Dim>::begin(bool keep_factor) {
   m_keep_factor = keep_factor;
+  m_indefinite = false;
   m_mixer = AndersonMixer(m_iteration.options().anderson_memory);
   if (m_has_factor) take_flexibility(); // nothing of the last step but its state
 }
@@ -111,6 +112,7 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
     const CpuTimer timer(counts.factorization_seconds);
     const int analyses = m_tangent->solver->analyses();
     status = m_tangent->factorize(it.model(), it.body(), it.state(), K, m_floating);
+    if (m_indefinite && status == FactorStatus::OK) status = FactorStatus::NOT_POSITIVE_DEFINITE;
     m_has_factor = status == FactorStatus::OK;
     if (!m_has_factor && !m_floating && it.policy().desperate())
       m_has_factor = factorize_held(K, u) == FactorStatus::OK;
@@ -210,6 +212,11 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
     const CpuTimer timer(m_iteration.counts().condensation_seconds);
     const WindowProblem<Dim> problem = window_problem(u, R, load);
     solution = solve_window(problem);
+    if (solution.indefinite && !m_floating && !m_indefinite && m_tangent->solver->symmetric()) {
+      m_indefinite = true;
+      m_has_factor = false;
+      return StepStatus::REFACTORIZE;
+    }
     if (solution.singular) return m_iteration.give_up(singular(solution, problem));
   }
   if (solution.unstable) return m_iteration.give_up(Cause::UNSTABLE);

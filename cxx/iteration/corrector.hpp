@@ -57,6 +57,8 @@ private:
   std::shared_ptr<FactoredTangent<Dim>> m_tangent;
   ActivePart m_flexibility; // of m_tangent, on the active nodes
   bool m_has_factor = false, m_keep_factor = false;
+  bool m_indefinite =
+      false; // a factor of this step has turned out so by its flexibility; the solver did not tell
   int m_age = 0;
   std::vector<int> m_window;
   AndersonMixer m_mixer;

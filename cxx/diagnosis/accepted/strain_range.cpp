@@ -62,7 +62,8 @@ template <int Dim> void StrainCheck<Dim>::look(const AcceptedStep<Dim>& step, Fi
   if (!(strain > 0)) look_at_elastic(step, findings);
   if (!(strain > STRAIN.noted)) return;
   // of a script's law for such a material the rate is not known for certain
-  Finding* finding = findings.beyond("plastic strain", "", strain, known ? STRAIN : Bounds{STRAIN.noted}, step.t);
+  Finding* finding =
+      findings.beyond("plastic strain", "", strain, known ? STRAIN : Bounds{STRAIN.noted}, step.t);
   if (!finding) return;
   const Vector<Dim> x = step.point(static_cast<int>(worst));
   finding->place = step.place_of(x);

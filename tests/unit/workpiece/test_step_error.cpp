@@ -23,7 +23,8 @@ void give(Workpiece<2>& body, double factor) {
     PointTrial trial;
     PointUpdate<2> now;
     now.internal = internal.data();
-    EXPECT_EQ(body.law().update({step.old, step.F, step.ratio, 0, single}, trial, now).status, UpdateStatus::OK);
+    EXPECT_EQ(body.law().update({step.old, step.F, step.ratio, 0, single}, trial, now).status,
+              UpdateStatus::OK);
     stress.row(p) = now.stress.transpose();
     strain[p] = step.old.internal[place] + factor * (internal[place] - step.old.internal[place]);
   }
@@ -33,7 +34,8 @@ void give(Workpiece<2>& body, double factor) {
 
 // A patch is sheared along a circle of strains in n steps after a stretch that yields. Returns the estimate of all steps.
 // factor: > 0: by a law of the script, see give
-StepErrorState walk(int n, StressUpdate update, double& plastic_strain_eq, double size = 0.1, double factor = 0) {
+StepErrorState walk(int n, StressUpdate update, double& plastic_strain_eq, double size = 0.1,
+                    double factor = 0) {
   UpdateOptions options;
   options.update = update;
   Workpiece<2> body(patch(3, 1), j2_law<2>(example_material()), options);
