@@ -87,6 +87,7 @@ std::vector<Vector<Dim>> window_outline(const Tool<Dim>& tool, const Eigen::Vect
 }
 
 template PictureWindow<2> picture_window<2>(const Eigen::VectorXd&);
+template PictureWindow<3> picture_window<3>(const Eigen::VectorXd&);
 template std::vector<Vector<2>> window_outline<2>(const Tool<2>&, const Eigen::VectorXd&,
                                                   const PictureWindow<2>&);
 
