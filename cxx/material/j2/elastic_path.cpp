@@ -102,6 +102,8 @@ template <int Dim> PointLoading elastic_loading(const J2Parameters& material, co
 }
 
 template double elastic_yield_fraction<2>(const J2Parameters&, const PointStep<2>&, double, double);
+template double elastic_yield_fraction<3>(const J2Parameters&, const PointStep<3>&, double, double);
 template PointLoading elastic_loading<2>(const J2Parameters&, const PointStep<2>&);
+template PointLoading elastic_loading<3>(const J2Parameters&, const PointStep<3>&);
 
 } // namespace burnish
