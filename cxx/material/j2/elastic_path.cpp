@@ -25,8 +25,8 @@ public:
 
   double yield() const { return m_yield; } ///< sigma_y(ep) at the start
   StepKinematics<Dim> kinematics(double f) const {
-    return step_kinematics(m_step.old.F, m_step.old.F + f * m_dF, m_step.options.strain_frame,
-                           m_material.rate);
+    const Gradient<Dim> F = m_step.old.F + f * m_dF;
+    return step_kinematics(m_step.old.F, F, m_step.options.strain_frame, m_material.rate);
   }
   ElasticTrial<Dim> trial(const StepKinematics<Dim>& kin) const {
     return elastic_trial<Dim>(m_material.elastic, kin, m_relative);
