@@ -4,12 +4,19 @@
 namespace burnish {
 namespace {
 
+// See SHEAR_COMPONENTS.
+template <int Dim>
+Eigen::Matrix<double, SHEAR_COMPONENTS<Dim>, 1> shear_of(const Tangents<Dim>& E, const Param<Dim>& T) {
+  if constexpr (Dim == 2) return T;
+  else return E * T;
+}
+
 template <int Dim>
 void read_forces(const ContactModel<Dim>& model, const BodyView<Dim>& body, const ContactState<Dim>& state,
                  const Eigen::VectorXd& u, const Eigen::VectorXd& R, SurfaceReport<Dim>& report) {
   const auto n = static_cast<Eigen::Index>(model.candidates.size());
   report.gap = report.normal_force = Eigen::VectorXd::Zero(n);
-  report.tangential_force = Eigen::MatrixXd::Zero(Dim - 1, n);
+  report.tangential_force = Eigen::MatrixXd::Zero(SHEAR_COMPONENTS<Dim>, n);
   const auto poses = model.poses(state.q);
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto& node = state.nodes[i];
@@ -22,7 +29,7 @@ void read_forces(const ContactModel<Dim>& model, const BodyView<Dim>& body, cons
     const auto force =
         nodal_force(model, candidate, p, Vector<Dim>(R.template segment<Dim>(Dim * mesh_node)));
     report.normal_force[i] = force.part.N;
-    report.tangential_force.col(i) = force.part.T;
+    report.tangential_force.col(i) = shear_of<Dim>(p.E, force.part.T);
   }
 }
 
@@ -40,8 +47,8 @@ double share_that_sticks(const ContactModel<Dim>& model, const ContactState<Dim>
       add(report.area[static_cast<Eigen::Index>(i)], sticks(state.nodes[i].state));
   if (!shares.empty()) {
     const Eigen::VectorXd N = shares.shared(report.normal_force);
-    Eigen::MatrixXd T(Dim - 1, N.size());
-    for (int a = 0; a < Dim - 1; ++a)
+    Eigen::MatrixXd T(SHEAR_COMPONENTS<Dim>, N.size());
+    for (int a = 0; a < SHEAR_COMPONENTS<Dim>; ++a)
       T.row(a) = shares.shared(report.tangential_force.row(a).transpose()).transpose();
     for (Eigen::Index c = 0; c < N.size(); ++c) {
       const int corner = shares.corners()[static_cast<std::size_t>(c)];
@@ -72,7 +79,7 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
   report.stick_share = share_that_sticks(model, state, shares, report);
   if (shares.empty()) return report;
   report.pressure = shares.traction(report.normal_force, report.nodal_pressure);
-  for (int a = 0; a < Dim - 1; ++a)
+  for (int a = 0; a < SHEAR_COMPONENTS<Dim>; ++a)
     report.traction_tangential.row(a) =
         shares.traction(report.tangential_force.row(a), report.nodal_traction.row(a)).transpose();
   return report;

@@ -1,5 +1,6 @@
 #include "geometry/extruded.hpp"
 #include "base/error.hpp"
+#include "geometry/refined_outline.hpp"
 #include "geometry/spread.hpp"
 #include <algorithm>
 
@@ -63,6 +64,19 @@ std::vector<SurfacePlace<3>> Extruded::outline(int n) const {
   std::vector<SurfacePlace<3>> places;
   for (const auto& place : m_section.outline(n)) places.push_back(swept(place, m_length / 2));
   return places;
+}
+
+SurfaceMesh Extruded::mesh(const Eigen::AlignedBox3d& window) const {
+  constexpr int first = 9; // places along the profile before it is refined
+  const auto allowed = [&](const Vector<2>&, const Vector<2>&) {
+    return MESH_SAGITTA * window.sizes().maxCoeff();
+  };
+  std::vector<std::vector<SurfacePlace<3>>> rows;
+  for (const auto& place : refined_outline<2>(m_section, first, allowed))
+    rows.push_back({swept(place, 0), swept(place, m_length)});
+  SurfaceMesh mesh;
+  add_rows(mesh, *this, rows);
+  return mesh;
 }
 
 } // namespace burnish

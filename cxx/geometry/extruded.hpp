@@ -28,6 +28,7 @@ public:
   std::vector<SurfacePlace<3>> samples(int n) const override;
   /// The profile in the middle of the way.
   std::vector<SurfacePlace<3>> outline(int n) const override;
+  SurfaceMesh mesh(const Eigen::AlignedBox3d& window) const override;
   /// That of the profile [length].
   double length_scale() const override { return m_section.length_scale(); }
   double tightest_radius() const override { return m_section.tightest_radius(); }

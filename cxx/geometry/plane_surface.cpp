@@ -35,4 +35,19 @@ std::vector<SurfacePlace<3>> PlaneSurface::outline(int n) const {
   return places;
 }
 
+SurfaceMesh PlaneSurface::mesh(const Eigen::AlignedBox3d& window) const {
+  Eigen::AlignedBox2d patch;
+  for (int corner = 0; corner < 8; ++corner)
+    patch.extend(Vector<2>(
+        m_frame.local(window.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner))).head<2>()));
+  const auto at = [&](double x, double y) -> SurfacePlace<3> {
+    return {m_frame.global(Vector<3>(x, y, 0)), Param<3>::Zero()};
+  };
+  SurfaceMesh mesh;
+  add_rows(mesh, *this,
+           {{at(patch.min()[0], patch.min()[1]), at(patch.max()[0], patch.min()[1])},
+            {at(patch.min()[0], patch.max()[1]), at(patch.max()[0], patch.max()[1])}});
+  return mesh;
+}
+
 } // namespace burnish

@@ -25,6 +25,7 @@ public:
   std::vector<SurfacePlace<3>> samples(int n) const override;
   /// Across the square, through the point.
   std::vector<SurfacePlace<3>> outline(int n) const override;
+  SurfaceMesh mesh(const Eigen::AlignedBox3d& window) const override;
   double length_scale() const override { return m_size; }
   double tightest_radius() const override { return std::numeric_limits<double>::infinity(); }
 

@@ -1,6 +1,7 @@
 #include "geometry/revolved.hpp"
 #include "base/error.hpp"
 #include "geometry/plane.hpp"
+#include "geometry/refined_outline.hpp"
 #include "geometry/spread.hpp"
 #include <algorithm>
 
@@ -8,6 +9,8 @@ namespace burnish {
 namespace {
 
 constexpr int OUTLINE = 257;           // places at which the profile is looked at
+constexpr int FIRST = 9;               // places of a mesh along the profile before it is refined
+constexpr double LEAST_ANGLES = 12, MOST_ANGLES = 1440; // of a mesh
 constexpr double ON_AXIS = 1e-6;       // of the largest distance from the axis: n_r/r is 0/0 there
 constexpr double ALONG_AXIS = 1e-6;    // radial part of a normal at a pole: what a file's digits can cost
 constexpr double MIRROR_DIGITS = 1e-6; // of the largest distance from the axis, for the mirror image
@@ -132,6 +135,23 @@ std::vector<SurfacePlace<3>> Revolved::outline(int n) const {
   std::vector<SurfacePlace<3>> places;
   for (const auto& place : m_meridian.outline(n)) places.push_back(turned(place, 0));
   return places;
+}
+
+// Half of what is allowed is left to the profile, half to the circles.
+SurfaceMesh Revolved::mesh(const Eigen::AlignedBox3d& window) const {
+  const double sagitta = 0.5 * MESH_SAGITTA * window.sizes().maxCoeff();
+  const double step = std::acos(std::max(1 - sagitta / m_largest, 0.)) * 2;
+  const int count = static_cast<int>(std::ceil(std::clamp(2 * M_PI / step, LEAST_ANGLES, MOST_ANGLES)));
+  std::vector<std::vector<SurfacePlace<3>>> rows;
+  const auto allowed = [&](const Vector<2>&, const Vector<2>&) { return sagitta; };
+  for (const auto& place : refined_outline<2>(m_meridian, FIRST, allowed)) {
+    if (distance(place) < -ON_AXIS * m_largest) continue; // the mirror image
+    rows.emplace_back();
+    for (int i = 0; i <= count; ++i) rows.back().push_back(turned(place, 2 * M_PI * i / count));
+  }
+  SurfaceMesh mesh;
+  add_rows(mesh, *this, rows);
+  return mesh;
 }
 
 } // namespace burnish

@@ -31,6 +31,7 @@ public:
   std::vector<SurfacePlace<3>> samples(int n) const override;
   /// The profile, in the half-plane of the first direction of the axis' frame.
   std::vector<SurfacePlace<3>> outline(int n) const override;
+  SurfaceMesh mesh(const Eigen::AlignedBox3d& window) const override;
   /// Largest distance from the axis [length].
   double length_scale() const override { return m_largest; }
   /// That of the profile, or of the circles about the axis where they are tighter (at the places of an outline).

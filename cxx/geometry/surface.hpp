@@ -2,6 +2,7 @@
 // A rigid tool's surface in the tool's own frame, known through points: foot, normal, curvature (METHOD.md 2.2). Curves
 // of the plane come in by ProfileSurface.
 #include "base/types.hpp"
+#include "geometry/surface_mesh.hpp"
 #include <limits>
 #include <vector>
 
@@ -29,7 +30,7 @@ template <int Dim> struct SurfaceFoot {
   bool on_end = false; ///< the foot is on the rim of an open surface: there is no normal projection
 };
 
-template <int Dim> class Surface {
+template <int Dim> class Surface : public SurfaceInSpace<Dim> {
 public:
   virtual ~Surface() = default;
   /// Closest point to p. Of several that are equally near the one next to the hint; a node that rolls over a closed

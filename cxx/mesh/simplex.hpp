@@ -2,6 +2,7 @@
 // Edges and shape functions of simplices: segment, triangle, tetrahedron, linear (P1) or quadratic (P2).
 #include "base/types.hpp"
 #include <array>
+#include <vector>
 
 namespace burnish {
 
@@ -16,6 +17,20 @@ template <> struct SimplexEdges<3> {
   static constexpr std::array<std::array<int, 2>, 6> ends{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 };
 template <int N> inline constexpr int num_edges = static_cast<int>(SimplexEdges<N>::ends.size());
+
+/// Linear N-simplices between neighboring nodes of a P1 or P2 one, as local nodes: itself; of a quadratic segment two, of a
+/// quadratic triangle four, the inner one last. @param nodes  nodes of the element
+template <int N> const std::vector<std::array<int, N + 1>>& linear_parts(int nodes) {
+  static_assert(N == 1 || N == 2);
+  using Parts = std::vector<std::array<int, N + 1>>;
+  if constexpr (N == 1) {
+    static const Parts whole{{0, 1}}, halves{{0, 2}, {2, 1}};
+    return nodes == N + 1 ? whole : halves;
+  } else {
+    static const Parts whole{{0, 1, 2}}, quarters{{0, 5, 4}, {5, 1, 3}, {4, 3, 2}, {3, 4, 5}};
+    return nodes == N + 1 ? whole : quarters;
+  }
+}
 
 /// Barycentric coordinates of a point of an N-simplex [-].
 template <int N> using Barycentric = Eigen::Matrix<double, N + 1, 1>;

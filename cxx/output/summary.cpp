@@ -19,10 +19,19 @@ namespace {
 constexpr double FLOWING = 1e-4, PERCENTILE = 0.99; // of plastic_strain_eq_p99
 const char* const PLASTIC_STRAIN = "plastic_strain_eq";
 
-Json components(const Resultant<2>& sum) { return Json::array({sum.force[0], sum.force[1], sum.moment[0]}); }
+template <class Numbers> void add_numbers(const Numbers& numbers, Json& list) {
+  for (Eigen::Index i = 0; i < numbers.size(); ++i) list.push_back(numbers[i]);
+}
+
+template <int Dim> Json components(const Resultant<Dim>& sum) {
+  Json list = Json::array();
+  add_numbers(sum.force, list);
+  add_numbers(sum.moment, list);
+  return list;
+}
 
 // Of the run, the worst of each check and subject, then of the material's numbers.
-Json warnings(const SummarizedRun& run) {
+template <int Dim> Json warnings(const SummarizedRun<Dim>& run) {
   Json list = Json::array();
   for (const Finding& finding : run.diagnosis.findings().list())
     if (finding.severity == Severity::WARNING) list.push_back(finding.text);
@@ -31,17 +40,17 @@ Json warnings(const SummarizedRun& run) {
   return list;
 }
 
-Json checks(const FindingList& findings) {
+template <int Dim> Json checks(const FindingList& findings) {
   Json list = Json::array();
   for (const Finding& f : findings.list()) {
-    const auto place = [&](std::size_t axis) {
-      return axis < f.place.size() ? f.place[axis] : Finding::NONE;
-    };
+    Json place = Json::array();
+    for (std::size_t axis = 0; axis < Dim; ++axis)
+      place.push_back(axis < f.place.size() ? f.place[axis] : Finding::NONE);
     list.push_back({{"check", f.check},
                     {"severity", name_of(f.severity)},
                     {"value", f.value},
                     {"bound", f.bound},
-                    {"place", Json::array({place(0), place(1)})},
+                    {"place", place},
                     {"t", f.t},
                     {"first", f.first},
                     {"count", f.count},
@@ -58,10 +67,10 @@ Json report(const std::vector<Statement>& statements) {
 }
 
 // Coordinates of all tools and their forces.
-void add_coordinates(const ContactSetup<2>& setup, Json& state) {
-  std::vector<std::shared_ptr<const Tool<2>>> tools;
+template <int Dim> void add_coordinates(const ContactSetup<Dim>& setup, Json& state) {
+  std::vector<std::shared_ptr<const Tool<Dim>>> tools;
   for (const auto& tool : setup.tools()) tools.push_back(tool->shared_tool());
-  const std::vector<std::string> names = coordinate_names<2>(tools);
+  const std::vector<std::string> names = coordinate_names<Dim>(tools);
   std::size_t k = 0;
   for (const auto& tool : setup.tools())
     for (Eigen::Index i = 0; i < tool->q().size(); ++i, ++k) {
@@ -70,15 +79,16 @@ void add_coordinates(const ContactSetup<2>& setup, Json& state) {
     }
 }
 
-void add_largest(const Workpiece<2>& workpiece, const std::string& name, const Eigen::VectorXd& values,
+template <int Dim>
+void add_largest(const Workpiece<Dim>& workpiece, const std::string& name, const Eigen::VectorXd& values,
                  Json& state) {
   state[name + "_max"] = values.maxCoeff();
   state[name + "_nodal_max"] = nodal_average(workpiece.discretization(), values).maxCoeff();
 }
 
-Json final_state(const SummarizedRun& run) {
-  const ContactRunState<2>& end = run.contact.accepted();
-  const ContactSetup<2>& setup = run.contact.setup();
+template <int Dim> Json final_state(const SummarizedRun<Dim>& run) {
+  const ContactRunState<Dim>& end = run.contact.accepted();
+  const ContactSetup<Dim>& setup = run.contact.setup();
   const auto count = [&](const char* state) { return count_nodes(end.contact, state, "summary"); };
   Json state{{"t", run.control.time()}};
   add_coordinates(setup, state);
@@ -104,11 +114,11 @@ Json way(const CondensedSystem* system) {
           {"matrix_asymmetry", largest_asymmetry(view)}};
 }
 
-Json counts(const ContactRun<2>& run) {
+template <int Dim> Json counts(const ContactRun<Dim>& run) {
   Json events;
   for (int kind = 0; kind < static_cast<int>(EventKind::USER); ++kind)
     events[name_of(static_cast<EventKind>(kind))] = 0;
-  for (const ContactEvent<2>& event : run.accepted().log.events) {
+  for (const ContactEvent<Dim>& event : run.accepted().log.events) {
     Json& number = events[kind_of(event)];
     number = number.is_null() ? 1 : number.get<long>() + 1;
   }
@@ -122,7 +132,7 @@ Json counts(const ContactRun<2>& run) {
           {"events", events}};
 }
 
-Json steps(const StepControl& control, const Stepper<2>* stepper) {
+template <int Dim> Json steps(const StepControl& control, const Stepper<Dim>* stepper) {
   return {{"last_dt", control.dt()},
           {"rejected_dt", stepper ? stepper->rejected_dt() : 0},
           {"last_rejection", stepper ? stepper->last_rejection() : ""},
@@ -130,20 +140,22 @@ Json steps(const StepControl& control, const Stepper<2>* stepper) {
           {"nodes_per_step", stepper ? stepper->counts().nodes_per_step() : 0}};
 }
 
-Json balance(const SummarizedRun& run) {
-  const ForceBalance<2> forces(run.contact, run.about);
+template <int Dim> Json balance(const SummarizedRun<Dim>& run) {
+  const ForceBalance<Dim> forces(run.contact, run.about);
   Json of_tools = Json::object();
+  Json point = Json::array();
+  add_numbers(run.about, point);
   int number = 0;
   for (const auto& tool : run.contact.setup().tools())
     of_tools[tool->name()] = components(forces.contact_force(number++));
-  return {{"moment_point", Json::array({run.about[0], run.about[1]})},
+  return {{"moment_point", point},
           {"support", components(forces.reaction())},
           {"contact", of_tools},
           {"external", components(forces.external_force(run.workpiece.internal_force()))},
           {"hold", components(forces.hold_force())}};
 }
 
-std::string left_out_text(const ContactRun<2>& run) {
+template <int Dim> std::string left_out_text(const ContactRun<Dim>& run) {
   std::string text;
   for (const std::string& what : left_out(run)) text += (text.empty() ? "" : "; ") + what;
   return text;
@@ -151,12 +163,12 @@ std::string left_out_text(const ContactRun<2>& run) {
 
 } // namespace
 
-Json run_summary(const SummarizedRun& run) {
-  const Discretization<2>& space = run.workpiece.discretization();
-  const StepBalance<2>& balanced = run.contact.iteration().balance();
+template <int Dim> Json run_summary(const SummarizedRun<Dim>& run) {
+  const Discretization<Dim>& space = run.workpiece.discretization();
+  const StepBalance<Dim>& balanced = run.contact.iteration().balance();
   return {{"warnings", warnings(run)},
           {"report", report(run.report)},
-          {"checks", checks(run.diagnosis.findings())},
+          {"checks", checks<Dim>(run.diagnosis.findings())},
           {"measured", run.stepper ? Json(run.diagnosis.findings().measured()) : Json::object()},
           {"final", final_state(run)},
           {"way", way(run.condensed)},
@@ -172,6 +184,9 @@ Json run_summary(const SummarizedRun& run) {
             {"points", space.num_points()},
             {"axisymmetric", space.axisymmetric}}}};
 }
+
+template Json run_summary<2>(const SummarizedRun<2>&);
+template Json run_summary<3>(const SummarizedRun<3>&);
 
 Json versions() {
   std::ostringstream eigen;

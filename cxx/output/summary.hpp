@@ -9,22 +9,23 @@ namespace burnish {
 using Json = nlohmann::ordered_json;
 
 /// What a summary is made of, all of one run; refers to what must outlive the call.
-struct SummarizedRun {
-  const ContactRun<2>& contact;
-  const Workpiece<2>& workpiece;
-  const Diagnosis<2>& diagnosis;
+template <int Dim> struct SummarizedRun {
+  const ContactRun<Dim>& contact;
+  const Workpiece<Dim>& workpiece;
+  const Diagnosis<Dim>& diagnosis;
   const StepControl& control;
-  const Stepper<2>* stepper; ///< null: no run of a stepcontrol was begun
+  const Stepper<Dim>* stepper; ///< null: no run of a stepcontrol was begun
   const std::vector<Statement>& report;
   const CondensedSystem* condensed;      ///< the last one; null: none
   std::string warnings;                  ///< of the material's numbers, a line each
   bool has_damage;                       ///< some event damages
-  Vector<2> about;                       ///< point of the moments [length]
+  Vector<Dim> about;                      ///< point of the moments [length]
   std::map<std::string, double> seconds; ///< CPU by phase [s]
 };
 
-/// The keys of edp/cases/rcSummary.idp but those that only a script knows.
-Json run_summary(const SummarizedRun& run);
+/// The keys of edp/cases/rcSummary.idp but those that only a script knows. A place has Dim numbers, a resultant the components of the
+/// force and those of the moment: in the plane 3, in space 6.
+template <int Dim = 2> Json run_summary(const SummarizedRun<Dim>& run);
 /// Versions of what is in use, by package.
 Json versions();
 /// Writes an object whole, a line for each of its keys; NaN and Inf as null. @throws FileError

@@ -18,7 +18,7 @@ public:
              const std::vector<std::string>& names = {});
   void array(const std::string& name, const std::vector<std::int64_t>& values);
   void array(const std::string& name, const std::vector<std::uint8_t>& values);
-  /// Lines through points as the cells of a .vtp file; tag "Verts": points alone.
+  /// Lines through points as the cells of a .vtp file; tag "Verts": points alone, "Polys": polygons.
   void lines(const std::vector<std::vector<int>>& lines, const char* tag = "Lines");
   /// The whole file; closes what is open.
   std::string text();

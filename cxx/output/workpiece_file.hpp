@@ -5,13 +5,14 @@
 
 namespace burnish {
 
-/// Writes the file whole (whole_file.hpp). Elements become triangles between neighboring nodes, four of each quadratic one. At the nodes:
-/// displacement, stress as a tensor (xx yy zz xy yz xz) and by components, stress_eq, plastic_strain_eq,
-/// stress_error; backstress of a law that has one, integrity where damage is defined. Fields of the quadrature points are
-/// those of nodal_average.
+/// Writes the file whole (whole_file.hpp). In the plane elements become triangles between neighboring nodes, four of each quadratic one; in
+/// space they are VTK's linear or quadratic tetrahedra. At the nodes: displacement, stress as a tensor (xx yy zz xy yz xz) and
+/// by components (those of Stress, "stress_xx"), the same for cauchy, stress_eq, stress_error; plastic_strain_eq and backstress of a law that has them,
+/// integrity where damage is defined. Fields of the quadrature points are those of nodal_average.
 /// @throws FileError
-void save_fields(const Workpiece<2>& body, const std::string& path);
-/// The displacement alone, of a body of whose stress nothing is known. @param u x and y of every node [length]
-void save_displacement(const Discretization<2>& mesh, const Eigen::VectorXd& u, const std::string& path);
+template <int Dim> void save_fields(const Workpiece<Dim>& body, const std::string& path);
+/// The displacement alone, of a body of whose stress nothing is known. @param u num_dofs, Dim for every node [length]
+template <int Dim>
+void save_displacement(const Discretization<Dim>& mesh, const Eigen::VectorXd& u, const std::string& path);
 
 } // namespace burnish
