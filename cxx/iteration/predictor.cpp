@@ -199,7 +199,7 @@ void Predictor<Dim>::place_contact_node(const std::vector<Pose<Dim>>& poses, int
     const Vector<Dim> x = m_body.position(u, m_model.candidates[candidate]);
     node.place = m_model.tools[node.tool]->foot(poses[node.tool], x, node.slip_origin.hint).place;
     const Param<Dim> m = contact_point(m_model, poses, node).m;
-    if (may_stick && !m_model.law(candidate, node.tool).frictionless() &&
+    if (may_stick && !m_model.law(candidate, node).frictionless() &&
         TangentialLaw<Dim>::slips_back(slip_of(m_model, node), m, 0))
       node.state = NodeState::STICKING;
   }
