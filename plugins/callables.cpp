@@ -57,6 +57,7 @@ std::string type_name(const char* name) {
                                                         {typeid(NumberList*).name(), "numbers"},
                                                         {typeid(E_Array).name(), "[...]"},
                                                         {typeid(pfes*).name(), "fespace"},
+                                                        {typeid(pfes3*).name(), "fespace in space"},
                                                         {typeid(::Mesh).name(), "mesh"},
                                                         {typeid(Matrice_Creuse<double>*).name(), "matrix"},
                                                         {typeid(newpMatrice_Creuse<double>).name(), "matrix"},

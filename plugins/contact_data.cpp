@@ -1,13 +1,15 @@
 // What a script reads of a contact, all of the accepted state. Arrays run over the candidates, the nodes of the surface that
 // are not fixed, in order along it; nodal forces in the plane are per unit of thickness, axisymmetric of the whole ring.
 //   C.nodes     numbers of the mesh nodes | -
-//   C.x, C.y    present places | length
-//   C.xref, C.yref   places at the start | length
+//   C.x, C.y, C.z   present places; z in space | length
+//   C.xref, C.yref, C.zref   places at the start; zref in space | length
 //   C.state     0 free, 1 touched, 2 sliding, 3 sticking, 4 leaving, 5 receding | -
 //   C.s         parameter on the tool: arc length, on a circle the angle | length, rad
 //   C.gap       gap, positive = open | length
-//   C.normalforce, C.tangentialforce   nodal forces of the tool on the body, pressing positive, along the tool's tangent | force
+//   C.normalforce, C.tangentialforce   nodal forces of the tool on the body, pressing positive, along the tool's tangent; in space
+//       its length | force
 //   C.pressure, C.traction   the same as stresses, linear on every edge, of forces shared to the corners of P2 | stress
+//   C.shearx, C.sheary, C.shearz   in space: the traction as a vector | stress
 //   C.nodalpressure, C.nodaltraction   nodal forces over tributary lengths: on P1 the same, on P2 they alternate between vertices and mid
 //       nodes | stress
 //   C.width     contact width, of several tools the largest | length
@@ -35,7 +37,7 @@
 //     i         line of the log | - | | 0 to eventnumber-1
 //   C.eventtool(i)   name of the tool, "" at a point
 //     i         line of the log | - | | 0 to eventnumber-1
-//   C.eventx(i), C.eventy(i)   place | length
+//   C.eventx(i), C.eventy(i), C.eventz(i)   place; z in space | length
 //     i         line of the log | - | | 0 to eventnumber-1
 #include "base/error.hpp"
 #include "contact/surface_report.hpp"
@@ -49,23 +51,55 @@ namespace {
 using H = ContactHandle;
 using Array = KN_<double>;
 
-SurfaceReport<2> report(const ContactRun<2>& run) {
+template <int Dim> SurfaceReport<Dim> report(const ContactOf<Dim>& contact) {
+  const ContactRun<Dim>& run = contact.running("contact");
   const auto& state = run.accepted();
   return surface_report(run.setup().model(), run.setup().body(), state.contact, run.setup().surface(),
                         state.u, state.R);
 }
-template <Eigen::VectorXd SurfaceReport<2>::*member> Array from_report(Stack stack, H* const& h) {
-  return guarded([&] { return new_array(stack, report(h->get().running("contact")).*member); });
+// Column: a struct with `of`, a column of the report.
+template <class Column> Array from_report(Stack stack, H* const& h) {
+  return on(h, [&](auto& contact) { return new_array(stack, Column::of(report(contact))); });
 }
-template <Eigen::MatrixXd SurfaceReport<2>::*member> Array along_tangent(Stack stack, H* const& h) {
-  return guarded([&] {
-    return new_array(stack, Eigen::VectorXd((report(h->get().running("contact")).*member).row(0)));
+// Along the tangent in the plane, the length in space.
+template <class Column> Array along_tangent(Stack stack, H* const& h) {
+  return on(h, [&](auto& contact) {
+    const Eigen::MatrixXd& t = Column::of(report(contact));
+    return new_array(stack,
+                     t.rows() == 1 ? Eigen::VectorXd(t.row(0)) : Eigen::VectorXd(t.colwise().norm()));
   });
 }
+struct Gap {
+  template <class R> static const auto& of(const R& report) { return report.gap; }
+};
+struct Pressure {
+  template <class R> static const auto& of(const R& report) { return report.pressure; }
+};
+struct NodalPressure {
+  template <class R> static const auto& of(const R& report) { return report.nodal_pressure; }
+};
+struct NormalForce {
+  template <class R> static const auto& of(const R& report) { return report.normal_force; }
+};
+struct Traction {
+  template <class R> static const auto& of(const R& report) { return report.traction_tangential; }
+};
+struct NodalTraction {
+  template <class R> static const auto& of(const R& report) { return report.nodal_traction; }
+};
+// x, y or z of the traction in space.
+template <int axis> Array shear(Stack stack, H* const& h) {
+  return guarded([&] {
+    return new_array(stack, Eigen::VectorXd(report(of_dimension<3>(h->get(), "contact.shear"))
+                                                .traction_tangential.row(axis)));
+  });
+}
+struct TangentialForce {
+  template <class R> static const auto& of(const R& report) { return report.tangential_force; }
+};
 // One number per candidate.
 template <class F> Array per_candidate(Stack stack, H* const& h, F value) {
-  return guarded([&] {
-    ContactObject& contact = h->get();
+  return on(h, [&](auto& contact) {
     std::vector<double> v;
     for (std::size_t i = 0; i < contact.setup->candidates().size(); ++i) v.push_back(value(contact, i));
     return new_array(stack, v);
@@ -76,9 +110,14 @@ Array nodes(Stack stack, H* const& h) {
     return static_cast<double>(contact.setup->candidates()[i]);
   });
 }
+template <int Dim> void require_axis(int axis) {
+  if (axis >= Dim) fail("contact", "z is a coordinate in space, the contact is of the plane");
+}
 template <int axis, bool reference> Array place(Stack stack, H* const& h) {
   return per_candidate(stack, h, [](auto& contact, std::size_t i) {
-    const int dof = 2 * contact.setup->candidates()[i] + axis;
+    constexpr int Dim = dim_of<decltype(contact)>;
+    require_axis<Dim>(axis);
+    const int dof = Dim * contact.setup->candidates()[i] + axis;
     const double moved = reference || !contact.started() ? 0 : contact.run().accepted().u[dof];
     return contact.setup->mesh().X[dof] + moved;
   });
@@ -94,37 +133,39 @@ Array parameters(Stack stack, H* const& h) {
   });
 }
 double width(H* const& h) {
-  return guarded([&] { return h->get().started() ? burnish::contact_width(h->get().run()) : 0.; });
+  return on(
+      h, [](auto& contact) { return contact.started() ? burnish::contact_width(contact.run()) : 0.; });
 }
 double speed(H* const& h) {
-  return guarded([&] { return h->get().started() ? burnish::contact_speed(h->get().run()) : 0.; });
+  return on(
+      h, [](auto& contact) { return contact.started() ? burnish::contact_speed(contact.run()) : 0.; });
 }
 double spacing(H* const& h) {
-  return guarded([&] { return h->get().run().setup().body().spacing; });
+  return on(h, [](auto& contact) { return contact.run().setup().body().spacing; });
 }
 double residual(H* const& h) {
-  return guarded(
-      [&] { return h->get().started() ? h->get().run().iteration().balance().last().residual : 0.; });
+  return on(h, [](auto& contact) {
+    return contact.started() ? contact.run().iteration().balance().last().residual : 0.;
+  });
 }
 double load_scale(H* const& h) {
-  return guarded(
-      [&] { return h->get().started() ? h->get().run().iteration().balance().memory().scale : 0.; });
+  return on(h, [](auto& contact) {
+    return contact.started() ? contact.run().iteration().balance().memory().scale : 0.;
+  });
 }
 
 struct CountTag {};
 long count(const Method<H, CountTag>& m, string* const& state) {
-  return guarded([&] {
-    const ContactState<2> none;
-    return count_nodes(m->get().started() ? m->get().run().accepted().contact : none, *state,
-                       "contact.count");
+  return on(m.object, [&](auto& contact) {
+    const ContactState<dim_of<decltype(contact)>> none;
+    return count_nodes(contact.started() ? contact.run().accepted().contact : none, *state, "contact.count");
   });
 }
 
 struct StatisticTag {};
 long statistic(const Method<H, StatisticTag>& m, string* const& name) {
-  return guarded([&] {
-    const IterationCounts counts =
-        m->get().started() ? m->get().run().iteration().counts() : IterationCounts{};
+  return on(m.object, [&](auto& contact) {
+    const IterationCounts counts = contact.started() ? contact.run().iteration().counts() : IterationCounts{};
     if (*name == "iterations") return counts.iterations;
     if (*name == "factorizations") return counts.factorizations;
     if (*name == "solves") return counts.solves;
@@ -140,8 +181,7 @@ long statistic(const Method<H, StatisticTag>& m, string* const& name) {
 
 struct SecondsTag {};
 double seconds(const Method<H, SecondsTag>& m, string* const& phase) {
-  return guarded([&] {
-    ContactObject& contact = m->get();
+  return on(m.object, [&](auto& contact) {
     const auto counts = contact.started() ? contact.run().iteration().counts() : IterationCounts{};
     if (*phase == "condensation") return counts.condensation_seconds + contact.condense_seconds;
     if (*phase == "factorization") return counts.factorization_seconds;
@@ -153,54 +193,61 @@ double seconds(const Method<H, SecondsTag>& m, string* const& phase) {
   });
 }
 
-const std::vector<ContactEvent<2>>& log_of(ContactObject& contact) {
-  static const std::vector<ContactEvent<2>> none;
+template <int Dim> const std::vector<ContactEvent<Dim>>& log_of(ContactOf<Dim>& contact) {
+  static const std::vector<ContactEvent<Dim>> none;
   return contact.started() ? contact.run().accepted().log.events : none;
 }
-const ContactEvent<2>& event(H* h, long i) {
-  const auto& log = log_of(h->get());
-  require(i >= 0 && i < static_cast<long>(log.size()), "contact.event", "index", i, "less than eventnumber");
-  return log[static_cast<std::size_t>(i)];
+// f of line i of the log, and of the contact.
+template <class F> auto of_event(H* h, long i, F&& f) {
+  return on(h, [&](auto& contact) {
+    const auto& log = log_of(contact);
+    require(i >= 0 && i < static_cast<long>(log.size()), "contact.event", "index", i, "less than eventnumber");
+    return f(log[static_cast<std::size_t>(i)], contact);
+  });
 }
 struct TimeTag {};
 struct KindTag {};
 struct NodeTag {};
 struct ToolTag {};
-struct XTag {};
-struct YTag {};
+template <int axis> struct PlaceTag {};
 double event_time(const Method<H, TimeTag>& m, const long& i) {
-  return guarded([&] { return event(m.object, i).t; });
+  return of_event(m.object, i, [](const auto& event, auto&) { return event.t; });
 }
 string* event_kind(Stack stack, const Method<H, KindTag>& m, const long& i) {
-  return guarded([&] { return new_string(stack, kind_of(event(m.object, i))); });
+  return of_event(m.object, i,
+                  [&](const auto& event, auto&) { return new_string(stack, kind_of(event)); });
 }
 long event_node(const Method<H, NodeTag>& m, const long& i) {
-  return guarded([&] { return static_cast<long>(event(m.object, i).node); });
+  return of_event(m.object, i, [](const auto& event, auto&) { return static_cast<long>(event.node); });
 }
 string* event_tool(Stack stack, const Method<H, ToolTag>& m, const long& i) {
-  return guarded([&] {
-    const int t = event(m.object, i).tool;
-    return new_string(stack, t < 0 ? "" : m->get().setup->tools()[t]->name());
+  return of_event(m.object, i, [&](const auto& event, auto& contact) {
+    return new_string(stack, event.tool < 0 ? "" : contact.setup->tools()[event.tool]->name());
   });
 }
-double event_x(const Method<H, XTag>& m, const long& i) {
-  return guarded([&] { return event(m.object, i).x[0]; });
-}
-double event_y(const Method<H, YTag>& m, const long& i) {
-  return guarded([&] { return event(m.object, i).x[1]; });
+template <int axis> double event_place(const Method<H, PlaceTag<axis>>& m, const long& i) {
+  return of_event(m.object, i, [](const auto& event, auto& contact) {
+    require_axis<dim_of<decltype(contact)>>(axis);
+    return event.x[axis];
+  });
 }
 long event_number(H* const& h) {
-  return guarded([&] { return static_cast<long>(log_of(h->get()).size()); });
+  return on(h, [](auto& contact) { return static_cast<long>(log_of(contact).size()); });
 }
 string* left_out(Stack stack, H* const& h) {
-  return guarded([&] {
+  return on(h, [&](auto& contact) {
     std::string text;
-    if (!h->get().started()) return new_string(stack, text);
-    for (const auto& what : burnish::left_out(h->get().run())) text += (text.empty() ? "" : "; ") + what;
+    if (!contact.started()) return new_string(stack, text);
+    for (const auto& what : burnish::left_out(contact.run())) text += (text.empty() ? "" : "; ") + what;
     return new_string(stack, text);
   });
 }
 
+template <int axis> void add_event_place(const char* name) {
+  add_method<H, PlaceTag<axis>>(name, [] {
+    return new OneOperator2_<double, Method<H, PlaceTag<axis>>, long>(event_place<axis>);
+  });
+}
 void register_event_table() {
   Add<H*>("eventnumber", ".", new OneOperator1_<long, H*>(event_number));
   add_method<H, TimeTag>("eventtime",
@@ -211,31 +258,36 @@ void register_event_table() {
                          [] { return new OneOperator2_<long, Method<H, NodeTag>, long>(event_node); });
   add_method<H, ToolTag>("eventtool",
                          [] { return new OneOperator2s_<string*, Method<H, ToolTag>, long>(event_tool); });
-  add_method<H, XTag>("eventx", [] { return new OneOperator2_<double, Method<H, XTag>, long>(event_x); });
-  add_method<H, YTag>("eventy", [] { return new OneOperator2_<double, Method<H, YTag>, long>(event_y); });
+  add_event_place<0>("eventx");
+  add_event_place<1>("eventy");
+  add_event_place<2>("eventz");
 }
 
 } // namespace
 
 void register_contact_data() {
-  using Report = SurfaceReport<2>;
   const auto array = [](const char* name, Array (*f)(Stack, H* const&)) {
     Add<H*>(name, ".", new OneOperator1s_<Array, H*>(f));
   };
   array("nodes", nodes);
   array("x", place<0, false>);
   array("y", place<1, false>);
+  array("z", place<2, false>);
   array("xref", place<0, true>);
   array("yref", place<1, true>);
+  array("zref", place<2, true>);
   array("state", states);
   array("s", parameters);
-  array("gap", from_report<&Report::gap>);
-  array("pressure", from_report<&Report::pressure>);
-  array("traction", along_tangent<&Report::traction_tangential>);
-  array("nodalpressure", from_report<&Report::nodal_pressure>);
-  array("nodaltraction", along_tangent<&Report::nodal_traction>);
-  array("normalforce", from_report<&Report::normal_force>);
-  array("tangentialforce", along_tangent<&Report::tangential_force>);
+  array("gap", from_report<Gap>);
+  array("pressure", from_report<Pressure>);
+  array("traction", along_tangent<Traction>);
+  array("shearx", shear<0>);
+  array("sheary", shear<1>);
+  array("shearz", shear<2>);
+  array("nodalpressure", from_report<NodalPressure>);
+  array("nodaltraction", along_tangent<NodalTraction>);
+  array("normalforce", from_report<NormalForce>);
+  array("tangentialforce", along_tangent<TangentialForce>);
   const auto number = [](const char* name, double (*f)(H* const&)) {
     Add<H*>(name, ".", new OneOperator1_<double, H*>(f));
   };

@@ -8,7 +8,7 @@
 //     i         line of the table | - | | 0 to findings-1
 //   C.findingvalue(i), C.findingbound(i)   the number that it rests on, and what is allowed; both 0: none | its own
 //     i         line of the table | - | | 0 to findings-1
-//   C.findingx(i), C.findingy(i)   place, nan without one | length
+//   C.findingx(i), C.findingy(i), C.findingz(i)   place, nan without one | length
 //     i         line of the table | - | | 0 to findings-1
 //   C.findingtime(i), C.findingfirst(i)   instant of the worst one, of the first one; nan before the run | time
 //     i         line of the table | - | | 0 to findings-1
@@ -25,7 +25,11 @@ namespace {
 
 using H = ContactHandle;
 
-const FindingList& findings_of(H* h) { return h->get().diagnosis.findings(); }
+const FindingList& findings_of(H* h) {
+  const FindingList* findings = nullptr;
+  visit(h->get(), [&](auto& contact) { findings = &contact.diagnosis.findings(); });
+  return *findings;
+}
 const Finding& finding(H* h, long i) {
   const FindingList& findings = findings_of(h);
   require(i >= 0 && i < static_cast<long>(findings.size()), "contact.finding", "index", i,
@@ -104,6 +108,7 @@ void register_contact_findings() {
   add_number<Allowed>("findingbound");
   add_number<Place<0>>("findingx");
   add_number<Place<1>>("findingy");
+  add_number<Place<2>>("findingz");
   add_number<Time>("findingtime");
   add_number<First>("findingfirst");
   add_number<Count>("findingcount");

@@ -1,5 +1,6 @@
-// Resultants of what acts on the workpiece, accepted state: [Fx, Fy, Mz], force and moment about the point (x0, y0),
-// counter-clockwise [force, force*length]; axisymmetric: of the whole ring, [0, Fy, 0]. METHOD.md 3.14
+// Resultants of what acts on the workpiece, accepted state: in the plane [Fx, Fy, Mz], force and moment about the point
+// (x0, y0), counter-clockwise [force, force*length]; axisymmetric: of the whole ring, [0, Fy, 0]; in space
+// [Fx, Fy, Fz, Mx, My, Mz] about (x0, y0, z0), the last argument of each. METHOD.md 3.14
 //   C.reaction(x0, y0)   of the supports, all nodes of fixed= | force, force*length
 //     x0        point of the moment | length
 //     y0        point of the moment | length
@@ -29,20 +30,30 @@ namespace {
 using H = ContactHandle;
 using Array = KN_<double>;
 
-// f of the run's forces about the point; nothing acts before the run.
+// f of the run's forces about the point; nothing acts before the run. In the plane [Fx, Fy, Mz], in space
+// [Fx, Fy, Fz, Mx, My, Mz].
 template <class F>
-Array three(Stack stack, ContactObject& contact, const char* where, double x0, double y0, F f) {
-  Resultant<2> sum;
-  if (contact.started()) sum = called(where, [&] { return f(ForceBalance<2>(contact.run(), {x0, y0})); });
-  return new_array(stack, std::vector<double>{sum.force[0], sum.force[1], sum.moment[0]});
+Array resultant_of(Stack stack, ContactHandle* handle, const char* where, const std::vector<double>& about, F f) {
+  return visit(handle->get(), [&](auto& contact) {
+    constexpr int Dim = dim_of<decltype(contact)>;
+    require(about.size() == Dim, where, "number of coordinates of the point of the moment", about.size(),
+            Dim == 2 ? "2: x0, y0" : "3: x0, y0, z0");
+    Resultant<Dim> sum;
+    if (contact.started())
+      sum = called(where, [&] {
+        return f(ForceBalance<Dim>(contact.run(), Eigen::Map<const Vector<Dim>>(about.data())));
+      });
+    std::vector<double> values(sum.force.data(), sum.force.data() + sum.force.size());
+    values.insert(values.end(), sum.moment.data(), sum.moment.data() + sum.moment.size());
+    return new_array(stack, values);
+  });
 }
 
 struct ReactionTag {};
 struct Reaction {
   static const int n = 2;
   static basicAC_F0::name_and_type names[n];
-  static Array call(const Named& a, Method<H, ReactionTag> m, double x0, double y0) {
-    ContactObject& contact = m->get();
+  static std::vector<long> labels_of(const Named& a) {
     std::vector<long> labels;
     if (a.has("label")) labels.push_back(a.integer("label", 0));
     if (a.has("labels")) {
@@ -50,11 +61,19 @@ struct Reaction {
       require(!list.empty(), "contact.reaction", "size of labels", 0, ">= 1, or no labels= at all");
       for (const double label : list) labels.push_back(std::lround(label));
     }
-    std::vector<int> nodes;
-    for (const long label : labels) facets_with(contact.setup->mesh(), {label}, "contact.reaction");
-    if (!labels.empty()) nodes = nodes_along(facets_with(contact.setup->mesh(), labels, "contact.reaction"));
-    return three(a.stack(), contact, "contact.reaction", x0, y0,
-                 [&](const auto& forces) { return forces.reaction(nodes); });
+    return labels;
+  }
+  static std::vector<int> nodes_of(const Method<H, ReactionTag>& m, const std::vector<long>& labels) {
+    return visit(m->get(), [&](auto& contact) {
+      const auto& mesh = contact.setup->mesh();
+      for (const long label : labels) facets_with(mesh, {label}, "contact.reaction");
+      return labels.empty() ? std::vector<int>() : nodes_along(facets_with(mesh, labels, "contact.reaction"));
+    });
+  }
+  template <class... Place> static Array call(const Named& a, Method<H, ReactionTag> m, Place... about) {
+    const std::vector<int> nodes = nodes_of(m, labels_of(a));
+    return resultant_of(a.stack(), m.object, "contact.reaction", {about...},
+                        [&](const auto& forces) { return forces.reaction(nodes); });
   }
 };
 basicAC_F0::name_and_type Reaction::names[] = {{"label", &typeid(long)}, {"labels", &typeid(NumberList*)}};
@@ -63,12 +82,14 @@ struct ContactForceTag {};
 struct ContactForce {
   static const int n = 0;
   static constexpr basicAC_F0::name_and_type* names = nullptr;
-  static Array call(const Named& a, Method<H, ContactForceTag> m, long tool, double x0, double y0) {
-    const long tools = static_cast<long>(m->get().setup->tools().size());
+  template <class... Place>
+  static Array call(const Named& a, Method<H, ContactForceTag> m, long tool, Place... about) {
+    const long tools =
+        visit(m->get(), [](auto& contact) { return static_cast<long>(contact.setup->tools().size()); });
     require(tool >= 0 && tool < tools, "contact.contactforce", "tool", tool,
             ("0 to toolnumber-1 = " + std::to_string(tools - 1)).c_str());
-    return three(a.stack(), m->get(), "contact.contactforce", x0, y0,
-                 [&](const auto& forces) { return forces.contact_force(static_cast<int>(tool)); });
+    return resultant_of(a.stack(), m.object, "contact.contactforce", {about...},
+                        [&](const auto& forces) { return forces.contact_force(static_cast<int>(tool)); });
   }
 };
 
@@ -76,12 +97,13 @@ struct ExternalTag {};
 struct External {
   static const int n = 0;
   static constexpr basicAC_F0::name_and_type* names = nullptr;
-  static Array call(const Named& a, Method<H, ExternalTag> m, MaterialHandle* material, double x0,
-                    double y0) {
-    m->get().require_same_mesh(material->get(), "contact.externalforce");
-    const Eigen::VectorXd internal = material->get().workpiece().internal_force();
-    return three(a.stack(), m->get(), "contact.externalforce", x0, y0,
-                 [&](const auto& forces) { return forces.external_force(internal); });
+  template <class... Place>
+  static Array call(const Named& a, Method<H, ExternalTag> m, MaterialHandle* material, Place... about) {
+    const Eigen::VectorXd internal = visit(m->get(), [&](auto& contact) {
+      return contact.with_material(material->get(), "contact.externalforce").workpiece().internal_force();
+    });
+    return resultant_of(a.stack(), m.object, "contact.externalforce", {about...},
+                        [&](const auto& forces) { return forces.external_force(internal); });
   }
 };
 
@@ -89,38 +111,40 @@ struct HoldForceTag {};
 struct HoldForce {
   static const int n = 0;
   static constexpr basicAC_F0::name_and_type* names = nullptr;
-  static Array call(const Named& a, Method<H, HoldForceTag> m, double x0, double y0) {
-    return three(a.stack(), m->get(), "contact.holdforce", x0, y0,
-                 [](const auto& forces) { return forces.hold_force(); });
+  template <class... Place> static Array call(const Named& a, Method<H, HoldForceTag> m, Place... about) {
+    return resultant_of(a.stack(), m.object, "contact.holdforce", {about...},
+                        [](const auto& forces) { return forces.hold_force(); });
   }
 };
 
 struct ImbalanceTag {};
 double imbalance(const Method<H, ImbalanceTag>& m, MaterialHandle* const& material) {
-  return guarded([&] {
-    m->get().require_same_mesh(material->get(), "contact.imbalance");
-    if (!m->get().started()) return 0.;
-    const Eigen::VectorXd internal = material->get().workpiece().internal_force();
+  return on(m.object, [&](auto& contact) {
+    constexpr int Dim = dim_of<decltype(contact)>;
+    auto& object = contact.with_material(material->get(), "contact.imbalance");
+    if (!contact.started()) return 0.;
+    const Eigen::VectorXd internal = object.workpiece().internal_force();
     return called("contact.imbalance", [&] {
-      return ForceBalance<2>(m->get().run(), {0, 0}).imbalance(internal);
+      return ForceBalance<Dim>(contact.run(), Vector<Dim>::Zero()).imbalance(internal);
     });
   });
+}
+
+// With the point of the moment of the plane, and of space.
+template <class Verb, class Tag, class... Before> void add_resultant(const char* name) {
+  using M = Method<H, Tag>;
+  add_method<H, Tag>(
+      name, [] { return new NamedOperator<Verb, Array, M, Before..., double, double>; },
+      [] { return new NamedOperator<Verb, Array, M, Before..., double, double, double>; });
 }
 
 } // namespace
 
 void register_contact_forces() {
-  add_method<H, HoldForceTag>("holdforce", [] {
-    return new NamedOperator<HoldForce, Array, Method<H, HoldForceTag>, double, double>;
-  });
-  add_method<H, ReactionTag>(
-      "reaction", [] { return new NamedOperator<Reaction, Array, Method<H, ReactionTag>, double, double>; });
-  add_method<H, ContactForceTag>("contactforce", [] {
-    return new NamedOperator<ContactForce, Array, Method<H, ContactForceTag>, long, double, double>;
-  });
-  add_method<H, ExternalTag>("externalforce", [] {
-    return new NamedOperator<External, Array, Method<H, ExternalTag>, MaterialHandle*, double, double>;
-  });
+  add_resultant<HoldForce, HoldForceTag>("holdforce");
+  add_resultant<Reaction, ReactionTag>("reaction");
+  add_resultant<ContactForce, ContactForceTag, long>("contactforce");
+  add_resultant<External, ExternalTag, MaterialHandle*>("externalforce");
   add_method<H, ImbalanceTag>("imbalance", [] {
     return new OneOperator2_<double, Method<H, ImbalanceTag>, MaterialHandle*>(imbalance);
   });

@@ -50,27 +50,34 @@ struct Condense {
   static basicAC_F0::name_and_type names[n];
   static newpMatrice_Creuse<double> call(const Named& a, Method<ContactHandle, CondenseTag> m,
                                          Matrice_Creuse<double>* K, KN_<double> u, KN_<double> R) {
-    ContactObject& contact = m->get();
     const std::string solver = known_solver(a.text("solver", "BURNISH"), "contact.condense");
     const bool symmetric = a.boolean("symmetric", false);
     if (!symmetric && takes_triangle(solver)) // it would read one triangle only and answer wrongly
       fail("contact.condense", "solver \"" + solver + "\" needs symmetric=true");
-    const long n = contact.setup->mesh().num_dofs();
-    const CpuTimer timer(contact.condense_seconds);
-    const auto& blocks = contact.blocks(view_of(K, n, "contact.condense"), "contact.condense");
-    if (symmetric) require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.condense");
-    Settings terms;
-    terms.iteration.terms = contact.run().iteration().options().terms;
-    if (a.has("terms")) set_choice(terms, setting("terms"), a.text("terms", ""), "contact.condense");
-    const auto right = a.boolean("rates", false) ? RightHandSide::RATES : RightHandSide::TOTAL;
-    const auto& system = called("contact.condense", [&]() -> const CondensedSystem& {
-      return contact.run().condensed().condense(blocks, to_dofs(u, n, "contact.condense", "u"),
-                                                to_dofs(R, n, "contact.condense", "R"), terms.iteration.terms,
-                                                right, symmetric);
+    return visit(m->get(), [&](auto& contact) {
+      const long n = contact.setup->mesh().num_dofs();
+      const CpuTimer timer(contact.condense_seconds);
+      const auto& blocks = contact.blocks(view_of(K, n, "contact.condense"), "contact.condense");
+      if (symmetric) require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.condense");
+      const GeometricTerms terms = terms_of(a, contact.run().iteration().options().terms);
+      const auto right = a.boolean("rates", false) ? RightHandSide::RATES : RightHandSide::TOTAL;
+      const auto& system = called("contact.condense", [&]() -> const CondensedSystem& {
+        return contact.run().condensed().condense(blocks, to_dofs(u, n, "contact.condense", "u"),
+                                                  to_dofs(R, n, "contact.condense", "R"), terms, right,
+                                                  symmetric);
+      });
+      contact.condensed = &system;
+      contact.rhs.assign(system.rhs.data(), system.rhs.data() + system.rhs.size());
+      return to_freefem(a.stack(), system, solver);
     });
-    contact.condensed = &system;
-    contact.rhs.assign(system.rhs.data(), system.rhs.data() + system.rhs.size());
-    return to_freefem(a.stack(), system, solver);
+  }
+
+private:
+  static GeometricTerms terms_of(const Named& a, GeometricTerms otherwise) {
+    Settings settings;
+    settings.iteration.terms = otherwise;
+    if (a.has("terms")) set_choice(settings, setting("terms"), a.text("terms", ""), "contact.condense");
+    return settings.iteration.terms;
   }
 };
 basicAC_F0::name_and_type Condense::names[] = {{"terms", &typeid(string*)},
@@ -93,19 +100,19 @@ double matrix_number(const Method<ContactHandle, MatrixTag>& m, string* const& n
 }
 
 KN_<double> given(Stack stack, ContactHandle* const& h) {
-  return guarded([&] {
-    const auto& fixed = h->get().run().setup().body().fixed;
+  return on(h, [&](auto& contact) {
+    const auto& fixed = contact.run().setup().body().fixed;
     return new_array(stack, std::vector<double>(fixed.begin(), fixed.end()));
   });
 }
 double elastic_blend(ContactHandle* const& h) {
-  return guarded([&] { return h->get().run().iteration().policy().elastic_blend(); });
+  return on(h, [](auto& contact) { return contact.run().iteration().policy().elastic_blend(); });
 }
 bool again(ContactHandle* const& h) {
-  return guarded([&] { return h->get().run().condensed().again(); });
+  return on(h, [](auto& contact) { return contact.run().condensed().again(); });
 }
 bool blend_exhausted(ContactHandle* const& h) {
-  return guarded([&] { return h->get().run().iteration().policy().blend_exhausted(); });
+  return on(h, [](auto& contact) { return contact.run().iteration().policy().blend_exhausted(); });
 }
 
 KN_<double> right_hand_side(Stack stack, ContactHandle* const& h) {
@@ -114,8 +121,7 @@ KN_<double> right_hand_side(Stack stack, ContactHandle* const& h) {
 
 struct ExpandTag {};
 double expand(Stack, const Method<ContactHandle, ExpandTag>& m, const KN_<double>& z, const KN_<double>& u) {
-  return guarded([&] {
-    ContactObject& contact = m->get();
+  return on(m.object, [&](auto& contact) {
     Eigen::VectorXd v = to_dofs(u, contact.setup->mesh().num_dofs(), "contact.expand", "u");
     const Eigen::VectorXd solution = to_vector(z, "contact.expand", "z");
     const double largest =
@@ -128,10 +134,9 @@ double expand(Stack, const Method<ContactHandle, ExpandTag>& m, const KN_<double
 struct SetTag {};
 template <class Value>
 bool set(const Method<ContactHandle, SetTag>& m, string* const& name, const Value& value) {
-  return guarded([&] {
+  return on(m.object, [&](auto& contact) {
     const Setting& one = setting(*name);
     if (std::string(one.owner) != "rcContact") fail("contact.set", *name + " is no setting of rcContact");
-    ContactObject& contact = m->get();
     IterationOptions& options = contact.started() ? contact.run().iteration().options() : contact.options;
     Settings all;
     all.iteration = options;
@@ -146,8 +151,7 @@ bool set(const Method<ContactHandle, SetTag>& m, string* const& name, const Valu
 
 struct CutTag {};
 bool cut(Stack, const Method<ContactHandle, CutTag>& m, const KN_<double>& u, const double& fraction) {
-  return guarded([&] {
-    ContactObject& contact = m->get();
+  return on(m.object, [&](auto& contact) {
     Eigen::VectorXd v = to_dofs(u, contact.setup->mesh().num_dofs(), "contact.cut", "u");
     contact.run().condensed().cut(v, fraction);
     to_array(v, u, "contact.cut");

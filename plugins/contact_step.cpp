@@ -45,7 +45,8 @@
 namespace burnish {
 namespace {
 
-Eigen::VectorXd dofs(const ContactObject& contact, const KN_<double>& a, const char* where,
+template <int Dim>
+Eigen::VectorXd dofs(const ContactOf<Dim>& contact, const KN_<double>& a, const char* where,
                      const char* name) {
   return to_dofs(a, contact.setup->mesh().num_dofs(), where, name);
 }
@@ -59,15 +60,16 @@ struct Begin {
     return a.boolean("events", false) ? Stepping::EVENT : Stepping::IMPLICIT;
   }
   static bool call(const Named& a, Method<ContactHandle, BeginTag> m, KN_<double> u, double t, double dt) {
-    ContactObject& contact = m->get();
     require(std::isfinite(t), "contact.begin", "t", t, "a finite number");
-    Eigen::VectorXd v = dofs(contact, u, "contact.begin", "u");
-    contact.pending.clear();
-    contact.step = {};
-    called("contact.begin", [&] { contact.run().begin(v, t, dt, stepping(a)); });
-    contact.step.rates = stepping(a) == Stepping::RATES;
-    to_array(v, u, "contact.begin");
-    return true;
+    return visit(m->get(), [&](auto& contact) {
+      Eigen::VectorXd v = dofs(contact, u, "contact.begin", "u");
+      contact.pending.clear();
+      contact.step = {};
+      called("contact.begin", [&] { contact.run().begin(v, t, dt, stepping(a)); });
+      contact.step.rates = stepping(a) == Stepping::RATES;
+      to_array(v, u, "contact.begin");
+      return true;
+    });
   }
 };
 basicAC_F0::name_and_type Begin::names[] = {{"events", &typeid(bool)}, {"rates", &typeid(bool)}};
@@ -76,8 +78,7 @@ basicAC_F0::name_and_type Begin::names[] = {{"events", &typeid(bool)}, {"rates",
 template <class Verb>
 long step_verb(ContactHandle* handle, const KN_<double>& u, const KN_<double>& R, const char* where,
                Verb verb) {
-  return guarded([&] {
-    ContactObject& contact = handle->get();
+  return on(handle, [&](auto& contact) {
     if (contact.step.rates)
       fail(where, "a step of pure rates is solved once: condense(..., rates=true) and expand, then accept");
     Eigen::VectorXd v = dofs(contact, u, where, "u");
@@ -106,22 +107,23 @@ struct Factorize {
   static basicAC_F0::name_and_type names[n];
   static bool of_material(const Named& a, Method<ContactHandle, FactorizeTag> m, MaterialHandle* material,
                           KN_<double> u) {
-    ContactObject& contact = m->get();
-    MaterialObject& object = material->get();
-    contact.require_same_mesh(object, "contact.factorize");
-    contact.material = material->share();
-    contact.take_solver(a.text("solver", ""), a.stack(), "contact.factorize");
-    return factorize_tangent(contact.run(), object.workpiece(), dofs(contact, u, "contact.factorize", "u"));
+    return visit(m->get(), [&](auto& contact) {
+      auto& object = contact.with_material(material->get(), "contact.factorize");
+      contact.material = material->share();
+      contact.take_solver(a.text("solver", ""), a.stack(), "contact.factorize");
+      return factorize_tangent(contact.run(), object.workpiece(), dofs(contact, u, "contact.factorize", "u"));
+    });
   }
   static bool of_matrix(const Named& a, Method<ContactHandle, FactorizeTag> m, Matrice_Creuse<double>* K,
                         KN_<double> u) {
-    ContactObject& contact = m->get();
-    const auto& blocks = contact.blocks(view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"),
-                                        "contact.factorize");
-    contact.run().step().require_begun("contact.factorize");
-    if (contact.take_solver(a.text("solver", ""), a.stack(), "contact.factorize"))
-      require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.factorize");
-    return contact.run().factorize(blocks, dofs(contact, u, "contact.factorize", "u")) == FactorStatus::OK;
+    return visit(m->get(), [&](auto& contact) {
+      const auto& blocks = contact.blocks(
+          view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"), "contact.factorize");
+      contact.run().step().require_begun("contact.factorize");
+      if (contact.take_solver(a.text("solver", ""), a.stack(), "contact.factorize"))
+        require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.factorize");
+      return contact.run().factorize(blocks, dofs(contact, u, "contact.factorize", "u")) == FactorStatus::OK;
+    });
   }
 };
 basicAC_F0::name_and_type Factorize::names[] = {{"solver", &typeid(string*)}};
@@ -137,32 +139,32 @@ struct Events {
   static const int n = 2;
   static basicAC_F0::name_and_type names[n];
   static double call(const Named& a, Method<ContactHandle, EventsTag> m, KN_<double> u, KN_<double> R) {
-    ContactObject& contact = m->get();
-    const CpuTimer timer(contact.event_seconds);
-    contact.pending =
-        contact.run().events(dofs(contact, u, "contact.events", "u"), dofs(contact, R, "contact.events", "R"),
-                             a.real("tolerance", 1e-3), a.real("until", 1));
-    double first = 2;
-    for (const auto& event : contact.pending) first = std::min(first, event.fraction);
-    return first;
+    return visit(m->get(), [&](auto& contact) {
+      const CpuTimer timer(contact.event_seconds);
+      contact.pending = contact.run().events(dofs(contact, u, "contact.events", "u"),
+                                             dofs(contact, R, "contact.events", "R"),
+                                             a.real("tolerance", 1e-3), a.real("until", 1));
+      double first = 2;
+      for (const auto& event : contact.pending) first = std::min(first, event.fraction);
+      return first;
+    });
   }
 };
 basicAC_F0::name_and_type Events::names[] = {{"tolerance", &typeid(double)}, {"until", &typeid(double)}};
 
 struct LogTag {};
 long log_events(const Method<ContactHandle, LogTag>& m, MaterialHandle* const& material) {
-  return guarded([&] {
-    m->get().run().step().require_begun("contact.logevents");
-    const auto& events = material->get().body->pending();
-    m->get().run().log_elements(events);
+  return on(m.object, [&](auto& contact) {
+    contact.run().step().require_begun("contact.logevents");
+    const auto& events = contact.with_material(material->get(), "contact.logevents").body->pending();
+    contact.run().log_elements(events);
     return static_cast<long>(events.size());
   });
 }
 
 struct AcceptEventsTag {};
 long accept_events(const Method<ContactHandle, AcceptEventsTag>& m) {
-  return guarded([&] {
-    ContactObject& contact = m->get();
+  return on(m.object, [&](auto& contact) {
     contact.run().accept_events(contact.pending);
     const long n = static_cast<long>(contact.pending.size());
     contact.pending.clear();
@@ -173,7 +175,7 @@ long accept_events(const Method<ContactHandle, AcceptEventsTag>& m) {
 struct AcceptTag {};
 struct RevertTag {};
 // A step of pure rates is solved, not iterated; the core refuses to accept what has not been checked.
-void require_converged(ContactObject& contact, const Eigen::VectorXd& u) {
+template <int Dim> void require_converged(ContactOf<Dim>& contact, const Eigen::VectorXd& u) {
   contact.run().step().require_checked("contact.accept");
   const StepSeen& step = contact.step;
   if (step.rates) return;
@@ -187,31 +189,32 @@ void require_converged(ContactObject& contact, const Eigen::VectorXd& u) {
     }
 }
 bool accept(Stack, const Method<ContactHandle, AcceptTag>& m, const KN_<double>& u, const KN_<double>& R) {
-  return guarded([&] {
-    ContactObject& contact = m->get();
+  return on(m.object, [&](auto& contact) {
+    constexpr int Dim = dim_of<decltype(contact)>;
     const CpuTimer timer(contact.event_seconds);
     const Eigen::VectorXd v = dofs(contact, u, "contact.accept", "u");
     require_converged(contact, v);
-    contact.diagnosis.begin(accepted_step<2>(contact.run(), nullptr));
+    contact.diagnosis.begin(accepted_step<Dim>(contact.run(), nullptr));
     contact.run().accept(v, dofs(contact, R, "contact.accept", "R"), contact.pending);
-    contact.diagnosis.look(accepted_step<2>(contact.run(), nullptr));
+    contact.diagnosis.look(accepted_step<Dim>(contact.run(), nullptr));
     contact.pending.clear();
     contact.step = {};
     return true;
   });
 }
 bool revert(const Method<ContactHandle, RevertTag>& m) {
-  return guarded([&] {
-    if (m->get().started()) m->get().run().revert();
-    m->get().pending.clear();
-    m->get().step = {};
+  return on(m.object, [](auto& contact) {
+    if (contact.started()) contact.run().revert();
+    contact.pending.clear();
+    contact.step = {};
     return true;
   });
 }
 string* reason(Stack stack, ContactHandle* const& h) {
-  return guarded([&] {
-    return new_string(
-        stack, h->get().started() ? burnish::reason<2>(h->get().run(), h->get().diagnosis, nullptr) : "");
+  return on(h, [&](auto& contact) {
+    return new_string(stack, contact.started() ? burnish::reason<dim_of<decltype(contact)>>(
+                                                     contact.run(), contact.diagnosis, nullptr)
+                                               : "");
   });
 }
 

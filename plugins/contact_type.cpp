@@ -73,43 +73,54 @@ std::vector<long> labels_of(const Named& a, const char* where) {
 
 constexpr double LOOSE = 1e-2; // largest tolerance that nobody has to confirm
 
-struct MakeContact {
+std::shared_ptr<const FacetMeasure<2>> measure_of(const Mesh<2>& mesh) {
+  return std::make_shared<EdgeMeasure>(mesh.axisymmetric);
+}
+std::shared_ptr<const FacetMeasure<3>> measure_of(const Mesh<3>&) { return std::make_shared<FaceMeasure>(); }
+
+struct ContactParameters {
   static std::vector<basicAC_F0::name_and_type> list;
   static const int n;
   static basicAC_F0::name_and_type* const names;
-  static Made<ContactObject> call(const Named& a, pfes* space) {
+};
+template <int Dim> struct MakeContact : ContactParameters {
+  static std::vector<char> fixed_of(const Named& a, long dofs) {
+    std::vector<char> fixed(static_cast<std::size_t>(dofs), 0);
+    if (!a.has("fixed")) return fixed;
+    const Eigen::VectorXd flags = to_dofs(a.array("fixed"), dofs, "contact", "fixed");
+    for (long d = 0; d < dofs; ++d) fixed[static_cast<std::size_t>(d)] = flags[d] != 0;
+    return fixed;
+  }
+  static void place_surface(const Named& a, ContactSetup<Dim>& setup) {
+    const auto& X = setup.mesh().X;
+    if (a.boolean("straight", false))
+      setup.place_surface(Eigen::Map<const Eigen::VectorXd>(X.data(), static_cast<long>(X.size())));
+    if (a.has("surfaceplaces"))
+      setup.place_surface(
+          to_dofs(a.array("surfaceplaces"), setup.mesh().num_dofs(), "contact", "surfaceplaces"));
+  }
+  static Made<ContactObject> call(const Named& a, typename Freefem<Dim>::Fespace* space) {
     const std::vector<long> labels = labels_of(a, "contact");
     if (labels.empty()) fail("contact", "the contact surface is missing: label=... or labels=...");
-    auto mesh = mesh_of(space, "contact", a.boolean("axisymmetric", false));
-    std::vector<char> fixed(mesh.num_dofs(), 0);
-    if (a.has("fixed")) {
-      const Eigen::VectorXd flags =
-          to_dofs(a.array("fixed"), static_cast<long>(fixed.size()), "contact", "fixed");
-      for (std::size_t d = 0; d < fixed.size(); ++d) fixed[d] = flags[static_cast<long>(d)] != 0;
-    }
+    auto mesh = mesh_of<Dim>(space, "contact", a.boolean("axisymmetric", false));
+    auto fixed = fixed_of(a, mesh.num_dofs());
     const IterationOptions options = settings_of(a, "rcContact", "contact").iteration;
     require(options.tolerance <= LOOSE || a.boolean("loose", false), "contact", "tolerance",
             options.tolerance,
             "<= 1e-2: beyond it the result may be wrong many times over; loose=true takes it all the same");
-    auto object = std::make_shared<ContactObject>();
+    auto object = std::make_shared<ContactOf<Dim>>();
     object->friction = called("rcContact", [&] { return make_coulomb(a.real("friction", 0)); });
     for (const long label : labels) facets_with(mesh, {label}, "contact"); // each must be there
     auto surface = facets_with(mesh, labels, "contact");
-    auto measure = std::make_shared<EdgeMeasure>(mesh.axisymmetric);
-    object->setup = std::make_shared<ContactSetup<2>>(std::move(mesh), std::move(surface), std::move(fixed),
-                                                      std::move(measure));
+    auto measure = measure_of(mesh);
+    object->setup = std::make_shared<ContactSetup<Dim>>(std::move(mesh), std::move(surface), std::move(fixed),
+                                                        std::move(measure));
     object->options = options;
-    if (a.boolean("straight", false)) {
-      const auto& X = object->setup->mesh().X;
-      object->setup->place_surface(Eigen::Map<const Eigen::VectorXd>(X.data(), static_cast<long>(X.size())));
-    }
-    if (a.has("surfaceplaces"))
-      object->setup->place_surface(
-          to_dofs(a.array("surfaceplaces"), object->setup->mesh().num_dofs(), "contact", "surfaceplaces"));
-    return made(a.stack(), std::move(object));
+    place_surface(a, *object->setup);
+    return made<ContactObject>(a.stack(), std::move(object));
   }
 };
-std::vector<basicAC_F0::name_and_type> MakeContact::list =
+std::vector<basicAC_F0::name_and_type> ContactParameters::list =
     setting_names("rcContact", {{"label", &typeid(long)},
                                 {"labels", &typeid(KN_<long>)},
                                 {"fixed", &typeid(KN_<double>)},
@@ -118,20 +129,20 @@ std::vector<basicAC_F0::name_and_type> MakeContact::list =
                                 {"surfaceplaces", &typeid(KN_<double>)},
                                 {"straight", &typeid(bool)},
                                 {"loose", &typeid(bool)}});
-const int MakeContact::n = static_cast<int>(list.size());
-basicAC_F0::name_and_type* const MakeContact::names = list.data();
+const int ContactParameters::n = static_cast<int>(list.size());
+basicAC_F0::name_and_type* const ContactParameters::names = list.data();
 
-// Edges of the labels that a tool may touch; empty: all.
-std::vector<Facet<2>> reach_of(const Named& a, const ContactObject& contact) {
+// Facets of the labels that a tool may touch; empty: all.
+template <int Dim> std::vector<Facet<Dim>> reach_of(const Named& a, const ContactOf<Dim>& contact) {
   const std::vector<long> labels = labels_of(a, "contact.add");
   const auto& surface = contact.setup->surface();
-  std::vector<Facet<2>> reach;
+  std::vector<Facet<Dim>> reach;
   for (const long label : labels) {
     const std::size_t before = reach.size();
     std::copy_if(surface.begin(), surface.end(), std::back_inserter(reach),
-                 [label](const Facet<2>& edge) { return edge.label == label; });
+                 [label](const Facet<Dim>& facet) { return facet.label == label; });
     std::set<long> known;
-    for (const Facet<2>& edge : surface) known.insert(edge.label);
+    for (const Facet<Dim>& facet : surface) known.insert(facet.label);
     std::string list;
     for (const long one : known) list += " " + std::to_string(one);
     require(reach.size() > before, "contact.add", "label", label, ("a label of the contact:" + list).c_str());
@@ -145,15 +156,17 @@ struct AddTool {
   static std::vector<basicAC_F0::name_and_type> list;
   static const int n;
   static basicAC_F0::name_and_type* const names;
-  static bool call(const Named& a, Method<ContactHandle, AddTag> m, ToolHandle* tool) {
-    ContactObject& contact = m->get();
-    const auto friction = called("contact.add", [&] {
-      return make_friction(arguments_of(a, laws), contact.friction, contact.parameters);
+  static bool call(const Named& a, Method<ContactHandle, AddTag> m, ToolHandle* handle) {
+    return visit(m->get(), [&](auto& contact) {
+      const auto friction = called("contact.add", [&] {
+        return make_friction(arguments_of(a, laws), contact.friction, contact.parameters);
+      });
+      auto& object = of_dimension<dim_of<decltype(contact)>>(handle->get(), "contact.add");
+      contact.setup->add_tool(object.tool, friction, reach_of(a, contact));
+      object.added = true;
+      object.contact = m.object->share();
+      return true;
     });
-    contact.setup->add_tool(tool->get().tool, friction, reach_of(a, contact));
-    tool->get().added = true;
-    tool->get().contact = m.object->share();
-    return true;
   }
 };
 const std::vector<Parameter> AddTool::laws = friction_parameters();
@@ -171,9 +184,9 @@ double parameter(const Method<ContactHandle, ParameterTag>& m, string* const& na
 }
 
 string* warnings(Stack stack, ContactHandle* const& h) {
-  return guarded([&] {
+  return on(h, [&](auto& contact) {
     std::string text;
-    for (const Finding& finding : h->get().diagnosis.findings().list())
+    for (const Finding& finding : contact.diagnosis.findings().list())
       if (finding.severity == Severity::WARNING) text += finding.text + "\n";
     return new_string(stack, text);
   });
@@ -181,8 +194,8 @@ string* warnings(Stack stack, ContactHandle* const& h) {
 
 struct CoupleTag {};
 bool couple(const Method<ContactHandle, CoupleTag>& m, string* const& dependent, string* const& text) {
-  return guarded([&] {
-    called("contact.couple", [&] { m->get().setup->couple(*dependent, *text); });
+  return on(m.object, [&](auto& contact) {
+    called("contact.couple", [&] { contact.setup->couple(*dependent, *text); });
     return true;
   });
 }
@@ -190,60 +203,69 @@ bool couple(const Method<ContactHandle, CoupleTag>& m, string* const& dependent,
 struct ApproachTag {};
 double approach(const Method<ContactHandle, ApproachTag>& m, ToolHandle* const& tool,
                 string* const& coordinate, const KN_<double>& u) {
-  return guarded([&] {
-    if (m->get().under_way)
+  return on(m.object, [&](auto& contact) {
+    if (contact.under_way)
       fail("contact.approach", "a run is under way: approach before it, or between two runs");
-    const auto& tools = m->get().setup->tools();
-    const auto at = std::find(tools.begin(), tools.end(), tool->get().tool);
+    const auto& added = of_dimension<dim_of<decltype(contact)>>(tool->get(), "contact.approach").tool;
+    const auto& tools = contact.setup->tools();
+    const auto at = std::find(tools.begin(), tools.end(), added);
     if (at == tools.end())
-      fail("contact.approach", "tool \"" + tool->get().tool->name() + "\" was not added, call add first");
-    const long n = m->get().setup->mesh().num_dofs();
-    return m->get().run().approach(static_cast<int>(at - tools.begin()), *coordinate,
-                                   to_dofs(u, n, "contact.approach", "u"));
+      fail("contact.approach", "tool \"" + added->name() + "\" was not added, call add first");
+    const long n = contact.setup->mesh().num_dofs();
+    return contact.run().approach(static_cast<int>(at - tools.begin()), *coordinate,
+                                  to_dofs(u, n, "contact.approach", "u"));
   });
 }
 
 } // namespace
 
-ContactRun<2>& ContactObject::run() {
-  if (!m_run) m_run = std::make_unique<ContactRun<2>>(setup, options);
+template <int Dim> ContactRun<Dim>& ContactOf<Dim>::run() {
+  if (!m_run) m_run = std::make_unique<ContactRun<Dim>>(setup, options);
   return *m_run;
 }
 
-bool ContactObject::take_solver(const std::string& solver, Stack stack, const char* where) {
-  const std::string name = solver.empty() ? solver : known_solver(solver, where);
-  if (name != m_solver) {
-    m_solver = name;
-    const auto make = [=]() -> std::unique_ptr<BodySolver<2>> {
-      return std::make_unique<ColumnFactor<2>>(freefem_solver(name, stack));
+template <int Dim>
+bool ContactOf<Dim>::take_solver(const std::string& name, Stack stack, const char* where) {
+  const std::string known = name.empty() ? name : known_solver(name, where);
+  if (known != solver) {
+    solver = known;
+    const auto make = [=]() -> std::unique_ptr<BodySolver<Dim>> {
+      return std::make_unique<ColumnFactor<Dim>>(freefem_solver(known, stack));
     };
-    run().corrector().set_solver(name.empty() ? nullptr
-                                              : std::function<std::unique_ptr<BodySolver<2>>()>(make));
+    run().corrector().set_solver(known.empty() ? nullptr
+                                               : std::function<std::unique_ptr<BodySolver<Dim>>()>(make));
   }
-  return name.empty() || takes_triangle(name);
+  return known.empty() || takes_triangle(known);
 }
 
-void ContactObject::require_same_mesh(MaterialObject& material, const char* where) {
-  burnish::require_same_mesh<2>(material.workpiece().discretization(), "the material", setup->mesh(),
-                                "the contact", where);
+template <int Dim>
+MaterialOf<Dim>& ContactOf<Dim>::with_material(MaterialObject& material, const char* where) const {
+  auto& object = of_dimension<Dim>(material, where);
+  require_same_mesh<Dim>(object.workpiece().discretization(), "the material", setup->mesh(), "the contact",
+                         where);
+  return object;
 }
 
-const NodeBlockMatrix<2>& ContactObject::blocks(const TripletView& K, const char* where) {
-  const auto& read = called(where, [&]() -> const NodeBlockMatrix<2>& { return reader.read(K); });
+template <int Dim>
+const NodeBlockMatrix<Dim>& ContactOf<Dim>::blocks(const TripletView& K, const char* where) {
+  const auto& read = called(where, [&]() -> const NodeBlockMatrix<Dim>& { return reader.read(K); });
   matrices.require_of(setup->mesh(), read, where);
   return read;
 }
 
-double ContactObject::linear_seconds() const {
+template <int Dim> double ContactOf<Dim>::linear_seconds() const {
   if (!m_run) return 0;
   const IterationCounts& counts = m_run->iteration().counts();
   return counts.factorization_seconds + counts.condensation_seconds + counts.solve_seconds;
 }
 
-const ContactRun<2>& ContactObject::running(const char* where) const {
+template <int Dim> const ContactRun<Dim>& ContactOf<Dim>::running(const char* where) const {
   if (!m_run) fail(where, "no state yet: call approach or begin first");
   return *m_run;
 }
+
+template struct ContactOf<2>;
+template struct ContactOf<3>;
 
 void register_contact() {
   using H = ContactHandle;
@@ -251,7 +273,8 @@ void register_contact() {
   zzzfff->Add("contact", atype<H*>());
   Dcl_Type<Made<ContactObject>>();
   TheOperators->Add("<-", new OneOperator2_<H*, H*, Made<ContactObject>>(take_over<ContactObject>));
-  Global.Add("rcContact", "(", new NamedOperator<MakeContact, Made<ContactObject>, pfes*>);
+  Global.Add("rcContact", "(", new NamedOperator<MakeContact<2>, Made<ContactObject>, pfes*>);
+  Global.Add("rcContact", "(", new NamedOperator<MakeContact<3>, Made<ContactObject>, pfes3*>);
   add_method<H, AddTag>("add",
                         [] { return new NamedOperator<AddTool, bool, Method<H, AddTag>, ToolHandle*>; });
   Add<H*>("warnings", ".", new OneOperator1s_<string*, H*>(warnings));

@@ -64,17 +64,16 @@ struct SurfaceTag {};
 struct ToolsTag {};
 struct SupportsTag {};
 bool save_fields_of(const Method<MaterialHandle, SaveTag>& m, string* const& path) {
-  return guarded([&] { return save_fields(m->get().workpiece(), *path), true; });
+  return on(m.object, [&](auto& material) { return save_fields(material.workpiece(), *path), true; });
 }
 bool save_surface_of(const Method<ContactHandle, SurfaceTag>& m, string* const& path) {
-  return guarded([&] { return save_surface(m->get().run(), *path), true; });
+  return on(m.object, [&](auto& contact) { return save_surface(contact.run(), *path), true; });
 }
 bool save_supports_of(const Method<ContactHandle, SupportsTag>& m, string* const& path) {
-  return guarded([&] { return save_supports(m->get().run(), *path), true; });
+  return on(m.object, [&](auto& contact) { return save_supports(contact.run(), *path), true; });
 }
 bool save_tools_of(const Method<ContactHandle, ToolsTag>& m, string* const& path) {
-  return guarded([&] {
-    ContactObject& contact = m->get();
+  return on(m.object, [&](auto& contact) {
     const Eigen::VectorXd none;
     return save_tools(*contact.setup, contact.started() ? contact.run().accepted().u : none, *path), true;
   });
@@ -84,16 +83,19 @@ struct StoppedTag {};
 string* save_stopped(Stack stack, const Method<StepControlHandle, StoppedTag>& m) {
   return guarded([&] {
     const ControlObject& run = m->get();
-    run.running("stepcontrol.savestopped");
+    constexpr const char* WHERE = "stepcontrol.savestopped";
+    run.running(WHERE);
     namespace fs = std::filesystem;
     const fs::path file = "out" / fs::path(script_options().script()).stem() / "stopped.vtu";
     std::error_code unmade; // is told when the file is written
     fs::create_directories(file.parent_path(), unmade);
-    const Workpiece<2>& body = run.material->body->workpiece();
-    if (run.options.forms_only)
-      save_displacement(body.discretization(), run.contact->run().accepted().u, file.string());
-    else
-      save_fields(body, file.string());
+    visit(*run.contact, [&](auto& contact) {
+      const auto& body = of_dimension<dim_of<decltype(contact)>>(*run.material, WHERE).workpiece();
+      if (run.options.forms_only)
+        save_displacement(body.discretization(), contact.run().accepted().u, file.string());
+      else
+        save_fields(body, file.string());
+    });
     return new_string(stack, file.string());
   });
 }

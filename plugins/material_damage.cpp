@@ -38,12 +38,14 @@ struct Damage {
   static const int n = 2;
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& a, Method<M, DamageTag> m, string* event) {
-    RunBody<2>& body = *m->get().body;
-    called("material.damage", [&] {
-      body.damage().damage(body.workpiece(), body.user(), *event, a.real("integrity", LEAST_INTEGRITY),
-                           static_cast<int>(a.integer("steps", STEPS, 1, MOST_STEPS, "material.damage")));
+    const int steps = static_cast<int>(a.integer("steps", STEPS, 1, MOST_STEPS, "material.damage"));
+    return visit(m->get(), [&](auto& material) {
+      auto& body = *material.body;
+      called("material.damage", [&] {
+        body.damage().damage(body.workpiece(), body.user(), *event, a.real("integrity", LEAST_INTEGRITY), steps);
+      });
+      return true;
     });
-    return true;
   }
 };
 basicAC_F0::name_and_type Damage::names[] = {{"integrity", &typeid(double)}, {"steps", &typeid(long)}};
@@ -52,12 +54,11 @@ struct Heal {
   static const int n = 1;
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& a, Method<M, HealTag> m, string* event) {
-    RunBody<2>& body = *m->get().body;
-    called("material.heal", [&] {
-      body.damage().heal(body.user(), *event,
-                         static_cast<int>(a.integer("steps", STEPS, 1, MOST_STEPS, "material.heal")));
+    const int steps = static_cast<int>(a.integer("steps", STEPS, 1, MOST_STEPS, "material.heal"));
+    return visit(m->get(), [&](auto& material) {
+      called("material.heal", [&] { material.body->damage().heal(material.body->user(), *event, steps); });
+      return true;
     });
-    return true;
   }
 };
 basicAC_F0::name_and_type Heal::names[] = {{"steps", &typeid(long)}};
@@ -66,23 +67,25 @@ struct HealAll {
   static const int n = 1;
   static basicAC_F0::name_and_type names[n];
   static long call(const Named& a, Method<M, HealTag> m) {
-    return called("material.heal", [&] {
-      return heal_all(m->get().workpiece(),
-                      static_cast<int>(a.integer("steps", STEPS, 1, MOST_STEPS, "material.heal")));
+    const int steps = static_cast<int>(a.integer("steps", STEPS, 1, MOST_STEPS, "material.heal"));
+    return visit(m->get(), [&](auto& material) -> long {
+      return called("material.heal", [&] { return heal_all(material.workpiece(), steps); });
     });
   }
 };
 basicAC_F0::name_and_type HealAll::names[] = {{"steps", &typeid(long)}};
 
 KN_<double> integrity(Stack stack, M* const& h) {
-  return guarded([&] { return new_array(stack, integrity_field(h->get().workpiece())); });
+  return on(h,
+            [&](auto& material) { return new_array(stack, integrity_field(material.workpiece())); });
 }
 long damaged(M* const& h) {
-  return guarded(
-      [&] { return static_cast<long>((integrity_field(h->get().workpiece()).array() < 1).count()); });
+  return on(h, [](auto& material) {
+    return static_cast<long>((integrity_field(material.workpiece()).array() < 1).count());
+  });
 }
 bool has_damage(M* const& h) {
-  return guarded([&] { return h->get().body->has_damage(); });
+  return on(h, [](auto& material) { return material.body->has_damage(); });
 }
 
 } // namespace

@@ -15,9 +15,10 @@
 //     share     of the volume | - | | 0 to 1
 //     least     points below it do not count | its own
 //   M.displacement(i)   component over the nodes, accepted state | length
-//     i         0: x, 1: y | - | | 0, 1
+//     i         0: x, 1: y, 2: z | - | | 0, 1; 2 in space
 //   M.degree    of the elements: 1 or 2 | -
-//   M.Th        their mesh
+//   M.Th, M.Th3   their mesh, in the plane and in space
+//   M.dimension   2 or 3 | -
 //   M.axisymmetric   1 or 0 | -
 //   M.warnings   one line for each number that no known material has
 #include "base/error.hpp"
@@ -33,58 +34,78 @@ namespace {
 struct NodalTag {};
 
 KN_<double> nodal(Stack stack, const Method<MaterialHandle, NodalTag>& m, const KN_<double>& values) {
-  return guarded([&] {
-    return new_array(stack, nodal_average(m->get().workpiece().discretization(),
+  return on(m.object, [&](auto& material) {
+    return new_array(stack, nodal_average(material.workpiece().discretization(),
                                           to_vector(values, "material.nodal", "values")));
   });
 }
 
 KN_<double> plastic_strain_eq(Stack stack, MaterialHandle* const& h) {
-  return guarded([&] { return new_array(stack, internal_field(h->get().workpiece(), "plastic_strain_eq")); });
+  return on(h, [&](auto& material) {
+    return new_array(stack, internal_field(material.workpiece(), "plastic_strain_eq"));
+  });
 }
 KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
-  return guarded([&] { return new_array(stack, stress_eq_field(h->get().workpiece())); });
+  return on(h,
+            [&](auto& material) { return new_array(stack, stress_eq_field(material.workpiece())); });
 }
 KN_<double> yield_distance(Stack stack, MaterialHandle* const& h) {
-  return guarded([&] { return new_array(stack, yield_distance_field(h->get().workpiece())); });
+  return on(h,
+            [&](auto& material) { return new_array(stack, yield_distance_field(material.workpiece())); });
 }
 KN_<double> stress_error_field(Stack stack, MaterialHandle* const& h) {
-  return guarded([&] {
-    const Workpiece<2>& workpiece = h->get().workpiece();
+  return on(h, [&](auto& material) {
+    const auto& workpiece = material.workpiece();
     return new_array(stack, stress_error(workpiece.discretization(), stress_field(workpiece)).point);
   });
 }
 struct PercentileTag {};
 double percentile(const Method<MaterialHandle, PercentileTag>& m, const KN_<double>& values,
                   const double& share, const double& least) {
-  return guarded([&] {
+  return on(m.object, [&](auto& material) {
     return called("material.volumepercentile", [&] {
-      return volume_percentile(m->get().workpiece().discretization(),
+      return volume_percentile(material.workpiece().discretization(),
                                to_vector(values, "material.volumepercentile", "values"), share, least);
     });
   });
 }
 string* internal_variables(Stack stack, MaterialHandle* const& h) {
-  return guarded([&] { return new_string(stack, h->get().workpiece().law().internal_variables().names()); });
+  return on(h, [&](auto& material) {
+    return new_string(stack, material.workpiece().law().internal_variables().names());
+  });
 }
 struct DisplacementTag {};
 KN_<double> displacement(Stack stack, const Method<MaterialHandle, DisplacementTag>& m, const long& i) {
-  return guarded([&] {
-    require(i >= 0 && i < 2, "material.displacement", "component", i, "0 or 1");
-    const Eigen::VectorXd& u = m->get().workpiece().state().displacement;
-    return new_array(stack, Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<2>>(
-                                u.data() + i, u.size() / 2)));
+  return on(m.object, [&](auto& material) {
+    constexpr int Dim = dim_of<decltype(material)>;
+    require(i >= 0 && i < Dim, "material.displacement", "component", i, Dim == 2 ? "0 or 1" : "0, 1 or 2");
+    const Eigen::VectorXd& u = material.workpiece().state().displacement;
+    return new_array(stack, Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<Dim>>(
+                                u.data() + i, u.size() / Dim)));
   });
 }
 long degree(MaterialHandle* const& h) {
-  return guarded([&] { return h->get().workpiece().discretization().nodes_per_element == 3 ? 1L : 2L; });
+  return on(h, [](auto& material) {
+    return material.workpiece().discretization().nodes_per_element == dim_of<decltype(material)> + 1 ? 1L : 2L;
+  });
 }
 long axisymmetric(MaterialHandle* const& h) {
-  return guarded([&] { return h->get().workpiece().discretization().axisymmetric ? 1L : 0L; });
+  return on(h,
+            [](auto& material) { return material.workpiece().discretization().axisymmetric ? 1L : 0L; });
 }
-pmesh mesh_of_material(MaterialHandle* const& h) { return h->get().mesh.get(); }
+pmesh plane_mesh(MaterialHandle* const& h) {
+  return guarded([&] { return of_dimension<2>(h->get(), "material.Th").mesh.get(); });
+}
+pmesh3 mesh_in_space(MaterialHandle* const& h) {
+  return guarded([&] { return of_dimension<3>(h->get(), "material.Th3").mesh.get(); });
+}
+long dimension(MaterialHandle* const& h) {
+  return guarded([&] { return static_cast<long>(h->get().dimension); });
+}
 long number_of_points(MaterialHandle* const& h) {
-  return guarded([&] { return static_cast<long>(h->get().workpiece().discretization().num_points()); });
+  return on(h, [](auto& material) {
+    return static_cast<long>(material.workpiece().discretization().num_points());
+  });
 }
 
 string* material_warnings(Stack stack, MaterialHandle* const& h) {
@@ -111,7 +132,9 @@ void register_material_data() {
   Add<H*>("warnings", ".", new OneOperator1s_<string*, H*>(material_warnings));
   Add<H*>("degree", ".", new OneOperator1_<long, H*>(degree));
   Add<H*>("axisymmetric", ".", new OneOperator1_<long, H*>(axisymmetric));
-  Add<H*>("Th", ".", new OneOperator1_<pmesh, H*>(mesh_of_material));
+  Add<H*>("Th", ".", new OneOperator1_<pmesh, H*>(plane_mesh));
+  Add<H*>("Th3", ".", new OneOperator1_<pmesh3, H*>(mesh_in_space));
+  Add<H*>("dimension", ".", new OneOperator1_<long, H*>(dimension));
   Add<H*>("points", ".", new OneOperator1_<long, H*>(number_of_points));
 }
 

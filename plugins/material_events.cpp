@@ -35,18 +35,17 @@ struct EarliestTag {};
 struct LogTag {};
 
 double parameter(const Method<M, MaterialParameterTag>& m, string* const& name, const double& value) {
-  return guarded([&] {
-    check_formula_names("material.parameter",
-                        {PointVariables<2>(m->get().workpiece().law()).names(), {{*name, value}}});
-    return m->get().parameters[*name] = value;
+  return on(m.object, [&](auto& material) {
+    const PointVariables<dim_of<decltype(material)>> variables(material.workpiece().law());
+    check_formula_names("material.parameter", {variables.names(), {{*name, value}}});
+    return material.parameters[*name] = value;
   });
 }
 bool event(const Method<M, EventTag>& m, string* const& name, string* const& formula) {
-  return guarded([&] {
+  return on(m.object, [&](auto& object) {
     for (char kind = 0; kind <= static_cast<char>(EventKind::USER); ++kind)
       if (*name == name_of(static_cast<EventKind>(kind)))
         fail("material.event", "name \"" + *name + "\" is that of a built-in kind of event");
-    MaterialObject& object = m->get();
     const int true_now = called("material.event", [&] {
       return object.body->user().add(object.workpiece(), *name, *formula, object.parameters);
     });
@@ -58,27 +57,28 @@ bool event(const Method<M, EventTag>& m, string* const& name, string* const& for
   });
 }
 KN_<double> points(Stack stack, const Method<M, PointsTag>& m, string* const& name) {
-  return guarded([&] {
-    const auto counts = called("material.eventpoints", [&] { return m->get().body->user().counts(*name); });
+  return on(m.object, [&](auto& material) {
+    const auto counts = called("material.eventpoints", [&] { return material.body->user().counts(*name); });
     return new_array(stack, std::vector<double>(counts.begin(), counts.end()));
   });
 }
 long number(const Method<M, NumberTag>& m, string* const& name) {
-  return guarded(
-      [&] { return called("material.eventnumber", [&] { return m->get().body->user().number(*name); }); });
+  return on(m.object, [&](auto& material) -> long {
+    return called("material.eventnumber", [&] { return material.body->user().number(*name); });
+  });
 }
 double earliest(const Method<M, EarliestTag>& m, const double& tolerance, const double& least) {
-  return guarded([&] {
+  return on(m.object, [&](auto& material) {
     return called("material.pointevents",
-                  [&] { return m->get().body->find_earliest_user(tolerance, least); });
+                  [&] { return material.body->find_earliest_user(tolerance, least); });
   });
 }
 long log_points(const Method<ContactHandle, LogTag>& c, M* const& material) {
-  return guarded([&] {
-    c->get().run().step().require_begun("contact.logpoints");
-    const CpuTimer timer(c->get().event_seconds);
-    const auto events = material->get().body->user_events();
-    c->get().run().log_elements(events);
+  return on(c.object, [&](auto& contact) {
+    contact.run().step().require_begun("contact.logpoints");
+    const CpuTimer timer(contact.event_seconds);
+    const auto events = contact.with_material(material->get(), "contact.logpoints").body->user_events();
+    contact.run().log_elements(events);
     return static_cast<long>(events.size());
   });
 }

@@ -1,6 +1,7 @@
 // Tensors at the quadrature points (order and place of the points: material_data.cpp), read and, where the script owns
 // the law, given. A user-defined law is asked for after each M.update, which moves the points only. Arrays hold one number
-// per point; numbers that are not finite are refused with the point.
+// per point; numbers that are not finite are refused with the point. Components in the plane: of symmetric tensors 0 xx, 1 yy,
+// 2 zz, 3 xy, of gradients 0 xx, 1 xy, 2 yx, 3 yy, 4 zz; in space: 0 xx, 1 yy, 2 zz, 3 xy, 4 yz, 5 zx, and 0 xx, 1 xy, ... 8 zz.
 //   M.userdefined(on)   whether the script owns the law, from now on (always with rcMaterial(Vh, law="user"))
 //     on        true or false
 //   M.userdefined()   whether it does
@@ -62,9 +63,6 @@ namespace {
 
 using H = MaterialHandle;
 using Array = KN_<double>;
-using Given = GivenPoints<2>;
-constexpr int GRADIENT = num_gradient<2>, STRESS = num_stress<2>, INCREMENTS = num_increments<2>;
-
 constexpr double P1DC_PLACES = 0.99; // degrees of freedom of FreeFEM's P1dc, of the way to the vertices
 
 struct StressTag {};
@@ -75,6 +73,7 @@ struct ModuliTag {};
 struct JacobianTag {};
 struct InternalTag {};
 struct StrainTag {};
+struct RotationTag {};
 struct UserTag {};
 struct BackstressTag {};
 struct ModulusTag {};
@@ -95,39 +94,46 @@ int component_index(long i, const char* where) {
   return static_cast<int>(i);
 }
 template <class Give> bool give(H* handle, const char* where, const Give& f) {
-  return guarded([&] {
-    const CpuTimer timer(handle->get().update_seconds);
-    f(handle->get().changed().workpiece().given(where));
+  return on(handle, [&](auto& material) {
+    const CpuTimer timer(material.update_seconds);
+    f(material.changed().workpiece().given(where));
     return true;
+  });
+}
+// Component i of what the field of a workpiece gives, n of them in its dimension.
+template <class Field> Array component_of(Stack stack, H* handle, long i, const char* where, Field field) {
+  return on(handle, [&](auto& material) {
+    const std::vector<double>& all = field(material.workpiece());
+    const long points = material.workpiece().discretization().num_points();
+    return component(stack, all, i, static_cast<long>(all.size()) / std::max(points, 1L), where);
   });
 }
 
 Array stress(Stack stack, const Method<H, StressTag>& m, const long& i) {
-  return guarded([&] {
-    return component(stack, script_stress_field(m->get().workpiece()), i, STRESS, "material.stress");
-  });
+  return component_of(stack, m.object, i, "material.stress",
+                      [](const auto& body) { return script_stress_field(body); });
 }
 bool give_stress(const Method<H, StressTag>& m, const long& i, const Array& a) {
   return give(m.object, "material.stress",
-              [&](const Given& given) { given.stress(component_index(i, "material.stress"), values_of(a)); });
+              [&](const auto& given) { given.stress(component_index(i, "material.stress"), values_of(a)); });
 }
 Array cauchy(Stack stack, const Method<H, CauchyTag>& m, const long& i) {
-  return guarded(
-      [&] { return component(stack, cauchy_field(m->get().workpiece()), i, STRESS, "material.cauchy"); });
+  return component_of(stack, m.object, i, "material.cauchy",
+                      [](const auto& body) { return cauchy_field(body); });
 }
 Array gradient(Stack stack, const Method<H, GradientTag>& m, const long& i) {
-  return guarded([&] { return component(stack, m->get().workpiece().state().F, i, GRADIENT, "material.F"); });
+  return component_of(stack, m.object, i, "material.F", [](const auto& body) { return body.state().F; });
 }
 Array piola(Stack stack, const Method<H, PiolaTag>& m, const long& i) {
-  return guarded(
-      [&] { return component(stack, piola_field(m->get().workpiece()), i, GRADIENT, "material.piola"); });
+  return component_of(stack, m.object, i, "material.piola",
+                      [](const auto& body) { return piola_field(body); });
 }
 bool give_piola(const Method<H, PiolaTag>& m, const long& i, const Array& a) {
   return give(m.object, "material.piola",
-              [&](const Given& given) { given.piola(component_index(i, "material.piola"), values_of(a)); });
+              [&](const auto& given) { given.piola(component_index(i, "material.piola"), values_of(a)); });
 }
 // All moduli are made at once: a script reads one component after the other.
-const std::vector<double>& all_moduli(MaterialObject& object, double blend) {
+template <int Dim> const std::vector<double>& all_moduli(MaterialOf<Dim>& object, double blend) {
   if (object.moduli_blend == blend) return object.moduli;
   object.moduli = moduli_field(object.workpiece(), TangentKind::CONSISTENT, blend);
   object.moduli_blend = blend;
@@ -135,28 +141,30 @@ const std::vector<double>& all_moduli(MaterialObject& object, double blend) {
 }
 Array blended_moduli(Stack stack, const Method<H, ModuliTag>& m, const long& i, const long& j,
                      const double& blend) {
-  return guarded([&] {
-    constexpr int n = GRADIENT;
-    require(i >= 0 && i < n && j >= 0 && j < n, "material.moduli", "index", i >= 0 && i < n ? j : i, "0..4");
-    return component(stack, all_moduli(m->get(), blend), n * i + j, n * n, "material.moduli");
+  return on(m.object, [&](auto& material) {
+    constexpr int n = num_gradient<dim_of<decltype(material)>>;
+    require(i >= 0 && i < n && j >= 0 && j < n, "material.moduli", "index", i >= 0 && i < n ? j : i,
+            ("0.." + std::to_string(n - 1)).c_str());
+    return component(stack, all_moduli(material, blend), n * i + j, n * n, "material.moduli");
   });
 }
 Array moduli(Stack stack, const Method<H, ModuliTag>& m, const long& i, const long& j) {
   return blended_moduli(stack, m, i, j, 0);
 }
 bool give_moduli(Stack, const Method<H, ModuliTag>& m, const long& i, const long& j, const Array& a) {
-  return give(m.object, "material.moduli", [&](const Given& given) {
+  return give(m.object, "material.moduli", [&](const auto& given) {
     given.moduli(static_cast<int>(i), static_cast<int>(j), values_of(a));
   });
 }
 bool give_jacobian(Stack, const Method<H, JacobianTag>& m, const long& i, const long& j, const Array& a) {
-  return give(m.object, "material.jacobian", [&](const Given& given) {
+  return give(m.object, "material.jacobian", [&](const auto& given) {
     given.jacobian(static_cast<int>(i), static_cast<int>(j), values_of(a));
   });
 }
 Array internal_component(Stack stack, const Method<H, InternalTag>& m, string* const& name, const long& i) {
-  return guarded(
-      [&] { return new_array(stack, internal_field(m->get().workpiece(), *name, static_cast<int>(i))); });
+  return on(m.object, [&](auto& material) {
+    return new_array(stack, internal_field(material.workpiece(), *name, static_cast<int>(i)));
+  });
 }
 Array internal(Stack stack, const Method<H, InternalTag>& m, string* const& name) {
   return internal_component(stack, m, name, 0);
@@ -164,53 +172,61 @@ Array internal(Stack stack, const Method<H, InternalTag>& m, string* const& name
 bool give_internal_component(Stack, const Method<H, InternalTag>& m, string* const& name, const long& i,
                              const Array& a) {
   return give(m.object, "material.internal",
-              [&](const Given& given) { given.internal(*name, static_cast<int>(i), values_of(a)); });
+              [&](const auto& given) { given.internal(*name, static_cast<int>(i), values_of(a)); });
 }
 bool give_internal(const Method<H, InternalTag>& m, string* const& name, const Array& a) {
   return give_internal_component(nullptr, m, name, 0, a);
 }
 Array backstress(Stack stack, const Method<H, BackstressTag>& m, const long& i) {
-  return guarded([&] {
-    return new_array(stack, internal_field(m->get().workpiece(), "backstress", static_cast<int>(i)));
+  return on(m.object, [&](auto& material) {
+    return new_array(stack, internal_field(material.workpiece(), "backstress", static_cast<int>(i)));
   });
 }
 Array strain(Stack stack, const Method<H, StrainTag>& m, const long& i) {
-  return guarded([&] {
-    return component(stack, m->get().workpiece().state().strain_increment, i, STRESS, "material.strain");
-  });
+  return component_of(stack, m.object, i, "material.strain",
+                      [](const auto& body) { return body.state().strain_increment; });
 }
 Array rotation(Stack stack, H* const& h) {
   return guarded([&] {
-    return component(stack, increments_field(h->get().workpiece()), INCREMENTS - 1, INCREMENTS,
-                     "material.rotation");
+    const auto& body = of_dimension<2>(h->get(), "material.rotation").workpiece();
+    return component(stack, increments_field(body), num_increments<2> - 1, num_increments<2>, "material.rotation");
+  });
+}
+Array rotation_vector(Stack stack, const Method<H, RotationTag>& m, const long& i) {
+  return guarded([&] {
+    const char* where = "material.rotationvector";
+    const auto& body = of_dimension<3>(m->get(), where).workpiece();
+    require(i >= 0 && i < 3, where, "component", i, "0..2");
+    return component(stack, increments_field(body), num_stress<3> + i, num_increments<3>, where);
   });
 }
 bool user_defined(const Method<H, UserTag>& m, const bool& on) {
-  return guarded([&] { return m->get().workpiece().set_user_defined(on), on; });
+  return burnish::on(m.object, [&](auto& material) { return material.workpiece().set_user_defined(on), on; });
 }
 bool is_user_defined(const Method<H, UserTag>& m) {
-  return guarded([&] { return m->get().workpiece().user_defined(); });
+  return on(m.object, [](auto& material) { return material.workpiece().user_defined(); });
 }
 double modulus(const Method<H, ModulusTag>& m, string* const& name) {
-  return guarded([&] { return m->get().workpiece().law().modulus(*name); });
+  return on(m.object, [&](auto& material) { return material.workpiece().law().modulus(*name); });
 }
 Array yield_stress(Stack stack, const Method<H, YieldTag>& m, const Array& ep) {
-  return guarded([&] {
-    return new_array(stack, yield_stress_field(m->get().workpiece(),
+  return on(m.object, [&](auto& material) {
+    return new_array(stack, yield_stress_field(material.workpiece(),
                                                to_vector(ep, "material.yieldstress", "plastic strain")));
   });
 }
 Array hardening_slope(Stack stack, const Method<H, SlopeTag>& m, const Array& ep) {
-  return guarded([&] {
+  return on(m.object, [&](auto& material) {
     return new_array(stack,
-                     hardening_slope_field(m->get().workpiece(),
+                     hardening_slope_field(material.workpiece(),
                                            to_vector(ep, "material.hardeningslope", "plastic strain")));
   });
 }
 Array at_vertices(Stack stack, const Method<H, VertexTag>& m, const Array& a) {
   return guarded([&] {
-    return new_array(stack, vertex_values(m->get().workpiece().discretization(),
-                                          to_vector(a, "material.vertexvalues", "values"), P1DC_PLACES));
+    const char* where = "material.vertexvalues";
+    return new_array(stack, vertex_values(of_dimension<2>(m->get(), where).workpiece().discretization(),
+                                          to_vector(a, where, "values"), P1DC_PLACES));
   });
 }
 
@@ -259,6 +275,9 @@ void register_material_points() {
   add_method<H, VertexTag>(
       "vertexvalues", [] { return new OneOperator2s_<Array, Method<H, VertexTag>, Array>(at_vertices); });
   Add<H*>("rotation", ".", new OneOperator1s_<Array, H*>(rotation));
+  add_method<H, RotationTag>("rotationvector", [] {
+    return new OneOperator2s_<Array, Method<H, RotationTag>, long>(rotation_vector);
+  });
 }
 
 } // namespace burnish

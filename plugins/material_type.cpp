@@ -71,7 +71,7 @@
 namespace burnish {
 namespace {
 
-struct MakeMaterial {
+struct MaterialParameters {
   static std::vector<basicAC_F0::name_and_type> all_names() {
     std::vector<basicAC_F0::name_and_type> list;
     for (const LawParameter& parameter : law_parameters()) list.push_back({parameter.name, &typeid(double)});
@@ -95,13 +95,10 @@ struct MakeMaterial {
       fail("rcMaterial", "unknown strain \"" + strain + "\", expected large or small");
     return strain == "small";
   }
-  static std::shared_ptr<const MaterialLaw<2>> user_law(const Named& a) {
-    return std::make_shared<UserLaw<2>>(internal_names(a.text("internal", "")), strain_is_small(a));
-  }
   static std::vector<basicAC_F0::name_and_type> list;
   static basicAC_F0::name_and_type* const names;
   static const int n;
-  static Made<MaterialObject> call(const Named& a, pfes* space) {
+  static LawInput input_of(const Named& a) {
     LawInput input;
     for (const LawParameter& parameter : law_parameters())
       if (a.has(parameter.name)) input.numbers[parameter.name] = a.real(parameter.name, 0);
@@ -112,27 +109,36 @@ struct MakeMaterial {
     input.softening = a.boolean("softening", input.softening);
     if (a.has("plasticstrain")) input.plastic_strain = a.numbers("plasticstrain");
     if (a.has("yieldstress")) input.yield_stress = a.numbers("yieldstress");
-    const bool user = law_is_users(a);
-    // a user-defined law with elastic moduli and a yield stress has J2's yield surface for the events of elements
-    auto law = user && input.numbers.empty() ? user_law(a) : make_law<2>(input, "rcMaterial");
-    const UpdateOptions options = settings_of(a, "rcMaterial", "material").update;
-    const bool axisymmetric = a.boolean("axisymmetric", false);
-    auto object = std::make_shared<MaterialObject>();
-    auto workpiece = std::make_unique<Workpiece<2>>(
-        called("material", [&] { return triangles(mesh_of(space, "material", axisymmetric)); }),
-        std::move(law), options);
-    if (user) workpiece->set_user_defined(true);
-    object->mesh = shared_mesh(space, "material");
-    object->fingerprint = mesh_fingerprint<2>(workpiece->discretization());
-    if (!user) object->warnings = unit_warnings(input.numbers, "rcMaterial", input.plastic_strain);
-    if (!object->warnings.empty()) cout << "burnish: warning: " << object->warnings << std::flush;
-    object->body = std::make_unique<RunBody<2>>(std::move(workpiece));
-    return made(a.stack(), std::move(object));
+    return input;
   }
 };
-std::vector<basicAC_F0::name_and_type> MakeMaterial::list = MakeMaterial::all_names();
-basicAC_F0::name_and_type* const MakeMaterial::names = MakeMaterial::list.data();
-const int MakeMaterial::n = static_cast<int>(MakeMaterial::list.size());
+template <int Dim> struct MakeMaterial : MaterialParameters {
+  static std::shared_ptr<const MaterialLaw<Dim>> user_law(const Named& a) {
+    return std::make_shared<UserLaw<Dim>>(internal_names(a.text("internal", "")), strain_is_small(a));
+  }
+  static Made<MaterialObject> call(const Named& a, typename Freefem<Dim>::Fespace* space) {
+    const LawInput input = input_of(a);
+    const bool user = law_is_users(a);
+    // a user-defined law with elastic moduli and a yield stress has J2's yield surface for the events of elements
+    auto law = user && input.numbers.empty() ? user_law(a) : make_law<Dim>(input, "rcMaterial");
+    const UpdateOptions options = settings_of(a, "rcMaterial", "material").update;
+    const bool axisymmetric = a.boolean("axisymmetric", false);
+    auto object = std::make_shared<MaterialOf<Dim>>();
+    auto workpiece = std::make_unique<Workpiece<Dim>>(
+        called("material", [&] { return discretized(mesh_of<Dim>(space, "material", axisymmetric)); }),
+        std::move(law), options);
+    if (user) workpiece->set_user_defined(true);
+    object->mesh = shared_mesh<Dim>(space, "material");
+    object->fingerprint = mesh_fingerprint<Dim>(workpiece->discretization());
+    if (!user) object->warnings = unit_warnings(input.numbers, "rcMaterial", input.plastic_strain);
+    if (!object->warnings.empty()) cout << "burnish: warning: " << object->warnings << std::flush;
+    object->body = std::make_unique<RunBody<Dim>>(std::move(workpiece));
+    return made<MaterialObject>(a.stack(), std::move(object));
+  }
+};
+std::vector<basicAC_F0::name_and_type> MaterialParameters::list = MaterialParameters::all_names();
+basicAC_F0::name_and_type* const MaterialParameters::names = MaterialParameters::list.data();
+const int MaterialParameters::n = static_cast<int>(MaterialParameters::list.size());
 
 struct UpdateTag {};
 struct ForceTag {};
@@ -142,10 +148,10 @@ struct TangentTag {};
 
 long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>& u, const double& dt,
             const long& it) {
-  return guarded([&] {
-    const CpuTimer timer(m->get().update_seconds);
+  return on(m.object, [&](auto& material) {
+    const CpuTimer timer(material.update_seconds);
     const auto result = called("material.update", [&] {
-      Workpiece<2>& body = m->get().changed().workpiece();
+      auto& body = material.changed().workpiece();
       return body.update(to_dofs(u, body.discretization().num_dofs(), "material.update", "u"), dt,
                          static_cast<int>(it));
     });
@@ -162,18 +168,18 @@ long update(Stack, const Method<MaterialHandle, UpdateTag>& m, const KN_<double>
   });
 }
 double force(Stack, const Method<MaterialHandle, ForceTag>& m, const KN_<double>& R) {
-  return guarded([&] {
-    const CpuTimer timer(m->get().assembly_seconds);
-    const Eigen::VectorXd f = m->get().workpiece().internal_force();
+  return on(m.object, [&](auto& material) {
+    const CpuTimer timer(material.assembly_seconds);
+    const Eigen::VectorXd f = material.workpiece().internal_force();
     to_array(f, R, "material.force");
     return f.lpNorm<Eigen::Infinity>();
   });
 }
 bool accept(const Method<MaterialHandle, AcceptTag>& m) {
-  return guarded([&] { return m->get().changed().accept(), true; });
+  return on(m.object, [](auto& material) { return material.changed().accept(), true; });
 }
 bool revert(const Method<MaterialHandle, RevertTag>& m) {
-  return guarded([&] { return m->get().changed().revert(), true; });
+  return on(m.object, [](auto& material) { return material.changed().revert(), true; });
 }
 
 struct EventsTag {};
@@ -182,32 +188,32 @@ struct DropTag {};
 struct KeepTag {};
 double events_but_noise(const Method<MaterialHandle, EventsTag>& m, const double& tolerance,
                         const double& noise) {
-  return guarded([&] {
+  return on(m.object, [&](auto& material) {
     require(tolerance >= 0, "material.events", "tolerance", tolerance, ">= 0");
     require(noise >= 0, "material.events", "noise", noise, ">= 0");
-    return m->get().body->find_earliest(tolerance, noise);
+    return material.body->find_earliest(tolerance, noise);
   });
 }
 double earliest_events(const Method<MaterialHandle, EventsTag>& m, const double& tolerance) {
   return events_but_noise(m, tolerance, 0);
 }
 double all_events(const Method<MaterialHandle, EventsTag>& m) {
-  return guarded([&] {
-    m->get().body->find_all();
-    return first_fraction(m->get().body->pending());
+  return on(m.object, [](auto& material) {
+    material.body->find_all();
+    return first_fraction(material.body->pending());
   });
 }
 bool drop_events(const Method<MaterialHandle, DropTag>& m) {
-  return guarded([&] { return m->get().body->drop_events(), true; });
+  return on(m.object, [](auto& material) { return material.body->drop_events(), true; });
 }
 bool keep_plastic(const Method<MaterialHandle, KeepTag>& m, const double& noise) {
-  return guarded([&] {
-    called("material.keepplastic", [&] { burnish::keep_plastic(noise, m->get().workpiece()); });
+  return on(m.object, [&](auto& material) {
+    called("material.keepplastic", [&] { burnish::keep_plastic(noise, material.workpiece()); });
     return true;
   });
 }
 long accept_events(const Method<MaterialHandle, AcceptEventsTag>& m) {
-  return guarded([&] { return m->get().changed().accept_events(); });
+  return on(m.object, [](auto& material) -> long { return material.changed().accept_events(); });
 }
 
 struct SecondsTag {};
@@ -222,16 +228,17 @@ struct Tangent {
   static const int n = 3;
   static basicAC_F0::name_and_type names[n];
   static newpMatrice_Creuse<double> call(const Named& a, Method<MaterialHandle, TangentTag> m) {
-    MaterialObject& object = m->get();
-    NodeBlockMatrix<2> K = object.workpiece().pattern();
-    const bool full = a.boolean("full", false);
-    called("material.tangent", [&] {
-      const TangentKind kind = tangent_kind(a.text("kind", "consistent"));
-      object.workpiece().tangent(K, kind, a.real("blend", 0));
-      if (full) object.workpiece().add_antisymmetric_tangent(K, kind, a.real("blend", 0));
+    return visit(m->get(), [&](auto& object) {
+      auto K = object.workpiece().pattern();
+      const bool full = a.boolean("full", false);
+      called("material.tangent", [&] {
+        const TangentKind kind = tangent_kind(a.text("kind", "consistent"));
+        object.workpiece().tangent(K, kind, a.real("blend", 0));
+        if (full) object.workpiece().add_antisymmetric_tangent(K, kind, a.real("blend", 0));
+      });
+      note_tangent(K, object.fingerprint, object.workpiece().discretization().axisymmetric);
+      return to_freefem(a.stack(), K, full);
     });
-    note_tangent(K, object.fingerprint, object.workpiece().discretization().axisymmetric);
-    return to_freefem(a.stack(), K, full);
   }
 };
 basicAC_F0::name_and_type Tangent::names[] = {
@@ -266,7 +273,8 @@ void register_material() {
   zzzfff->Add("material", atype<H*>());
   Dcl_Type<Made<MaterialObject>>();
   TheOperators->Add("<-", new OneOperator2_<H*, H*, Made<MaterialObject>>(take_over<MaterialObject>));
-  Global.Add("rcMaterial", "(", new NamedOperator<MakeMaterial, Made<MaterialObject>, pfes*>);
+  Global.Add("rcMaterial", "(", new NamedOperator<MakeMaterial<2>, Made<MaterialObject>, pfes*>);
+  Global.Add("rcMaterial", "(", new NamedOperator<MakeMaterial<3>, Made<MaterialObject>, pfes3*>);
   add_method<H, UpdateTag>("update", [] {
     return new OneOperator4s_<long, Method<H, UpdateTag>, KN_<double>, double, long>(update);
   });

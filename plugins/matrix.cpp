@@ -49,8 +49,11 @@ newpMatrice_Creuse<double> to_freefem(Stack stack, const CondensedSystem& system
                     solver);
 }
 
-newpMatrice_Creuse<double> to_freefem(Stack stack, const NodeBlockMatrix<2>& K, bool full) {
+template <int Dim>
+newpMatrice_Creuse<double> to_freefem(Stack stack, const NodeBlockMatrix<Dim>& K, bool full) {
   return to_freefem(stack, (full ? all_rows(K) : lower_triangle(K)).view(), "BURNISH");
 }
+template newpMatrice_Creuse<double> to_freefem(Stack, const NodeBlockMatrix<2>&, bool);
+template newpMatrice_Creuse<double> to_freefem(Stack, const NodeBlockMatrix<3>&, bool);
 
 } // namespace burnish

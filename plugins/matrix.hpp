@@ -23,6 +23,7 @@ std::unique_ptr<HashMatrix<int, double>> sorted_matrix(const SparseView& rows, c
 newpMatrice_Creuse<double> to_freefem(Stack stack, const CondensedSystem& system,
                                       const std::string& solver = "BURNISH");
 /// The same from a tangent: lower triangle of a symmetric one, or all of it.
-newpMatrice_Creuse<double> to_freefem(Stack stack, const NodeBlockMatrix<2>& K, bool full);
+template <int Dim>
+newpMatrice_Creuse<double> to_freefem(Stack stack, const NodeBlockMatrix<Dim>& K, bool full);
 
 } // namespace burnish

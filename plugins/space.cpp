@@ -1,88 +1,145 @@
 // From a FreeFEM space to plain arrays.
 #include "base/error.hpp"
+#include "mesh/simplex.hpp"
 #include "types.hpp"
 
 namespace burnish {
 namespace {
 
-// Node numbers of element k: dof/2 of the first component, in FreeFEM's local order (vertices, then
+template <int Dim> const char* expected_space() {
+  return Dim == 2 ? "the space must be [P1,P1] or [P2,P2]" : "the space must be [P1,P1,P1] or [P2,P2,P2]";
+}
+
+// Node numbers of element k: dof/Dim of the first component, in FreeFEM's local order (vertices, then
 // mid-edges).
-std::vector<int> element_nodes(const FESpace& V, int k, const char* where) {
-  const FElement K = V[k];
+template <int Dim>
+std::vector<int> element_nodes(const typename Freefem<Dim>::Space& V, int k, const char* where) {
+  const auto K = V[k];
   const int dofs = K.NbDoF();
-  if (K.N != 2 || (dofs != 6 && dofs != 12)) fail(where, "the space must be [P1,P1] or [P2,P2] on a 2D mesh");
+  constexpr int linear = Dim + 1, quadratic = linear + num_edges<Dim>;
+  if (K.N != Dim || (dofs != Dim * linear && dofs != Dim * quadratic))
+    fail(where, std::string(expected_space<Dim>()) + (Dim == 2 ? " on a 2D mesh" : " on tetrahedra"));
   std::vector<int> nodes;
-  for (int a = 0; a < dofs / 2; ++a) {
+  for (int a = 0; a < dofs / Dim; ++a) {
     if (K.DFOnWhat(a) != a) // P1nc, discontinuous spaces and others have their nodes elsewhere
-      fail(where, "the space must be [P1,P1] or [P2,P2]: nodes at vertices and mid-edges, continuous");
-    if (K(a) % 2 != 0 || K(a + dofs / 2) != K(a) + 1)
-      fail(where, "the space must be [P1,P1] or [P2,P2]: the components of a node must be adjacent");
-    nodes.push_back(K(a) / 2);
+      fail(where,
+           std::string(expected_space<Dim>()) + ": nodes at vertices and mid-edges, continuous");
+    for (int i = 0; i < Dim; ++i)
+      if (K(a) % Dim != 0 || K(a + i * dofs / Dim) != K(a) + i)
+        fail(where, std::string(expected_space<Dim>()) + ": the components of a node must be adjacent");
+    nodes.push_back(K(a) / Dim);
   }
   return nodes;
 }
 
-const FESpace& space_of(pfes* const& space, const char* where) {
-  const FESpace* V = static_cast<FESpace*>(**space);
+template <int Dim>
+const typename Freefem<Dim>::Space& space_of(typename Freefem<Dim>::Fespace* const& space,
+                                             const char* where) {
+  const auto* V = static_cast<typename Freefem<Dim>::Space*>(**space);
   if (!V) fail(where, "the fespace is empty");
   return *V;
 }
 
-// All boundary edges of the space's mesh, as nodes of the space.
-std::vector<Facet<2>> edges_of(const FESpace& V, const char* where) {
-  std::vector<Facet<2>> edges;
-  for (int b = 0; b < V.Th.neb; ++b) {
-    int e = 0;
-    Facet<2> edge;
-    edge.element = V.Th.BoundaryElement(b, e);
-    edge.label = V.Th.be(b).lab;
-    const std::vector<int> nodes = element_nodes(V, edge.element, where);
-    edge.vertex = {nodes[(e + 1) % 3], nodes[(e + 2) % 3]};
-    edge.middle = {nodes.size() == 6 ? nodes[3 + e] : -1};
-    edges.push_back(edge);
+int boundary_facets(const ::Mesh& Th) { return Th.neb; }
+int boundary_facets(const ::Mesh3& Th) { return Th.nbe; }
+Vector<2> place(const R2& P) { return {P.x, P.y}; }
+Vector<3> place(const R3& P) { return {P.x, P.y, P.z}; }
+double measure(const ::Triangle& K) { return K.area; }
+double measure(const ::Fem2D::Tet& K) { return K.mesure(); }
+
+// Mid node of the edge between two vertices of an element, -1 where it is linear.
+template <int Dim> int middle_of(const std::vector<int>& nodes, int a, int b) {
+  if (nodes.size() == Dim + 1) return -1;
+  for (int e = 0; e < num_edges<Dim>; ++e) {
+    const auto [i, j] = SimplexEdges<Dim>::ends[e];
+    if ((nodes[i] == a && nodes[j] == b) || (nodes[i] == b && nodes[j] == a)) return nodes[Dim + 1 + e];
   }
-  return edges;
+  return -1;
+}
+
+// All boundary facets of the space's mesh, as nodes of the space.
+template <int Dim>
+std::vector<Facet<Dim>> facets_of(const typename Freefem<Dim>::Space& V, const char* where) {
+  // vertices of the facet opposite to each vertex: in the plane the body is on their left, in space they are
+  // counter-clockwise seen from outside
+  static constexpr int opposite[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  std::vector<Facet<Dim>> facets;
+  for (int b = 0; b < boundary_facets(V.Th); ++b) {
+    int f = 0;
+    Facet<Dim> facet;
+    facet.element = V.Th.BoundaryElement(b, f);
+    facet.label = V.Th.be(b).lab;
+    const std::vector<int> nodes = element_nodes<Dim>(V, facet.element, where);
+    for (int v = 0; v < Dim; ++v) facet.vertex[v] = nodes[Dim == 2 ? (f + 1 + v) % 3 : opposite[f][v]];
+    for (int e = 0; e < num_edges<Dim - 1>; ++e) {
+      const auto [i, j] = SimplexEdges<Dim - 1>::ends[e];
+      facet.middle[e] = middle_of<Dim>(nodes, facet.vertex[i], facet.vertex[j]);
+    }
+    facets.push_back(facet);
+  }
+  return facets;
+}
+
+void refuse_periodic(int node, const std::string& here, const std::string& there, const char* where) {
+  fail(where, "node " + std::to_string(node) + " is at (" + here + ") and at (" + there +
+                  "), expected one place: periodic spaces are not supported");
+}
+template <int Dim> std::string text_of(const Vector<Dim>& x) {
+  std::ostringstream text;
+  for (int i = 0; i < Dim; ++i) text << (i > 0 ? ", " : "") << x[i];
+  return text.str();
 }
 
 } // namespace
 
-burnish::Mesh<2> mesh_of(pfes* const& space, const char* where, bool axisymmetric) {
-  const FESpace& V = space_of(space, where);
-  const ::Mesh& Th = V.Th;
-  burnish::Mesh<2> mesh;
+template <int Dim>
+burnish::Mesh<Dim> mesh_of(typename Freefem<Dim>::Fespace* const& space, const char* where,
+                           bool axisymmetric) {
+  if (Dim == 3 && axisymmetric) fail(where, "axisymmetric=true belongs to a mesh of triangles, this one is in space");
+  const auto& V = space_of<Dim>(space, where);
+  const auto& Th = V.Th;
+  burnish::Mesh<Dim> mesh;
   mesh.axisymmetric = axisymmetric;
-  mesh.num_nodes = V.NbOfDF / 2;
+  mesh.num_nodes = V.NbOfDF / Dim;
   mesh.num_elements = Th.nt;
   mesh.X.resize(V.NbOfDF);
   std::vector<char> placed(mesh.num_nodes, 0);
   for (int k = 0; k < Th.nt; ++k) {
-    const std::vector<int> nodes = element_nodes(V, k, where);
+    const std::vector<int> nodes = element_nodes<Dim>(V, k, where);
     mesh.nodes_per_element = static_cast<int>(nodes.size());
     mesh.connectivity.reserve(static_cast<std::size_t>(Th.nt) * nodes.size());
     mesh.connectivity.insert(mesh.connectivity.end(), nodes.begin(), nodes.end());
+    const double size = std::pow(std::abs(measure(Th[k])), 1. / Dim);
     for (int a = 0; a < mesh.nodes_per_element; ++a) {
-      const R2 P = a < 3 ? R2(Th[k][a]) : 0.5 * (R2(Th[k][(a - 2) % 3]) + R2(Th[k][(a - 1) % 3]));
-      double* x = &mesh.X[2 * nodes[a]];
-      if (placed[nodes[a]] &&
-          (x[0] - P.x) * (x[0] - P.x) + (x[1] - P.y) * (x[1] - P.y) > 1e-12 * Th[k].area) {
-        std::ostringstream text;
-        text << "node " << nodes[a] << " is at (" << x[0] << ", " << x[1] << ") and at (" << P.x << ", "
-             << P.y << "), expected one place: periodic spaces are not supported";
-        fail(where, text.str());
+      Vector<Dim> P;
+      if (a <= Dim) {
+        P = place(Th[k][a]);
+      } else {
+        const auto [i, j] = SimplexEdges<Dim>::ends[a - Dim - 1];
+        P = 0.5 * (place(Th[k][i]) + place(Th[k][j]));
       }
+      Eigen::Map<Vector<Dim>> x(&mesh.X[Dim * nodes[a]]);
+      if (placed[nodes[a]] && (x - P).norm() > 1e-6 * size)
+        refuse_periodic(nodes[a], text_of<Dim>(x), text_of<Dim>(P), where);
       placed[nodes[a]] = 1;
-      x[0] = P.x;
-      x[1] = P.y;
+      x = P;
     }
   }
-  mesh.facets = edges_of(V, where);
+  mesh.facets = facets_of<Dim>(V, where);
   return mesh;
 }
 
-std::shared_ptr<const ::Mesh> shared_mesh(pfes* const& space, const char* where) {
-  const ::Mesh* mesh = &space_of(space, where).Th;
+template <int Dim>
+std::shared_ptr<const typename Freefem<Dim>::Mesh> shared_mesh(typename Freefem<Dim>::Fespace* const& space,
+                                                               const char* where) {
+  const auto* mesh = &space_of<Dim>(space, where).Th;
   mesh->increment();
-  return {mesh, [](const ::Mesh* shared) { shared->destroy(); }};
+  return {mesh, [](const auto* shared) { shared->destroy(); }};
 }
+
+template burnish::Mesh<2> mesh_of<2>(pfes* const&, const char*, bool);
+template burnish::Mesh<3> mesh_of<3>(pfes3* const&, const char*, bool);
+template std::shared_ptr<const ::Mesh> shared_mesh<2>(pfes* const&, const char*);
+template std::shared_ptr<const ::Mesh3> shared_mesh<3>(pfes3* const&, const char*);
 
 } // namespace burnish

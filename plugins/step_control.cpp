@@ -81,28 +81,35 @@ void start_run(ControlObject& object, ContactHandle* contact, std::shared_ptr<Ma
   object.task = Task::STOPPED;
   object.stopping = false;
   if (object.contact) object.contact->under_way = false;
-  contact->get().require_same_mesh(*material, "stepcontrol.start");
-  object.statements.clear();
-  object.statements_at = -1;
-  object.contact = contact->share();
-  object.material = std::move(material);
-  if (!forms_only) object.contact->material = object.material;
-  object.options.forms_only = forms_only;
-  object.stepper = std::make_unique<Stepper<2>>(object.contact->run(), *object.material->body,
-                                                object.contact->diagnosis, *object.control, object.options);
-  object.contact->diagnosis.set_checks(object.checks);
+  visit(contact->get(), [&](auto& run) {
+    constexpr int Dim = dim_of<decltype(run)>;
+    auto& body = run.with_material(*material, "stepcontrol.start");
+    object.statements.clear();
+    object.statements_at = -1;
+    object.contact = contact->share();
+    object.material = std::move(material);
+    if (!forms_only) run.material = object.material;
+    object.options.forms_only = forms_only;
+    object.stepper = std::make_unique<Stepper<Dim>>(run.run(), *body.body, run.diagnosis, *object.control,
+                                                    object.options);
+    run.diagnosis.set_checks(object.checks);
+  });
 }
 bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, MaterialHandle* const& material) {
   return guarded([&] { return start_run(m->get(), contact, material->share(), false), true; });
 }
+template <int Dim> std::shared_ptr<MaterialObject> unknown_material(const ContactOf<Dim>& contact) {
+  auto material = std::make_shared<MaterialOf<Dim>>();
+  auto workpiece =
+      std::make_unique<Workpiece<Dim>>(discretized(contact.setup->mesh()),
+                                       std::make_shared<UserLaw<Dim>>(internal_names("")), UpdateOptions());
+  material->fingerprint = mesh_fingerprint<Dim>(contact.setup->mesh());
+  material->body = std::make_unique<RunBody<Dim>>(std::move(workpiece));
+  return material;
+}
 bool start_forms(const Method<H, StartTag>& m, ContactHandle* const& contact) {
   return guarded([&] {
-    auto material = std::make_shared<MaterialObject>();
-    auto workpiece =
-        std::make_unique<Workpiece<2>>(triangles(contact->get().setup->mesh()),
-                                       std::make_shared<UserLaw<2>>(internal_names("")), UpdateOptions());
-    material->fingerprint = mesh_fingerprint<2>(contact->get().setup->mesh());
-    material->body = std::make_unique<RunBody<2>>(std::move(workpiece));
+    auto material = visit(contact->get(), [](auto& object) { return unknown_material(object); });
     return start_run(m->get(), contact, std::move(material), true), true;
   });
 }
@@ -111,7 +118,10 @@ bool start_forms(const Method<H, StartTag>& m, ContactHandle* const& contact) {
 // accepted state.
 void require_untouched(const ControlObject& object, const Eigen::VectorXd& now, const KN_<double>& u) {
   if (!object.under_way() || object.stopping || object.task == Task::SOLVE) return;
-  if (object.task == Task::TANGENT && object.contact->run().iteration().policy().condensed()) return;
+  if (object.task == Task::TANGENT && visit(*object.contact, [](auto& contact) {
+        return contact.run().iteration().policy().condensed();
+      }))
+    return;
   for (Eigen::Index d = 0; d < now.size(); ++d) {
     if (now[d] == object.u[d]) continue;
     to_array(object.u, u, "stepcontrol.next");
@@ -130,24 +140,26 @@ struct NextTag {};
 long next(Stack, const Method<H, NextTag>& m, const KN_<double>& u, const KN_<double>& R) {
   return guarded([&] {
     ControlObject& object = m->get();
-    Stepper<2>& stepper = object.running("stepcontrol.next");
-    const CpuTimer timer(object.contact->event_seconds);
-    const long n = object.contact->setup->mesh().num_dofs();
-    Eigen::VectorXd v = to_dofs(u, n, "stepcontrol.next", "u"),
-                    force = to_dofs(R, n, "stepcontrol.next", "R");
-    require_untouched(object, v, u);
-    const double checks = object.contact->diagnosis.seconds(), linear = object.contact->linear_seconds();
-    object.material->changed();
-    const Task task = called("contact.begin", [&] { return stepper.next(v, force); });
-    const double checked = object.contact->diagnosis.seconds() - checks;
-    object.contact->event_seconds -= checked + object.contact->linear_seconds() - linear;
-    to_array(v, u, "stepcontrol.next");
-    object.task = task;
-    object.contact->under_way = object.under_way();
-    object.u = std::move(v);
-    to_array(force, R, "stepcontrol.next");
-    *object.control = stepper.control();
-    return static_cast<long>(task);
+    StepLoop& stepper = object.running("stepcontrol.next");
+    return visit(*object.contact, [&](auto& contact) {
+      const CpuTimer timer(contact.event_seconds);
+      const long n = contact.setup->mesh().num_dofs();
+      Eigen::VectorXd v = to_dofs(u, n, "stepcontrol.next", "u"),
+                      force = to_dofs(R, n, "stepcontrol.next", "R");
+      require_untouched(object, v, u);
+      const double checks = contact.diagnosis.seconds(), linear = contact.linear_seconds();
+      object.material->moduli_blend = -1;
+      const Task task = called("contact.begin", [&] { return stepper.next(v, force); });
+      const double checked = contact.diagnosis.seconds() - checks;
+      contact.event_seconds -= checked + contact.linear_seconds() - linear;
+      to_array(v, u, "stepcontrol.next");
+      object.task = task;
+      contact.under_way = object.under_way();
+      object.u = std::move(v);
+      to_array(force, R, "stepcontrol.next");
+      *object.control = stepper.control();
+      return static_cast<long>(task);
+    });
   });
 }
 struct RefuseTag {};
@@ -180,7 +192,7 @@ bool set_checks(const Method<H, ChecksTag>& m, const bool& on) {
   return guarded([&] {
     ControlObject& object = m->get();
     object.checks = on;
-    if (object.contact) object.contact->diagnosis.set_checks(on);
+    if (object.contact) visit(*object.contact, [&](auto& contact) { contact.diagnosis.set_checks(on); });
     return on;
   });
 }

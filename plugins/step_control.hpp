@@ -13,7 +13,7 @@ struct ControlObject {
   bool checks = true;
   std::shared_ptr<ContactObject> contact; // of the run
   std::shared_ptr<MaterialObject> material;
-  std::unique_ptr<Stepper<2>> stepper;
+  std::unique_ptr<StepLoop> stepper;
   std::vector<Statement> statements; // of the accepted steps up to the last one read
   long statements_at = -1;           // how many steps those are
   Eigen::VectorXd u;                 // as the last task left it
@@ -27,7 +27,7 @@ struct ControlObject {
     if (contact) contact->under_way = false;
   }
   const StepControl& now() const { return stepper ? stepper->control() : *control; }
-  Stepper<2>& running(const char* where) const {
+  StepLoop& running(const char* where) const {
     if (!stepper) fail(where, "no run has been started, call start first");
     return *stepper;
   }

@@ -47,7 +47,9 @@ string* measures(Stack stack, H* const& h) {
   return guarded([&] {
     std::string names;
     if (h->get().stepper)
-      for (const auto& [name, value] : h->get().contact->diagnosis.findings().measured()) names += name + ",";
+      visit(*h->get().contact, [&](auto& contact) {
+        for (const auto& [name, value] : contact.diagnosis.findings().measured()) names += name + ",";
+      });
     return new_string(stack, names);
   });
 }
@@ -55,11 +57,13 @@ struct MeasuredTag {};
 double measured(const Method<H, MeasuredTag>& m, string* const& name) {
   return guarded([&] {
     m->get().running("stepcontrol.measured");
-    const auto& measured = m->get().contact->diagnosis.findings().measured();
-    const auto found = measured.find(*name);
-    if (found == measured.end())
-      fail("stepcontrol.measured", "no check has measured \"" + *name + "\", see S.measures");
-    return found->second;
+    return visit(*m->get().contact, [&](auto& contact) {
+      const auto& measured = contact.diagnosis.findings().measured();
+      const auto found = measured.find(*name);
+      if (found == measured.end())
+        fail("stepcontrol.measured", "no check has measured \"" + *name + "\", see S.measures");
+      return found->second;
+    });
   });
 }
 

@@ -54,32 +54,42 @@ struct SaveRun {
   static constexpr basicAC_F0::name_and_type* names = nullptr;
   static bool call(const Named&, ContactHandle* c, MaterialHandle* m, StepControlHandle* s, KN_<double> about,
                    string* file) {
-    ContactObject& contact = c->get();
-    MaterialObject& material = m->get();
-    require(about.N() == 2, "rcSummaryWrite", "size of rcMomentPoint", about.N(), "2");
-    const ContactRun<2>& run = contact.run();
+    visit(c->get(), [&](auto& contact) {
+      constexpr int Dim = dim_of<decltype(contact)>;
+      auto& material = of_dimension<Dim>(m->get(), "rcSummarySave");
+      require(about.N() == Dim, "rcSummarySave", "size of rcMomentPoint", about.N(), Dim == 2 ? "2" : "3");
+      save(of_run<Dim>(contact, material, s, values_of(about)), *file);
+    });
+    return true;
+  }
+
+private:
+  template <int Dim>
+  static Json of_run(ContactOf<Dim>& contact, MaterialOf<Dim>& material, StepControlHandle* s,
+                     const Vector<Dim>& about) {
+    const ContactRun<Dim>& run = contact.run();
     const IterationCounts counts = run.iteration().counts();
     const ControlObject& control = s->get();
     Json summary{{"status", ""}, {"reason", ""}};
-    summary.update(run_summary({run,
-                                material.workpiece(),
-                                contact.diagnosis,
-                                control.now(),
-                                control.stepper.get(),
-                                statements_of(s),
-                                counts.condensations > 0 ? contact.condensed : nullptr,
-                                material.warnings,
-                                material.body->has_damage(),
-                                {about[0], about[1]},
-                                {{"stress update", material.update_seconds},
-                                 {"assembly", material.assembly_seconds},
-                                 {"condensation", counts.condensation_seconds + contact.condense_seconds},
-                                 {"factorization", counts.factorization_seconds},
-                                 {"solve", counts.solve_seconds},
-                                 {"events", contact.event_seconds},
-                                 {"checks", contact.diagnosis.seconds()}}}));
-    save(std::move(summary), *file);
-    return true;
+    summary.update(
+        run_summary(SummarizedRun<Dim>{run,
+                                       material.workpiece(),
+                                       contact.diagnosis,
+                                       control.now(),
+                                       control.stepper.get(),
+                                       statements_of(s),
+                                       counts.condensations > 0 ? contact.condensed : nullptr,
+                                       material.warnings,
+                                       material.body->has_damage(),
+                                       about,
+                                       {{"stress update", material.update_seconds},
+                                        {"assembly", material.assembly_seconds},
+                                        {"condensation", counts.condensation_seconds + contact.condense_seconds},
+                                        {"factorization", counts.factorization_seconds},
+                                        {"solve", counts.solve_seconds},
+                                        {"events", contact.event_seconds},
+                                        {"checks", contact.diagnosis.seconds()}}}));
+    return summary;
   }
 };
 

@@ -38,6 +38,7 @@
 #include "tool_shapes.hpp"
 #include "arguments.hpp"
 #include "base/error.hpp"
+#include "geometry/profile_surface.hpp"
 #include "kinematics/outline.hpp"
 #include "kinematics/tool_foot.hpp"
 #include "script_options.hpp"
@@ -57,7 +58,7 @@ struct OutlineXTag {};
 struct OutlineYTag {};
 KN_<double> outline_of(Stack stack, ToolHandle* handle, long n, int component) {
   return guarded([&] {
-    DrivenTool<2>& tool = *handle->get().tool;
+    DrivenTool<2>& tool = *of_dimension<2>(handle->get(), "tool.outline").tool;
     const auto points = called("tool.outline", [&] { return outline(tool.tool(), tool.q(), n); });
     std::vector<double> values;
     for (const auto& x : points) values.push_back(x[component]);
@@ -80,7 +81,7 @@ KN_<double> closest_to_point(Stack stack, const ClosestMethod& m, const double& 
   return guarded([&] {
     require(std::isfinite(x), "tool.closest", "x", x, "a finite number");
     require(std::isfinite(y), "tool.closest", "y", y, "a finite number");
-    const ToolFoot<2> f = feet_of(*m->get().tool, {{x, y}}).front();
+    const ToolFoot<2> f = feet_of(*of_dimension<2>(m->get(), "tool.closest").tool, {{x, y}}).front();
     return new_array(
         stack, std::vector<double>{f.x[0], f.x[1], f.gap, f.n[0], f.n[1], f.E(0, 0), f.E(1, 0), f.B(0, 0)});
   });
@@ -103,7 +104,7 @@ struct ClosestToPoints {
     for (long i = 0; i < x.N(); ++i) points.emplace_back(px[i], py[i]);
     double smallest = std::numeric_limits<double>::infinity();
     long i = 0;
-    for (const ToolFoot<2>& foot : feet_of(*m->get().tool, points)) {
+    for (const ToolFoot<2>& foot : feet_of(*of_dimension<2>(m->get(), where).tool, points)) {
       gap[i] = foot.gap;
       nx[i] = foot.n[0];
       ny[i] = foot.n[1];
@@ -115,7 +116,7 @@ struct ClosestToPoints {
 };
 basicAC_F0::name_and_type ClosestToPoints::names[1];
 double tightest_radius(ToolHandle* const& handle) {
-  return guarded([&] { return handle->get().tool->tool().surface().tightest_radius(); });
+  return on(handle, [](auto& object) { return object.tool->tool().surface().tightest_radius(); });
 }
 
 } // namespace
@@ -124,11 +125,11 @@ std::vector<basicAC_F0::name_and_type> shape_names(const std::vector<basicAC_F0:
   return names_of(parameters(), more);
 }
 
-std::shared_ptr<const Profile<2>> shape_of(const Named& named) {
+AnySurface shape_of(const Named& named) {
   Arguments arguments = arguments_of(named, parameters());
   return called("tool", [&] {
     if (arguments.has("cad")) arguments.texts["cad"] = script_options().found(arguments.text("cad"));
-    return make_shape(arguments);
+    return std::shared_ptr<const Surface<2>>(std::make_shared<ProfileSurface>(make_shape(arguments)));
   });
 }
 

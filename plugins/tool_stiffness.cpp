@@ -32,19 +32,23 @@ struct Stiffness {
   static const int n = 2;
   static basicAC_F0::name_and_type names[n];
   static double call(const Named& a, Method<ToolHandle, StiffnessTag> m, string* c1, string* c2) {
-    const DrivenTool<2>& tool = *m->get().tool;
-    const std::shared_ptr<ContactObject> contact = m->get().contact.lock();
-    if (!contact)
-      fail(WHERE, "tool \"" + tool.name() + "\" belongs to no contact, expected one that was added");
-    if (!contact->started()) fail(WHERE, "no step has been accepted yet, expected an accepted state");
-    if (!contact->stiffness) contact->stiffness = std::make_unique<RunStiffness<2>>(WHERE, contact->run());
-    const int k = contact->stiffness->coordinate(tool, *c1), l = contact->stiffness->coordinate(tool, *c2);
-    contact->stiffness->require_accepted();
-    return all(a, *contact)(k, l);
+    return visit(m->get(), [&](auto& object) {
+      constexpr int Dim = dim_of<decltype(object)>;
+      const DrivenTool<Dim>& tool = *object.tool;
+      const std::shared_ptr<ContactObject> added = object.contact.lock();
+      if (!added)
+        fail(WHERE, "tool \"" + tool.name() + "\" belongs to no contact, expected one that was added");
+      auto& contact = of_dimension<Dim>(*added, WHERE);
+      if (!contact.started()) fail(WHERE, "no step has been accepted yet, expected an accepted state");
+      if (!contact.stiffness) contact.stiffness = std::make_unique<RunStiffness<Dim>>(WHERE, contact.run());
+      const int k = contact.stiffness->coordinate(tool, *c1), l = contact.stiffness->coordinate(tool, *c2);
+      contact.stiffness->require_accepted();
+      return all(a, contact)(k, l);
+    });
   }
 
 private:
-  static Eigen::MatrixXd all(const Named& a, ContactObject& contact) {
+  template <int Dim> static Eigen::MatrixXd all(const Named& a, ContactOf<Dim>& contact) {
     const bool elastic = a.boolean("elastic", false);
     if (a.has("tangent")) {
       if (elastic) fail(WHERE, "elastic= and tangent= exclude each other: the matrix is what it is");
@@ -58,7 +62,7 @@ private:
     if (!material)
       fail(WHERE,
            "no material has been seen in a run of this contact, expected tangent=, the tangent of the body");
-    return contact.stiffness->driven(material->workpiece(), elastic);
+    return contact.stiffness->driven(of_dimension<Dim>(*material, WHERE).workpiece(), elastic);
   }
 };
 basicAC_F0::name_and_type Stiffness::names[] = {{"elastic", &typeid(bool)},

@@ -41,8 +41,8 @@
 //   t.Q         generalized forces on them | force, force*length
 //   t.name      name of the tool
 #include "base/error.hpp"
-#include "geometry/profile_surface.hpp"
 #include "kinematics/cartesian.hpp"
+#include "kinematics/cartesian_in_space.hpp"
 #include "kinematics/formula_coordinates.hpp"
 #include "kinematics/polar.hpp"
 #include "named.hpp"
@@ -52,6 +52,12 @@
 namespace burnish {
 namespace {
 
+template <int Dim>
+std::shared_ptr<ToolObject> tool_with(const std::string& name, std::shared_ptr<const Surface<Dim>> surface) {
+  auto object = std::make_shared<ToolOf<Dim>>();
+  object->tool = std::make_shared<DrivenTool<Dim>>(name, std::move(surface));
+  return object;
+}
 struct MakeTool {
   static std::vector<basicAC_F0::name_and_type> list;
   static const int n;
@@ -59,11 +65,8 @@ struct MakeTool {
   static ToolHandle* call(const Named& named, ToolHandle* handle) {
     static int count = 0;
     handle->init();
-    auto surface = std::make_shared<ProfileSurface>(shape_of(named));
     const std::string name = named.text("name", "tool " + std::to_string(++count));
-    auto object = std::make_shared<ToolObject>();
-    object->tool = std::make_shared<DrivenTool<2>>(name, std::move(surface));
-    handle->set(std::move(object));
+    std::visit([&](auto surface) { handle->set(tool_with(name, std::move(surface))); }, shape_of(named));
     return handle;
   }
 };
@@ -77,23 +80,29 @@ struct ChooseCoordinates {
   static const int n = 4;
   static basicAC_F0::name_and_type names[n];
   static bool call(const Named& named, CoordinatesMethod m, string* kind) {
-    ToolObject& object = m->get();
-    const std::shared_ptr<const Coordinates<2>> coordinates = *kind == "polar" ? polar(named)
-                                                              : *kind == "cartesian"
-                                                                  ? cartesian(named)
-                                                                  : by_formula(named, *kind, object);
-    if (object.added)
-      fail("tool.coordinates", "tool \"" + object.tool->name() +
-                                   "\" belongs to a contact already: choose its coordinates before add");
-    if (object.tool->shared_tool())
-      fail("tool.coordinates", "tool \"" + object.tool->name() + "\" has its coordinates already: " +
-                                   joined(object.tool->tool().coordinates().names()));
-    object.tool->set_coordinates(coordinates);
-    return true;
+    return visit(m->get(), [&](auto& object) {
+      const auto coordinates = made(named, *kind, object);
+      if (object.added)
+        fail("tool.coordinates", "tool \"" + object.tool->name() +
+                                     "\" belongs to a contact already: choose its coordinates before add");
+      if (object.tool->shared_tool())
+        fail("tool.coordinates", "tool \"" + object.tool->name() + "\" has its coordinates already: " +
+                                     joined(object.tool->tool().coordinates().names()));
+      object.tool->set_coordinates(coordinates);
+      return true;
+    });
   }
 
 private:
   using Made = std::shared_ptr<const Coordinates<2>>;
+  static Made made(const Named& named, const std::string& kind, const ToolOf<2>& object) {
+    if (kind == "polar") return polar(named);
+    return kind == "cartesian" ? cartesian(named) : by_formula(named, kind, object);
+  }
+  static std::shared_ptr<const Coordinates<3>> made(const Named&, const std::string& kind, const ToolOf<3>&) {
+    if (kind == "cartesian") return std::make_shared<CartesianInSpace>();
+    fail("tool.coordinates", "unknown kind \"" + kind + "\", expected \"cartesian\"");
+  }
   static void refuse_formulas(const Named& named, const std::string& kind, const std::string& takes) {
     for (const char* formula : {"x", "y", "angle"})
       if (named.has(formula))
@@ -115,7 +124,7 @@ private:
     refuse_pivot(named, "cartesian");
     return std::make_shared<Cartesian>();
   }
-  static Made by_formula(const Named& named, const std::string& list, const ToolObject& object) {
+  static Made by_formula(const Named& named, const std::string& list, const ToolOf<2>& object) {
     if (!named.has("x") && !named.has("y") && !named.has("angle"))
       fail("tool.coordinates",
            "unknown kind \"" + list +
@@ -138,8 +147,8 @@ basicAC_F0::name_and_type ChooseCoordinates::names[] = {{"pivot", &typeid(E_Arra
 
 struct ToolParameterTag {};
 double parameter(const Method<ToolHandle, ToolParameterTag>& m, string* const& name, const double& value) {
-  return guarded([&] {
-    m->get().tool->set_parameter(*name, value);
+  return on(m.object, [&](auto& object) {
+    object.tool->set_parameter(*name, value);
     return value;
   });
 }
@@ -148,20 +157,20 @@ struct PlaceTag {};
 struct MoveTag {};
 struct ForceTag {};
 double place(const Method<ToolHandle, PlaceTag>& m, string* const& name, const double& value) {
-  return guarded([&] {
-    m->get().tool->place(*name, value);
+  return on(m.object, [&](auto& object) {
+    object.tool->place(*name, value);
     return value;
   });
 }
 double move(const Method<ToolHandle, MoveTag>& m, string* const& name, const double& value) {
-  return guarded([&] {
-    called("tool.move", [&] { m->get().tool->prescription().move(*name, value); });
+  return on(m.object, [&](auto& object) {
+    called("tool.move", [&] { object.tool->prescription().move(*name, value); });
     return value;
   });
 }
 double prescribe_force(const Method<ToolHandle, ForceTag>& m, string* const& name, const double& value) {
-  return guarded([&] {
-    called("tool.force", [&] { m->get().tool->prescription().force(*name, value); });
+  return on(m.object, [&](auto& object) {
+    called("tool.force", [&] { object.tool->prescription().force(*name, value); });
     return value;
   });
 }
@@ -171,26 +180,29 @@ double prescribe_whole_force(const Method<ToolHandle, ForceTag>& m, string* cons
   return prescribe_force(m, name, static_cast<double>(value));
 }
 double prescribe_formula(const Method<ToolHandle, ForceTag>& m, string* const& name, string* const& text) {
-  return guarded([&] {
-    called("tool.force", [&] { m->get().tool->force(*name, *text); });
+  return on(m.object, [&](auto& object) {
+    called("tool.force", [&] { object.tool->force(*name, *text); });
     return 0.;
   });
 }
 
 struct ToolValueTag {};
 double value_of(const Method<ToolHandle, ToolValueTag>& m, string* const& name) {
-  return guarded([&] { return m->get().tool->q()[m->get().tool->index(*name)]; });
+  return on(m.object, [&](auto& object) { return object.tool->q()[object.tool->index(*name)]; });
 }
 double force_of(const Method<ToolHandle, ForceTag>& m, string* const& name) {
-  return guarded([&] { return m->get().tool->generalized_force()[m->get().tool->index(*name)]; });
+  return on(m.object,
+            [&](auto& object) { return object.tool->generalized_force()[object.tool->index(*name)]; });
 }
 KN_<double> all_q(Stack stack, ToolHandle* const& h) {
-  return guarded([&] { return new_array(stack, h->get().tool->q()); });
+  return on(h, [&](auto& object) { return new_array(stack, object.tool->q()); });
 }
 KN_<double> all_force(Stack stack, ToolHandle* const& h) {
-  return guarded([&] { return new_array(stack, h->get().tool->generalized_force()); });
+  return on(h, [&](auto& object) { return new_array(stack, object.tool->generalized_force()); });
 }
-string* name_of_tool(Stack stack, ToolHandle* const& h) { return new_string(stack, h->get().tool->name()); }
+string* name_of_tool(Stack stack, ToolHandle* const& h) {
+  return on(h, [&](auto& object) { return new_string(stack, object.tool->name()); });
+}
 
 } // namespace
 

@@ -21,17 +21,17 @@ std::deque<Known>& known() {
 }
 
 // The same for one triangle of a symmetric matrix stored as a whole: the lower one counts, in any order.
-std::uint64_t values_of(const NodeBlockMatrix<2>& K) {
+template <int Dim> std::uint64_t values_of(const NodeBlockMatrix<Dim>& K) {
   std::uint64_t sum = 0;
   for (int row = 0; row < K.num_nodes; ++row)
     for (int k = K.row_start[row]; k < K.row_start[row + 1] && K.col[k] <= row; ++k)
-      for (int i = 0; i < 4; ++i) {
-        if (K.col[k] == row && i == 1) continue; // above the diagonal
+      for (int i = 0; i < Dim * Dim; ++i) {
+        if (K.col[k] == row && i % Dim > i / Dim) continue; // above the diagonal
         std::uint64_t word = 0;
         const double value = K.block(k)[i] + 0.;
         std::memcpy(&word, &value, sizeof word);
         word =
-            (word ^ (static_cast<std::uint64_t>(K.col[k]) << 32) ^ static_cast<std::uint64_t>(4 * row + i)) *
+            (word ^ (static_cast<std::uint64_t>(K.col[k]) << 32) ^ static_cast<std::uint64_t>(Dim * Dim * row + i)) *
             0x9E3779B97F4A7C15u;
         sum += value == 0 ? 0 : word ^ (word >> 29);
       }
@@ -40,12 +40,14 @@ std::uint64_t values_of(const NodeBlockMatrix<2>& K) {
 
 } // namespace
 
-void note_tangent(const NodeBlockMatrix<2>& K, std::uint64_t fingerprint, bool axisymmetric) {
+template <int Dim>
+void note_tangent(const NodeBlockMatrix<Dim>& K, std::uint64_t fingerprint, bool axisymmetric) {
   known().push_front({values_of(K), fingerprint, axisymmetric});
   if (known().size() > KEPT) known().pop_back();
 }
 
-void MatrixCheck::require_of(const Mesh<2>& mesh, const NodeBlockMatrix<2>& K, const char* where) {
+template <int Dim>
+void MatrixCheck::require_of(const Mesh<Dim>& mesh, const NodeBlockMatrix<Dim>& K, const char* where) {
   if (m_fingerprint == 0) m_fingerprint = mesh_fingerprint(mesh);
   if (!known().empty()) {
     const std::uint64_t values = values_of(K);
@@ -67,5 +69,10 @@ void MatrixCheck::require_of(const Mesh<2>& mesh, const NodeBlockMatrix<2>& K, c
   m_row_start = K.row_start;
   m_col = K.col;
 }
+
+template void note_tangent<2>(const NodeBlockMatrix<2>&, std::uint64_t, bool);
+template void note_tangent<3>(const NodeBlockMatrix<3>&, std::uint64_t, bool);
+template void MatrixCheck::require_of<2>(const Mesh<2>&, const NodeBlockMatrix<2>&, const char*);
+template void MatrixCheck::require_of<3>(const Mesh<3>&, const NodeBlockMatrix<3>&, const char*);
 
 } // namespace burnish

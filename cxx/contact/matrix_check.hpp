@@ -8,13 +8,14 @@ namespace burnish {
 
 /// Notes that this matrix is the tangent of a material on a mesh; the last 16 are remembered, by their values.
 /// @param fingerprint mesh_fingerprint of the mesh
-void note_tangent(const NodeBlockMatrix<2>& K, std::uint64_t fingerprint, bool axisymmetric);
+template <int Dim>
+void note_tangent(const NodeBlockMatrix<Dim>& K, std::uint64_t fingerprint, bool axisymmetric);
 
 class MatrixCheck {
 public:
   /// @throws std::invalid_argument "where: ..." if most of its entries join nodes that no element joins, or if it is the
   ///         tangent of a material on another mesh, or an axisymmetric one of a plane mesh
-  void require_of(const Mesh<2>& mesh, const NodeBlockMatrix<2>& K, const char* where);
+  template <int Dim> void require_of(const Mesh<Dim>& mesh, const NodeBlockMatrix<Dim>& K, const char* where);
 
 private:
   std::uint64_t m_fingerprint = 0;     // of the mesh; 0: not known yet

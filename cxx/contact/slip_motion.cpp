@@ -58,6 +58,22 @@ double contact_speed(const ContactModel<Dim>& model, const ContactState<Dim>& st
   return speed;
 }
 
+ContactWay contact_way(const ContactModel<3>& model, const ContactState<3>& state,
+                       const Eigen::VectorXd& q_old, int tool) {
+  ContactWay way;
+  const auto pose = model.tools[tool]->coordinates().pose(model.tool_q(state.q, tool));
+  const auto back =
+      model.tools[tool]->coordinates().carrier(model.tool_q(q_old, tool), model.tool_q(state.q, tool)).inverse();
+  for (const auto& node : state.nodes) {
+    if (!in_contact(node.state) || node.tool != tool) continue;
+    const auto p = model.tools[tool]->point(pose, node.place);
+    const Vector<3> moved = p.E * (p.E.transpose() * (p.x - back(p.x)));
+    way.sum += moved;
+    way.length += moved.norm();
+  }
+  return way;
+}
+
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template void measure_slips<Dim>(const ContactModel<Dim>&, double, ContactState<Dim>&);                    \
   template void move_by<Dim>(const ContactModel<Dim>&, const Condensation<Dim>::Expansion&,                  \

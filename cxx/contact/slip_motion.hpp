@@ -23,4 +23,12 @@ template <int Dim>
 double contact_speed(const ContactModel<Dim>& model, const ContactState<Dim>& state,
                      const Eigen::VectorXd& q_old, double dt);
 
+/// Motions of the contact nodes of a tool with its carrier, along the tool, from the coordinates q_old on.
+struct ContactWay {
+  Vector<3> sum = Vector<3>::Zero(); ///< of all of them [length]
+  double length = 0;                 ///< sum of their lengths [length]
+};
+ContactWay contact_way(const ContactModel<3>& model, const ContactState<3>& state,
+                       const Eigen::VectorXd& q_old, int tool);
+
 } // namespace burnish

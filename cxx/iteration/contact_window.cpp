@@ -1,4 +1,5 @@
 #include "iteration/contact_window.hpp"
+#include "contact/slip_motion.hpp"
 #include "mesh/point_tree.hpp"
 #include <cmath>
 #include <limits>
@@ -19,12 +20,40 @@ std::vector<Vector<Dim>> contact_places(const ContactModel<Dim>& model, const Bo
   return places;
 }
 
+double extent(const std::vector<Vector<3>>& places, const Vector<3>& along) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Vector<3>& x : places) {
+    low = std::min(low, x.dot(along));
+    high = std::max(high, x.dot(along));
+  }
+  return places.empty() ? 0 : high - low;
+}
+
 } // namespace
+
+template <> double least_width(const std::vector<Vector<2>>& places) { return diameter(places); }
+template <> double least_width(const std::vector<Vector<3>>& places) {
+  if (places.size() < 2) return 0;
+  Vector<3> mean = Vector<3>::Zero();
+  for (const Vector<3>& x : places) mean += x / static_cast<double>(places.size());
+  Tensor<3> spread = Tensor<3>::Zero();
+  for (const Vector<3>& x : places) spread += (x - mean) * (x - mean).transpose();
+  return extent(places, Eigen::SelfAdjointEigenSolver<Tensor<3>>(spread).eigenvectors().col(1));
+}
 
 template <int Dim>
 double contact_width(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                     const ContactState<Dim>& state, const Eigen::VectorXd& u, int tool) {
-  return diameter(contact_places(model, body, state, u, tool));
+                     const ContactState<Dim>& state, const Eigen::VectorXd& u, int tool,
+                     const Eigen::VectorXd& q_old) {
+  const std::vector<Vector<Dim>> places = contact_places(model, body, state, u, tool);
+  if constexpr (Dim == 3) {
+    constexpr double one_way = 0.5; // resultant of the motions over their sum: below, they have no direction
+    if (q_old.size() == state.q.size()) {
+      const ContactWay way = contact_way(model, state, q_old, tool);
+      if (way.sum.norm() > one_way * way.length) return extent(places, way.sum.normalized());
+    }
+  }
+  return least_width(places);
 }
 
 template <int Dim>
@@ -35,7 +64,7 @@ std::vector<int> near_contact(const ContactModel<Dim>& model, const BodyView<Dim
   const auto poses = model.poses(state.q);
   for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
     auto centers = contact_places(model, body, state, u, t);
-    const double reach = part * WINDOW_WIDTH * diameter(centers) + part * WINDOW_NODES * body.spacing;
+    const double reach = part * WINDOW_WIDTH * least_width(centers) + part * WINDOW_NODES * body.spacing;
     double best = std::numeric_limits<double>::infinity();
     Vector<Dim> closest = Vector<Dim>::Zero();
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {
@@ -71,7 +100,8 @@ Eigen::VectorXd scatter_window(const ContactModel<Dim>& model, const std::vector
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template double contact_width<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                         \
-                                     const ContactState<Dim>&, const Eigen::VectorXd&, int);                 \
+                                     const ContactState<Dim>&, const Eigen::VectorXd&, int,                  \
+                                     const Eigen::VectorXd&);                                                \
   template std::vector<int> near_contact<Dim>(const ContactModel<Dim>&, const BodyView<Dim>&,                \
                                               const ContactState<Dim>&, const Eigen::VectorXd&, double,      \
                                               const IterationOptions&);                                      \

@@ -6,14 +6,21 @@
 
 namespace burnish {
 
-/// Extent of the contact of a tool: distance between its outermost contact nodes [length].
+/// Extent of the contact of a tool: in the plane the distance between its outermost contact nodes; in space along the motion
+/// of the contact with its tool's carrier, where that has none the smaller one of the contact's principal directions
+/// [length]. @param q_old all coordinates at the start of the last step; read in space only, there it may be empty
 template <int Dim>
 double contact_width(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                     const ContactState<Dim>& state, const Eigen::VectorXd& u, int tool);
+                     const ContactState<Dim>& state, const Eigen::VectorXd& u, int tool,
+                     const Eigen::VectorXd& q_old);
+
+/// Extent of some places: in the plane their diameter, in space the middle one of their three principal directions: of
+/// places on a surface the smaller one along it; 0 for fewer than two [length].
+template <int Dim> double least_width(const std::vector<Vector<Dim>>& places);
 
 /// Candidates within a distance of the contact of each tool, or of its closest free node where nothing is in contact;
 /// and those that penetrate.
-/// @param part of the margin of the window: three quarters of the contact width of the tool plus six spacings
+/// @param part of the margin of the window: three quarters of the least width of the contact plus six spacings
 /// @returns candidate numbers, ascending
 template <int Dim>
 std::vector<int> near_contact(const ContactModel<Dim>& model, const BodyView<Dim>& body,

@@ -34,6 +34,14 @@ Tensor<3> part_of_rotation(const Tensor<3>& G, double part) {
   return Eigen::AngleAxisd(part * turn.angle(), turn.axis()).toRotationMatrix();
 }
 
+// The rotation in the middle of two.
+Tensor<2> mean_rotation(const Tensor<2>& a, const Tensor<2>& b) {
+  Tensor<2> mean = 0.5 * (a + b);
+  for (int c = 0; c < 2; ++c) mean.col(c).normalize();
+  return mean;
+}
+Tensor<3> mean_rotation(const Tensor<3>& a, const Tensor<3>& b) { return part_of_rotation(Tensor<3>(a + b), 1); }
+
 // Per node the mean of its elements: deformation gradient, and that of the last increment, both of straight edges.
 template <int Dim> struct NodalGradients { std::vector<Tensor<Dim>> F, step; };
 template <int Dim>
@@ -97,8 +105,7 @@ Predictor<Dim>::carrier_motion(int tool, const Eigen::VectorXd& q_older, const E
   const auto last = coordinates.carrier(m_model.tool_q(q_older, tool), m_model.tool_q(q_old, tool));
   CarrierMotion motion;
   motion.now = coordinates.carrier(m_model.tool_q(q_old, tool), m_model.tool_q(q_new, tool));
-  motion.turn = 0.5 * (motion.now.R + last.R);
-  for (int c = 0; c < Dim; ++c) motion.turn.col(c).normalize();
+  motion.turn = mean_rotation(motion.now.R, last.R);
   motion.turns = !motion.turn.isIdentity(1e-14);
   return motion;
 }

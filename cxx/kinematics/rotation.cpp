@@ -51,12 +51,6 @@ std::array<OfSquare, 2> rodrigues(double t) {
 
 } // namespace
 
-Tensor<3> cross_matrix(const Vector<3>& v) {
-  Tensor<3> matrix;
-  matrix << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-  return matrix;
-}
-
 RotationValue<2> AngleRotation::at(const Eigen::VectorXd& a) const {
   const Tensor<2> R = plane_rotation(a[0]);
   return {R, {plane_rotation_derivative(R)}, {{-R}}};

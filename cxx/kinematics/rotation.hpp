@@ -1,7 +1,7 @@
 #pragma once
 // Rotations that depend on some numbers - angles about axes, a rotation vector, a quaternion - with their
 // derivatives.
-#include "base/types.hpp"
+#include "base/cross_matrix.hpp"
 #include <string>
 #include <vector>
 
@@ -63,8 +63,5 @@ public:
 private:
   std::string m_where;
 };
-
-/// The matrix of a cross product: cross_matrix(v) x = v x x.
-Tensor<3> cross_matrix(const Vector<3>& v);
 
 } // namespace burnish

@@ -1,7 +1,7 @@
 #pragma once
 // Isotropic elasticity E of the rate law, METHOD.md (1.6): stress = K tr(d) I + 2G dev(d).
 #include "material/law_parameter.hpp"
-#include "material/step_kinematics.hpp"
+#include "material/step_kinematics_in_space.hpp"
 
 namespace burnish {
 
@@ -45,7 +45,7 @@ template <int Dim>
 ElasticTrial<Dim> elastic_trial(const ElasticModuli& elastic, const StepKinematics<Dim>& kin,
                                 const Stress<Dim>& stress_old) {
   ElasticTrial<Dim> trial;
-  const Stress<Dim> turned = rotated(stress_old, kin.cos_2alpha, kin.sin_2alpha);
+  const Stress<Dim> turned = rotated(stress_old, kin);
   const double mean_old = mean<Dim>(turned);
   trial.s_old = turned;
   trial.s_old.template head<3>().array() -= mean_old;

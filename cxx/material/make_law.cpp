@@ -96,5 +96,6 @@ std::shared_ptr<const MaterialLaw<Dim>> make_law(const LawInput& input, const ch
 }
 
 template std::shared_ptr<const MaterialLaw<2>> make_law<2>(const LawInput&, const char*);
+template std::shared_ptr<const MaterialLaw<3>> make_law<3>(const LawInput&, const char*);
 
 } // namespace burnish

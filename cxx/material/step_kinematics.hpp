@@ -6,7 +6,7 @@
 namespace burnish {
 
 /// The increments y of a step, from which the stress update starts: strain components as Stress<Dim>, then
-/// rotations. Dim 2: (dd_xx, dd_yy, dd_zz, dd_xy, alpha). (For Dim 3 the functions of this file do not exist yet.)
+/// rotations. Dim 2: (dd_xx, dd_yy, dd_zz, dd_xy, alpha); Dim 3: step_kinematics_in_space.hpp.
 /// IncrementByF: dy/dF, columns in the order of Gradient.
 template <int Dim> using IncrementByF = Eigen::Matrix<double, num_increments<Dim>, num_gradient<Dim>>;
 
@@ -22,6 +22,11 @@ template <int Dim> struct StepKinematics {
   double cos_2alpha = 1, sin_2alpha = 0; ///< twice that
   Gradient<Dim> F, F_mid;                ///< end and middle of the step; not set for JAUMANN [-]
 };
+
+/// R t R' with the rotation of the step.
+inline Stress<2> rotated(const Stress<2>& t, const StepKinematics<2>& kin) {
+  return rotated(t, kin.cos_2alpha, kin.sin_2alpha);
+}
 
 /// Rotation of a step by another rate than JAUMANN. @param kin that of JAUMANN in, rate, alpha, F and F_mid of it out
 void turn_by_rate(CorotationalRate rate, const Gradient<2>& F_old, const Gradient<2>& F,

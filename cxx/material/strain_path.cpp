@@ -13,7 +13,7 @@ StrainPath<Dim> strain_path(const ElasticModuli& elastic, const StepKinematics<D
   const Stress<Dim>& dd = kin.strain;
   const bool turns = kin.frame == StrainFrame::END;
   Stress<Dim> before = history.ratio * history.strain_old;
-  if (turns) before = rotated(before, kin.cos_2alpha, kin.sin_2alpha);
+  if (turns) before = rotated(before, kin);
   const Stress<Dim> change = dd - before; // dd - ra dd_p
   double b = 2 * history.ratio / (1 + history.ratio);
   // limiter: no more curvature than L times the step itself
@@ -24,7 +24,7 @@ StrainPath<Dim> strain_path(const ElasticModuli& elastic, const StepKinematics<D
   if (!derivative || b == 0) return path;
 
   StressByIncrement<Dim> change_by = strain_by_increment<Dim>();
-  if (turns) change_by.template rightCols<1>() -= spin_rate(before);
+  if (turns) change_by.template rightCols<PointTraits<Dim>::num_rotations>() -= spin_rate(before);
   StressByIncrement<Dim> curvature_by = b * change_by;
   if (limited) { // d(b)/b = dd:d(dd)/|dd|^2 - c:dc/|c|^2 with c the change
     const ScalarByIncrement<Dim> b_by = (b / dd2) * contraction_row<Dim>(dd) * strain_by_increment<Dim>() -
@@ -38,5 +38,7 @@ StrainPath<Dim> strain_path(const ElasticModuli& elastic, const StepKinematics<D
 
 template StrainPath<2> strain_path<2>(const ElasticModuli&, const StepKinematics<2>&, const Stress<2>&,
                                       const PathHistory<2>&, PathDerivative<2>*);
+template StrainPath<3> strain_path<3>(const ElasticModuli&, const StepKinematics<3>&, const Stress<3>&,
+                                      const PathHistory<3>&, PathDerivative<3>*);
 
 } // namespace burnish

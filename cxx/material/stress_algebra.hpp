@@ -52,6 +52,15 @@ template <int Dim> Tensor<Dim> matrix_of(const Stress<Dim>& t) {
   return T;
 }
 
+/// The symmetric part of a matrix in space.
+template <class Matrix> Stress<3> stress_of(const Eigen::MatrixBase<Matrix>& T) {
+  const Tensor<3> M = T;
+  Stress<3> t;
+  t << M(0, 0), M(1, 1), M(2, 2), 0.5 * (M(0, 1) + M(1, 0)), 0.5 * (M(1, 2) + M(2, 1)),
+      0.5 * (M(2, 0) + M(0, 2));
+  return t;
+}
+
 /// Largest and smallest principal stress [stress].
 inline std::array<double, 2> extreme_principals(const Stress<2>& t) {
   const double middle = 0.5 * (t[0] + t[1]), radius = std::hypot(0.5 * (t[0] - t[1]), t[3]);
@@ -70,7 +79,20 @@ inline Stress<2> rotated(const Stress<2>& t, double cos_2alpha, double sin_2alph
   return {middle + turned, middle - turned, t[2], sin_2alpha * half + cos_2alpha * t[3]};
 }
 
+/// R t R' in space. @param R rotation
+inline Stress<3> rotated(const Stress<3>& t, const Tensor<3>& R) {
+  return stress_of(R * matrix_of<3>(t) * R.transpose());
+}
+
 /// Rate of R t R' per unit of the angle: w t - t w with w_21 = 1.
 inline Stress<2> spin_rate(const Stress<2>& t) { return {-2 * t[3], 2 * t[3], 0, t[0] - t[1]}; }
+/// The same per unit of the spins about x, y, z, one column each.
+inline Eigen::Matrix<double, 6, 3> spin_rate(const Stress<3>& t) {
+  Eigen::Matrix<double, 6, 3> rate;
+  rate.col(0) << 0, -2 * t[4], 2 * t[4], -t[5], t[1] - t[2], t[3];
+  rate.col(1) << 2 * t[5], 0, -2 * t[5], t[4], -t[3], t[2] - t[0];
+  rate.col(2) << -2 * t[3], 2 * t[3], 0, t[0] - t[1], t[5], -t[4];
+  return rate;
+}
 
 } // namespace burnish

@@ -32,12 +32,9 @@ PiolaTangent<Dim> UserLaw<Dim>::tangent(TangentKind, const PointStep<Dim>&, cons
 }
 
 template <int Dim> StepIncrements<Dim> UserLaw<Dim>::increments(const PointStep<Dim>& step) const {
-  if constexpr (Dim == 2)
-    return increments_of(
+  return increments_of(
         step_kinematics(step.old.F, step.F, step.options.strain_frame,
                         m_small_strain ? CorotationalRate::SMALL_STRAIN : CorotationalRate::JAUMANN));
-  else
-    return MaterialLaw<Dim>::increments(step);
 }
 
 std::vector<std::string> internal_names(const std::string& list) {

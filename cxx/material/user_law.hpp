@@ -17,7 +17,7 @@ public:
   PiolaTangent<Dim> tangent(TangentKind kind, const PointStep<Dim>& step, const PointTrial& trial,
                             const PointState<Dim>& now) const override;
   bool has_moduli() const override { return false; }
-  /// With the Jaumann rate, or of small strains; zero in space.
+  /// With the Jaumann rate, or of small strains.
   StepIncrements<Dim> increments(const PointStep<Dim>& step) const override;
   bool small_strain() const override { return m_small_strain; }
 

@@ -24,4 +24,12 @@ private:
   bool m_axisymmetric;
 };
 
+/// Triangles of space, of 3 or 6 nodes in the order of Facet (SimplexEdges<2>), curved ones as they are: dA is that of the
+/// quadratic map. Seven points, exact to degree 5: flat triangles whose mid nodes lie in the middle need 2 (T3) or 3 (T6).
+/// Integral of the shape functions there: A/3 at every node of T3; 0 at the vertices and A/3 at the mid nodes of T6.
+class FaceMeasure final : public FacetMeasure<3> {
+public:
+  Eigen::MatrixXd masses(const std::vector<Vector<3>>& x) const override;
+};
+
 } // namespace burnish

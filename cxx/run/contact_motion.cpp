@@ -9,7 +9,7 @@ template <int Dim> double contact_width(const ContactRun<Dim>& run) {
   double width = 0;
   for (int t = 0; t < static_cast<int>(run.setup().tools().size()); ++t)
     width = std::max(width, contact_width(run.setup().model(), run.setup().body(), run.accepted().contact,
-                                          run.accepted().u, t));
+                                          run.accepted().u, t, run.accepted().history.q_old));
   return width;
 }
 

@@ -5,6 +5,7 @@
 #include "contact/tributary_area.hpp"
 #include "diagnosis/before/floating_check.hpp"
 #include "diagnosis/before/program_checks.hpp"
+#include "diagnosis/before/unresisted.hpp"
 #include "diagnosis/step/leaps.hpp"
 #include "formula/formula.hpp"
 #include "run/approach.hpp"
@@ -165,7 +166,7 @@ template <int Dim> void ContactRun<Dim>::begin_program(const Eigen::VectorXd& u,
     check_not_inside(*m_setup, m_predictor.locator(), state, u);
     touch_in_place(*m_setup, u, state);
   }
-  m_step.left_out = leave_out_unresisted(*m_setup, state, prescribed);
+  m_step.left_out = leave_out_unresisted(*m_setup, state, u, prescribed);
   for (const std::string& idle : check_support(*m_setup, state, prescribed, first))
     m_step.left_out.push_back(idle);
   check_independent(*m_setup, state, prescribed);

@@ -52,41 +52,61 @@ template <int Dim> struct RunState {
   Diagnosis<Dim> diagnosis;
 };
 
-template <int Dim> class Stepper {
+/// What a caller sees of the loop, whatever the dimension.
+class StepLoop {
+public:
+  virtual ~StepLoop() = default;
+  /// Does what follows from the last task, up to the next one. u, R belong to the caller: the first call takes u as the
+  /// displacement at the start.
+  virtual Task next(Eigen::VectorXd& u, Eigen::VectorXd& R) = 0;
+  /// Instead of the last task: it cannot be done. The step is rejected and tried shorter.
+  virtual void refuse(const std::string& reason) = 0;
+  /// Ends the run at the last accepted state: the next task is STOPPED. An accepted step is recorded before.
+  virtual void stop(const std::string& reason) = 0;
+  /// The way through the steps from the next one on.
+  virtual void set_scheme(Scheme scheme) = 0;
+  /// What is said of the scene so far; nothing without the checks.
+  virtual std::vector<Statement> report() const = 0;
+  virtual bool halted() const = 0;      ///< a self-check has ended the run
+  virtual double target() const = 0;    ///< PROGRAM
+  virtual double dt() const = 0;        ///< FORCES: length of the piece
+  virtual Stepping stepping() const = 0;
+  virtual int iteration() const = 0;    ///< FORCES: 0, 1, 2, ... in this equilibrium
+  virtual const StepControl& control() const = 0;
+  virtual const StepperCounts& counts() const = 0;
+  /// Estimated relative error that the length of the steps has made in the plastic strain increments [-]; < 0: none, see
+  /// StepErrorState::estimate.
+  virtual double error() const = 0;
+  virtual const std::string& reason() const = 0; ///< STOPPED
+  virtual bool at_floor() const = 0;             ///< STOPPED: no step is short enough
+  /// Why the last step was rejected, and its length; "" before the first.
+  virtual const std::string& last_rejection() const = 0;
+  virtual double rejected_dt() const = 0;
+};
+
+template <int Dim> class Stepper final : public StepLoop {
 public:
   /// @param contact, body, diagnosis must outlive it; the diagnosis starts anew
   Stepper(ContactRun<Dim>& contact, RunBody<Dim>& body, Diagnosis<Dim>& diagnosis, StepControl control,
           StepperOptions options);
 
-  /// Does what follows from the last task, up to the next one. u, R belong to the caller: the first call takes u as the
-  /// displacement at the start.
-  Task next(Eigen::VectorXd& u, Eigen::VectorXd& R);
-  /// Instead of the last task: it cannot be done. The step is rejected and tried shorter.
-  void refuse(const std::string& reason);
-  /// Ends the run at the last accepted state: the next task is STOPPED. An accepted step is recorded before.
-  void stop(const std::string& reason);
-
-  /// The way through the steps from the next one on.
-  void set_scheme(Scheme scheme) { m_options.scheme = scheme; }
-
-  /// What is said of the scene so far; nothing without the checks.
-  std::vector<Statement> report() const;
-  bool halted() const { return m_halted; } ///< a self-check has ended the run
-
-  double target() const { return m_scheme->solve().from + m_scheme->solve().dt; } ///< PROGRAM
-  double dt() const { return m_scheme->solve().dt; } ///< FORCES: length of the piece
-  Stepping stepping() const { return m_scheme->solve().stepping; }
-  int iteration() const { return m_iteration; } ///< FORCES: 0, 1, 2, ... in this equilibrium
-  const StepControl& control() const { return m_control; }
-  const StepperCounts& counts() const { return m_counts; }
-  /// Estimated relative error that the length of the steps has made in the plastic strain increments [-]; < 0: none, see
-  /// StepErrorState::estimate.
-  double error() const { return m_body.step_error().estimate(); }
-  const std::string& reason() const { return m_reason; } ///< STOPPED
-  bool at_floor() const { return m_at_floor; }           ///< STOPPED: no step is short enough
-  /// Why the last step was rejected, and its length; "" before the first.
-  const std::string& last_rejection() const { return m_last_rejection; }
-  double rejected_dt() const { return m_rejected_dt; }
+  Task next(Eigen::VectorXd& u, Eigen::VectorXd& R) override;
+  void refuse(const std::string& reason) override;
+  void stop(const std::string& reason) override;
+  void set_scheme(Scheme scheme) override { m_options.scheme = scheme; }
+  std::vector<Statement> report() const override;
+  bool halted() const override { return m_halted; }
+  double target() const override { return m_scheme->solve().from + m_scheme->solve().dt; }
+  double dt() const override { return m_scheme->solve().dt; }
+  Stepping stepping() const override { return m_scheme->solve().stepping; }
+  int iteration() const override { return m_iteration; }
+  const StepControl& control() const override { return m_control; }
+  const StepperCounts& counts() const override { return m_counts; }
+  double error() const override { return m_body.step_error().estimate(); }
+  const std::string& reason() const override { return m_reason; }
+  bool at_floor() const override { return m_at_floor; }
+  const std::string& last_rejection() const override { return m_last_rejection; }
+  double rejected_dt() const override { return m_rejected_dt; }
 
   RunState<Dim> state() const;
   /// Goes on from another run's state. @throws std::invalid_argument if it is that of another body, contact or set of tools

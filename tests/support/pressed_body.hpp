@@ -10,15 +10,6 @@
 
 namespace burnish::test {
 
-/// Flat triangles of three nodes.
-class TriangleMeasure final : public FacetMeasure<3> {
-public:
-  Eigen::MatrixXd masses(const std::vector<Vector<3>>& x) const override {
-    const double area = 0.5 * (x[1] - x[0]).cross(x[2] - x[0]).norm();
-    return area / 12 * (Eigen::Matrix3d::Ones() + Eigen::Matrix3d::Identity());
-  }
-};
-
 /// A prism of three tetrahedra, clamped below, its top triangle under the plane.
 inline Discretization<3> prism() {
   Mesh<3> mesh = linear_tetrahedra({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1},
@@ -45,7 +36,7 @@ struct PressedPrism {
     options.offset_tolerance = 1e-10;
     options.gap_tolerance = 1e-9;
     options.max_iterations = 60;
-    setup = std::make_shared<ContactSetup<3>>(mesh, mesh.facets, fixed, std::make_shared<TriangleMeasure>());
+    setup = std::make_shared<ContactSetup<3>>(mesh, mesh.facets, fixed, std::make_shared<FaceMeasure>());
     tool->set_coordinates(std::make_shared<FormulaCoordinates<3>>(
         "plane", std::vector<std::string>{"x", "y", "z"}, SpaceFormulas{"x", "y", "z"}));
     tool->place("z", 1.1);

@@ -2,29 +2,65 @@
 #include "diagnosis/accepted/contact_width.hpp"
 #include "base/sentence.hpp"
 #include "diagnosis/observers.hpp"
+#include "iteration/contact_window.hpp"
+#include <cmath>
 
 namespace burnish {
 namespace {
 
 // Nodes next to one another that one tool touches.
 struct Run {
-  int nodes = 0, last = -1;
+  int nodes = 0; // in space across it, where it is narrowest
   double load = 0;
   std::vector<double> place;
 };
 
-template <int Dim> std::vector<Run> runs_of(const AcceptedStep<Dim>& step, int tool) {
+std::vector<Run> runs_of(const AcceptedStep<2>& step, int tool) {
   constexpr int jump = 2; // candidates further apart than this are not neighbors
   std::vector<Run> runs;
-  for (const CheckedNode<Dim>& node : step.touching) {
+  int last = -1;
+  for (const CheckedNode<2>& node : step.touching) {
     if (step.contact.nodes[node.candidate].tool != tool) continue;
-    if (runs.empty() || node.candidate - runs.back().last > jump) runs.push_back({});
+    if (runs.empty() || node.candidate - last > jump) runs.push_back({});
     Run& run = runs.back();
     ++run.nodes;
-    run.last = node.candidate;
+    last = node.candidate;
     run.load += node.force.F.norm();
     if (run.place.empty()) run.place = step.place_of(node.x);
   }
+  return runs;
+}
+
+// The patch of neighbors that holds touching node k. @param of in: per candidate its number among them, -1: none, or in a patch
+Run patch_of(const AcceptedStep<3>& step, int k, std::vector<int>& of) {
+  Run run;
+  std::vector<Vector<3>> places;
+  std::vector<int> open{k};
+  of[step.touching[k].candidate] = -1;
+  while (!open.empty()) {
+    const CheckedNode<3>& node = step.touching[open.back()];
+    open.pop_back();
+    places.push_back(node.x);
+    run.load += node.force.F.norm();
+    for (const int next : step.model().neighbors[node.candidate])
+      if (of[next] >= 0) {
+        open.push_back(of[next]);
+        of[next] = -1;
+      }
+  }
+  run.place = step.place_of(places.front());
+  run.nodes = 1 + static_cast<int>(std::lround(least_width(places) / step.body().spacing));
+  return run;
+}
+
+std::vector<Run> runs_of(const AcceptedStep<3>& step, int tool) {
+  std::vector<int> of(step.model().candidates.size(), -1);
+  for (std::size_t k = 0; k < step.touching.size(); ++k)
+    if (step.contact.nodes[step.touching[k].candidate].tool == tool)
+      of[step.touching[k].candidate] = static_cast<int>(k);
+  std::vector<Run> runs;
+  for (std::size_t k = 0; k < step.touching.size(); ++k)
+    if (of[step.touching[k].candidate] >= 0) runs.push_back(patch_of(step, static_cast<int>(k), of));
   return runs;
 }
 

@@ -8,14 +8,15 @@
 namespace burnish {
 namespace {
 
-// Of the plane; in space nothing is checked.
+// Of the plane. In space nothing is checked: triangles against triangles would cost more than the step, and an element that
+// turns over is refused anyway.
 template <int Dim> class FoldingCheck final : public ObserverOf<FoldingCheck<Dim>, Dim> {
 public:
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
 
 private:
   void look_at_plane(const AcceptedStep<2>& step, FindingList& findings);
-  std::vector<BoundaryEdge> m_edges;
+  std::vector<BoundaryEdge<2>> m_edges;
 };
 
 // A boundary edge where it is.
@@ -46,7 +47,7 @@ template <int Dim> void FoldingCheck<Dim>::look_at_plane(const AcceptedStep<2>& 
   std::vector<Placed> edges;
   edges.reserve(m_edges.size());
   Vector<2> low = step.body().position(step.u, m_edges[0].a), high = low;
-  for (const BoundaryEdge& edge : m_edges) {
+  for (const BoundaryEdge<2>& edge : m_edges) {
     edges.push_back(
         {edge.a, edge.b, step.body().position(step.u, edge.a), step.body().position(step.u, edge.b)});
     low = low.cwiseMin(edges.back().from);

@@ -13,7 +13,6 @@ constexpr Bounds EDGE_DEPTH{0.1, 0.5}; // depth of a tool between two contact no
 constexpr double OVERLAP =
     0.05; // depth of a tool in an edge that it does not touch, over the edge: untrusted
 
-// Of the plane; in space nothing is checked.
 template <int Dim> class OverlapCheck final : public ObserverOf<OverlapCheck<Dim>, Dim> {
 public:
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
@@ -22,32 +21,32 @@ private:
   // A node that is far from a tool is not asked again before both could have met.
   struct Distance {
     double known = -1; // when it was asked last; < 0: never [length]
-    Vector<2> x = Vector<2>::Zero();
+    Vector<Dim> x = Vector<Dim>::Zero();
     double moved = 0; // of the tool until then
-    Param<2> hint = Param<2>::Zero();
+    Param<Dim> hint = Param<Dim>::Zero();
   };
   struct Watched {
-    Vector<2> origin;
-    Tensor<2> R;
+    Vector<Dim> origin;
+    Tensor<Dim> R;
     double reach = 0;               // largest distance of its points from its origin [length]
     double moved = 0;               // way that no point of it has exceeded so far [length]
     std::vector<Distance> distance; // per node of the boundary
   };
-  void start(const AcceptedStep<2>& step);
-  void move(const AcceptedStep<2>& step, int tool);
-  double distance(const AcceptedStep<2>& step, int tool, int node);
-  void look_at_tool(const AcceptedStep<2>& step, FindingList& findings, int tool);
+  void start(const AcceptedStep<Dim>& step);
+  void move(const AcceptedStep<Dim>& step, int tool);
+  double distance(const AcceptedStep<Dim>& step, int tool, int node);
+  void look_at_tool(const AcceptedStep<Dim>& step, FindingList& findings, int tool);
 
-  std::vector<BoundaryEdge> m_edges;
+  std::vector<BoundaryEdge<Dim>> m_edges;
   std::vector<int> m_place;     // of a node among those of the boundary
   std::vector<int> m_candidate; // of a node, -1: none
   std::vector<Watched> m_tools;
 };
 
 // Worst of the edges of one kind.
-struct Worst {
+template <int Dim> struct Worst {
   double ratio = 0, depth = 0;
-  ToolDepth at;
+  ToolDepth<Dim> at;
 };
 
 struct Verdict {
@@ -57,7 +56,8 @@ struct Verdict {
   const char* what;
 };
 
-void report(const AcceptedStep<2>& step, int tool, const Verdict& verdict, const Worst& worst,
+template <int Dim>
+void report(const AcceptedStep<Dim>& step, int tool, const Verdict& verdict, const Worst<Dim>& worst,
             FindingList& findings) {
   Finding* finding =
       findings.report(verdict.check, step.tool_name(tool), verdict.severity, worst.ratio, step.t);
@@ -69,12 +69,12 @@ void report(const AcceptedStep<2>& step, int tool, const Verdict& verdict, const
                            worst.ratio, " of the edge there", step.at(worst.at.x));
 }
 
-template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<2>& step) {
+template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<Dim>& step) {
   constexpr int samples = 64;
   m_edges = boundary_edges(step.mesh());
   m_place.assign(static_cast<std::size_t>(step.mesh().num_nodes), -1);
   int places = 0;
-  for (const BoundaryEdge& edge : m_edges)
+  for (const BoundaryEdge<Dim>& edge : m_edges)
     for (const int node : {edge.a, edge.b})
       if (m_place[node] < 0) m_place[node] = places++;
   m_candidate = candidate_of_node(step.model().candidates, step.mesh().num_nodes);
@@ -82,50 +82,50 @@ template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<2>& step) {
     Watched watched;
     watched.origin = step.poses[tool].origin;
     watched.R = step.poses[tool].R;
-    for (const SurfacePlace<2>& place : step.model().tools[tool]->surface().samples(samples))
+    for (const SurfacePlace<Dim>& place : step.model().tools[tool]->surface().samples(samples))
       watched.reach = std::max(watched.reach, place.y.norm());
     watched.distance.resize(static_cast<std::size_t>(places));
     m_tools.push_back(std::move(watched));
   }
 }
 
-template <int Dim> void OverlapCheck<Dim>::move(const AcceptedStep<2>& step, int tool) {
+template <int Dim> void OverlapCheck<Dim>::move(const AcceptedStep<Dim>& step, int tool) {
   Watched& watched = m_tools[tool];
-  const Pose<2>& pose = step.poses[tool];
+  const Pose<Dim>& pose = step.poses[tool];
   watched.moved += (pose.origin - watched.origin).norm() + (pose.R - watched.R).norm() * watched.reach;
   watched.origin = pose.origin;
   watched.R = pose.R;
 }
 
 // Of a node from a tool's surface, or less.
-template <int Dim> double OverlapCheck<Dim>::distance(const AcceptedStep<2>& step, int tool, int node) {
+template <int Dim> double OverlapCheck<Dim>::distance(const AcceptedStep<Dim>& step, int tool, int node) {
   Watched& watched = m_tools[tool];
   Distance& last = watched.distance[m_place[node]];
-  const Vector<2> x = step.body().position(step.u, node);
+  const Vector<Dim> x = step.body().position(step.u, node);
   if (last.known >= 0) {
     const double left = last.known - (x - last.x).norm() - (watched.moved - last.moved);
     if (left > 0.5 * last.known) return left;
   }
-  const SurfaceFoot<2> foot = step.model().tools[tool]->foot(step.poses[tool], x, last.hint);
+  const SurfaceFoot<Dim> foot = step.model().tools[tool]->foot(step.poses[tool], x, last.hint);
   last = {std::abs(foot.gap), x, watched.moved, foot.place.hint};
   return last.known;
 }
 
 template <int Dim>
-void OverlapCheck<Dim>::look_at_tool(const AcceptedStep<2>& step, FindingList& findings, int tool) {
-  Worst between, overlap;
-  for (const BoundaryEdge& edge : m_edges) {
-    const Vector<2> a = step.body().position(step.u, edge.a), b = step.body().position(step.u, edge.b);
+void OverlapCheck<Dim>::look_at_tool(const AcceptedStep<Dim>& step, FindingList& findings, int tool) {
+  Worst<Dim> between, overlap;
+  for (const BoundaryEdge<Dim>& edge : m_edges) {
+    const Vector<Dim> a = step.body().position(step.u, edge.a), b = step.body().position(step.u, edge.b);
     const double length = (b - a).norm();
     if (std::min(distance(step, tool, edge.a), distance(step, tool, edge.b)) > length) continue;
-    const ToolDepth depth = tool_depth(*step.model().tools[tool], step.poses[tool], a, b,
+    const ToolDepth<Dim> depth = tool_depth(*step.model().tools[tool], step.poses[tool], a, b,
                                        m_tools[tool].distance[m_place[edge.a]].hint);
-    const Vector<2> outward(b[1] - a[1], a[0] - b[0]);
+    const Vector<Dim> out = outward(step.body(), step.u, edge);
     // a face of the body behind an open tool, or beyond its end, is no overlap
-    if (!(depth.depth > 0) || depth.on_end || depth.n.dot(outward) >= 0) continue;
+    if (!(depth.depth > 0) || depth.on_end || depth.n.dot(out) >= 0) continue;
     const int i = m_candidate[edge.a], j = m_candidate[edge.b];
     const bool may = i >= 0 && j >= 0 && step.model().may_touch(i, tool) && step.model().may_touch(j, tool);
-    Worst& worst = may ? between : overlap;
+    Worst<Dim>& worst = may ? between : overlap;
     if (depth.depth / length > worst.ratio) worst = {depth.depth / length, depth.depth, depth};
   }
   findings.largest("edge depth", between.ratio);
@@ -145,12 +145,10 @@ void OverlapCheck<Dim>::look_at_tool(const AcceptedStep<2>& step, FindingList& f
 }
 
 template <int Dim> void OverlapCheck<Dim>::look(const AcceptedStep<Dim>& step, FindingList& findings) {
-  if constexpr (Dim == 2) {
-    if (m_tools.empty()) start(step);
-    for (int tool = 0; tool < static_cast<int>(m_tools.size()); ++tool) {
-      move(step, tool);
-      look_at_tool(step, findings, tool);
-    }
+  if (m_tools.empty()) start(step);
+  for (int tool = 0; tool < static_cast<int>(m_tools.size()); ++tool) {
+    move(step, tool);
+    look_at_tool(step, findings, tool);
   }
 }
 

@@ -14,10 +14,8 @@ constexpr Bounds STRAIN{0.3, 2};  // accumulated plastic strain
 constexpr Bounds ELASTIC{0.1, 1}; // principal logarithmic strain of a body that does not flow
 
 template <int Dim> bool with_jaumann_rate(const Workpiece<Dim>& workpiece) {
-  if constexpr (Dim == 2)
-    if (const auto* law = dynamic_cast<const J2Law<2>*>(&workpiece.law()))
-      return law->parameters().rate == CorotationalRate::JAUMANN;
-  return false;
+  const auto* law = dynamic_cast<const J2Law<Dim>*>(&workpiece.law());
+  return law && law->parameters().rate == CorotationalRate::JAUMANN;
 }
 
 template <int Dim> class StrainCheck final : public ObserverOf<StrainCheck<Dim>, Dim> {

@@ -27,7 +27,7 @@ private:
   std::vector<EndLoad> m_loads; // per tool
 };
 
-// In the plane; the surface of a body in space has no last node.
+// In the plane. In space a contact may well reach the rim of its label, as that of a roll wider than its plate does.
 template <int Dim> void SurfaceEnd<Dim>::begin(const AcceptedStep<Dim>& step, FindingList&) {
   m_end.assign(step.model().candidates.size(), 0);
   m_loads.resize(step.model().tools.size());

@@ -2,18 +2,19 @@
 
 namespace burnish {
 
-ToolDepth tool_depth(const Tool<2>& tool, const Pose<2>& pose, const Vector<2>& a, const Vector<2>& b,
-                     const Param<2>& hint) {
+template <int Dim>
+ToolDepth<Dim> tool_depth(const Tool<Dim>& tool, const Pose<Dim>& pose, const Vector<Dim>& a, const Vector<Dim>& b,
+                     const Param<Dim>& hint) {
   constexpr int secants = 3; // of the slope, which is nearly linear along an edge
-  const Vector<2> along = b - a;
-  ToolDepth worst;
+  const Vector<Dim> along = b - a;
+  ToolDepth<Dim> worst;
   bool first = true;
-  Param<2> near = hint;
+  Param<Dim> near = hint;
   const auto slope_at = [&](double s) {
-    const Vector<2> x = a + s * along;
-    const SurfaceFoot<2> foot = tool.foot(pose, x, near);
+    const Vector<Dim> x = a + s * along;
+    const SurfaceFoot<Dim> foot = tool.foot(pose, x, near);
     near = foot.place.hint;
-    const Vector<2> n = pose.R * tool.surface().frame(foot.place).n;
+    const Vector<Dim> n = pose.R * tool.surface().frame(foot.place).n;
     if (first || -foot.gap > worst.depth) worst = {-foot.gap, x, n, foot.on_end};
     first = false;
     return n.dot(along);
@@ -26,5 +27,10 @@ ToolDepth tool_depth(const Tool<2>& tool, const Pose<2>& pose, const Vector<2>& 
   }
   return worst;
 }
+
+template ToolDepth<2> tool_depth(const Tool<2>&, const Pose<2>&, const Vector<2>&, const Vector<2>&,
+                                 const Param<2>&);
+template ToolDepth<3> tool_depth(const Tool<3>&, const Pose<3>&, const Vector<3>&, const Vector<3>&,
+                                 const Param<3>&);
 
 } // namespace burnish

@@ -19,7 +19,7 @@ struct ToolPairState {
   bool moved = false;     // relative to each other
 };
 
-// Of the plane; in space nothing is checked.
+// Of the plane. In space nothing is checked: a few places on two surfaces do not tell whether these cross.
 template <int Dim> class ToolOverlapCheck final : public ObserverOf<ToolOverlapCheck<Dim>, Dim> {
 public:
   void begin(const AcceptedStep<Dim>& step, FindingList& findings) override;

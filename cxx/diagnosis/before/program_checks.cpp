@@ -11,7 +11,6 @@ namespace {
 constexpr int SAMPLES = 32; // of a closed tool's surface, to tell whether it lies in the body
 constexpr double INSIDE =
     1e-3; // penetration at the start that does not count, over the spacing of candidates
-constexpr double UNRESISTED = 1e-9; // motion along the normal over the motion: below, nothing resists
 constexpr double DEPENDENT = 1e-9;  // pivot of the QR of the motions, over the largest one
 
 template <int Dim> std::string coordinate(const DrivenTool<Dim>& tool, Eigen::Index k) {
@@ -95,39 +94,6 @@ void check_not_inside(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& lo
 }
 
 template <int Dim>
-std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
-                                              PrescribedValues& prescribed) {
-  std::vector<std::string> left_out;
-  const auto& model = setup.model();
-  const DrivingForce drive = driving_force(model, prescribed, state.q);
-  const auto poses = model.poses(state.q);
-  for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
-    if (!model.laws[t].frictionless()) continue;
-    Eigen::VectorXd normal, size;
-    for (const auto& node : state.nodes) {
-      if (node.tool != t && node.tool >= 0) continue;
-      const auto p = model.tools[t]->point(poses[t], node.place);
-      const Eigen::VectorXd a = (p.x_q.transpose() * p.n).cwiseAbs(), b = p.x_q.colwise().norm();
-      normal = normal.size() ? Eigen::VectorXd(normal.cwiseMax(a)) : a;
-      size = size.size() ? Eigen::VectorXd(size.cwiseMax(b)) : b;
-    }
-    for (Eigen::Index k = 0; k < normal.size(); ++k) {
-      const int q = model.first[t] + static_cast<int>(k);
-      if (prescribed.is_motion[q] || normal[k] > UNRESISTED * size[k]) continue;
-      if (prescribed.is_held(q) || model.coupling_of(q) || !model.followers(q).empty()) continue;
-      if (drive.value[q] != 0)
-        fail("contact.begin", coordinate(*setup.tools()[t], k) +
-                                  " has a force but without friction nothing " +
-                                  "resists it; give it a motion or friction");
-      prescribed.is_motion[q] = 1;
-      prescribed.value[q] = state.q[q];
-      left_out.push_back(coordinate(*setup.tools()[t], k));
-    }
-  }
-  return left_out;
-}
-
-template <int Dim>
 std::vector<std::string> check_support(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
                                        const PrescribedValues& prescribed, bool first) {
   const auto& model = setup.model();
@@ -188,8 +154,6 @@ void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& 
   template void check_not_placed<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&);                   \
   template void check_not_inside<Dim>(const ContactSetup<Dim>&, const MeshLocator<Dim>&,                     \
                                       const ContactState<Dim>&, const Eigen::VectorXd&);                     \
-  template std::vector<std::string> leave_out_unresisted<Dim>(const ContactSetup<Dim>&,                      \
-                                                              const ContactState<Dim>&, PrescribedValues&);  \
   template std::vector<std::string> check_support<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,   \
                                                        const PrescribedValues&, bool);                       \
   template void check_independent<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,                   \

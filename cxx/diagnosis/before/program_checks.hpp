@@ -17,12 +17,6 @@ template <int Dim>
 void check_not_inside(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& locator,
                       const ContactState<Dim>& state, const Eigen::VectorXd& u);
 
-/// A coordinate under zero force that moves no contact point along the normal of a frictionless tool is fixed where it
-/// is. @returns their names, for reports. @throws std::invalid_argument for one under a force
-template <int Dim>
-std::vector<std::string> leave_out_unresisted(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
-                                              PrescribedValues& prescribed);
-
 /// A coordinate under force zero of a tool that touches nothing is idle: it keeps its rate, or its place.
 /// @param first step of the run: idle is then only a tool that a motion brings on
 /// @returns names of the idle ones, for reports. @throws std::invalid_argument for another coordinate under force of a

@@ -106,8 +106,12 @@ double backstress_return(const J2Parameters& material, Stress<Dim>& s, double& p
 }
 
 template double backstress_increment<2>(const J2Parameters&, const Stress<2>&, double, const Stress<2>&);
+template double backstress_increment<3>(const J2Parameters&, const Stress<3>&, double, const Stress<3>&);
 template double backstress_return<2>(const J2Parameters&, Stress<2>&, double&, Stress<2>&);
+template double backstress_return<3>(const J2Parameters&, Stress<3>&, double&, Stress<3>&);
 template double backstress_return<2>(const J2Parameters&, Stress<2>&, double&, Stress<2>&,
                                      BackstressDerivative<2>&);
+template double backstress_return<3>(const J2Parameters&, Stress<3>&, double&, Stress<3>&,
+                                     BackstressDerivative<3>&);
 
 } // namespace burnish

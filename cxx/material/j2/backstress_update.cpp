@@ -35,14 +35,14 @@ StressByIncrement<Dim> forward_euler_by_increment(const J2Parameters& material,
                                                   const StepKinematics<Dim>& kin, const J2Start<Dim>& old,
                                                   const Stress<Dim>& s, const Stress<Dim>& X) {
   StressByIncrement<Dim> by = deviatoric_moduli<Dim>(material.elastic);
-  by.template rightCols<1>() += spin_rate(s);
+  by.template rightCols<PointTraits<Dim>::num_rotations>() += spin_rate(s);
   const Stress<Dim> xi = s - X;
   if (!loads<Dim>(material, xi, old.plastic_strain_eq, kin.strain, old.plastic)) return by;
   // c (xi:dd) xi with c unchanged by the rotation
   const double c = plastic_factor<Dim>(material, xi, old.plastic_strain_eq,
                                        kinematic_modulus<Dim>(material.kinematic, xi, X));
   StressByIncrement<Dim> xi_by = StressByIncrement<Dim>::Zero();
-  xi_by.template rightCols<1>() = spin_rate(xi);
+  xi_by.template rightCols<PointTraits<Dim>::num_rotations>() = spin_rate(xi);
   const ScalarByIncrement<Dim> power_by =
       contraction_row<Dim>(xi) * strain_by_increment<Dim>() + contraction_row<Dim>(kin.strain) * xi_by;
   by.noalias() -= c * xi * power_by;
@@ -83,8 +83,8 @@ StressByIncrement<Dim> moduli_with_backstress(const J2Parameters& material, cons
                                               const ElasticTrial<Dim>& trial) {
   Stress<Dim> s = trial.s_old, X = turned_backstress(old, kin);
   BackstressDerivative<Dim> derivative;
-  derivative.s.template rightCols<1>() = spin_rate(s);
-  derivative.backstress.template rightCols<1>() = spin_rate(X);
+  derivative.s.template rightCols<PointTraits<Dim>::num_rotations>() = spin_rate(s);
+  derivative.backstress.template rightCols<PointTraits<Dim>::num_rotations>() = spin_rate(X);
   double plastic_strain_eq = old.plastic_strain_eq;
   const int substeps = substeps_of(scheme);
   if (scheme.update == StressUpdate::FORWARD_EULER) {
@@ -109,8 +109,13 @@ StressByIncrement<Dim> moduli_with_backstress(const J2Parameters& material, cons
 
 template J2End<2> updated_with_backstress<2>(const J2Parameters&, const PointScheme&, const J2Start<2>&,
                                              const StepKinematics<2>&, const ElasticTrial<2>&);
+template J2End<3> updated_with_backstress<3>(const J2Parameters&, const PointScheme&, const J2Start<3>&,
+                                             const StepKinematics<3>&, const ElasticTrial<3>&);
 template StressByIncrement<2> moduli_with_backstress<2>(const J2Parameters&, const PointScheme&,
                                                         const J2Start<2>&, const StepKinematics<2>&,
                                                         const ElasticTrial<2>&);
+template StressByIncrement<3> moduli_with_backstress<3>(const J2Parameters&, const PointScheme&,
+                                                        const J2Start<3>&, const StepKinematics<3>&,
+                                                        const ElasticTrial<3>&);
 
 } // namespace burnish

@@ -7,7 +7,7 @@ namespace burnish {
 
 /// The back stress at the start, turned by the step's rotation like the stress [stress].
 template <int Dim> Stress<Dim> turned_backstress(const J2Start<Dim>& old, const StepKinematics<Dim>& kin) {
-  return rotated(Eigen::Map<const Stress<Dim>>(old.backstress), kin.cos_2alpha, kin.sin_2alpha);
+  return rotated(Stress<Dim>(Eigen::Map<const Stress<Dim>>(old.backstress)), kin);
 }
 
 /// As updated_point, with J2End::backstress.

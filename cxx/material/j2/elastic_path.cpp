@@ -25,8 +25,8 @@ public:
 
   double yield() const { return m_yield; } ///< sigma_y(ep) at the start
   StepKinematics<Dim> kinematics(double f) const {
-    return step_kinematics(m_step.old.F, m_step.old.F + f * m_dF, m_step.options.strain_frame,
-                           m_material.rate);
+    const Gradient<Dim> F = m_step.old.F + f * m_dF;
+    return step_kinematics(m_step.old.F, F, m_step.options.strain_frame, m_material.rate);
   }
   ElasticTrial<Dim> trial(const StepKinematics<Dim>& kin) const {
     return elastic_trial<Dim>(m_material.elastic, kin, m_relative);
@@ -102,6 +102,8 @@ template <int Dim> PointLoading elastic_loading(const J2Parameters& material, co
 }
 
 template double elastic_yield_fraction<2>(const J2Parameters&, const PointStep<2>&, double, double);
+template double elastic_yield_fraction<3>(const J2Parameters&, const PointStep<3>&, double, double);
 template PointLoading elastic_loading<2>(const J2Parameters&, const PointStep<2>&);
+template PointLoading elastic_loading<3>(const J2Parameters&, const PointStep<3>&);
 
 } // namespace burnish

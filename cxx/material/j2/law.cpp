@@ -81,17 +81,21 @@ PointResult J2Law<Dim>::update(const PointStep<Dim>& step, PointTrial& trial, Po
 
 template <int Dim>
 RangeResult J2Law<Dim>::update_range(const RangeStep<Dim>& step, const RangeUpdate<Dim>& now) const {
-  const J2Kernel kernel = j2_kernel();
-  if (!kernel.update || !covered(m_material, step.options)) return MaterialLaw<Dim>::update_range(step, now);
-  for (int k = 0; k < step.size;) {
-    k = kernel.update(m_material, step, k, now);
-    // what is left, and points among which one fails
-    for (const int end = std::min(k + kernel.width, step.size); k < end; ++k) {
-      const PointResult result = this->update_one(step, k, now);
-      if (result.status != UpdateStatus::OK) return {result, k};
+  if constexpr (Dim == 2) {
+    const J2Kernel kernel = j2_kernel();
+    if (kernel.update && covered(m_material, step.options)) {
+      for (int k = 0; k < step.size;) {
+        k = kernel.update(m_material, step, k, now);
+        // what is left, and points among which one fails
+        for (const int end = std::min(k + kernel.width, step.size); k < end; ++k) {
+          const PointResult result = this->update_one(step, k, now);
+          if (result.status != UpdateStatus::OK) return {result, k};
+        }
+      }
+      return {};
     }
   }
-  return {};
+  return MaterialLaw<Dim>::update_range(step, now);
 }
 
 template <int Dim>
@@ -142,5 +146,6 @@ template <int Dim> PointLoading J2Law<Dim>::loading(const PointStep<Dim>& step) 
 }
 
 template class J2Law<2>;
+template class J2Law<3>;
 
 } // namespace burnish

@@ -15,7 +15,7 @@ public:
   const J2Parameters& parameters() const { return m_material; }
 
   PointResult update(const PointStep<Dim>& step, PointTrial& trial, PointUpdate<Dim>& now) const override;
-  /// Several points at a time where the machine can and j2/batch/kernel.hpp covers the case.
+  /// Several points of the plane at a time where the machine can and j2/batch/kernel.hpp covers the case.
   RangeResult update_range(const RangeStep<Dim>& step, const RangeUpdate<Dim>& now) const override;
   PiolaTangent<Dim> tangent(TangentKind kind, const PointStep<Dim>& step, const PointTrial& trial,
                             const PointState<Dim>& now) const override;

@@ -33,7 +33,7 @@ StressByIncrement<Dim> consistent_moduli(const J2Parameters& material, const Poi
                                          const ElasticTrial<Dim>& trial) {
   if (material.kinematic.exists()) return moduli_with_backstress<Dim>(material, scheme, old, kin, trial);
   ReturnDerivative<Dim> derivative;
-  derivative.s.template rightCols<1>() = spin_rate(trial.s_old);
+  derivative.s.template rightCols<PointTraits<Dim>::num_rotations>() = spin_rate(trial.s_old);
   Stress<Dim> s = trial.s_old;
   double plastic_strain_eq = old.plastic_strain_eq;
   if (scheme.update == StressUpdate::FORWARD_EULER) {
@@ -78,12 +78,21 @@ PiolaTangent<Dim> rate_tangent(const J2Parameters& material, const Stress<Dim>& 
 
 template J2End<2> updated_point<2>(const J2Parameters&, const PointScheme&, const J2Start<2>&,
                                    const StepKinematics<2>&, const ElasticTrial<2>&);
+template J2End<3> updated_point<3>(const J2Parameters&, const PointScheme&, const J2Start<3>&,
+                                   const StepKinematics<3>&, const ElasticTrial<3>&);
 template StressByIncrement<2> consistent_moduli<2>(const J2Parameters&, const PointScheme&, const J2Start<2>&,
                                                    const StepKinematics<2>&, const ElasticTrial<2>&);
+template StressByIncrement<3> consistent_moduli<3>(const J2Parameters&, const PointScheme&, const J2Start<3>&,
+                                                   const StepKinematics<3>&, const ElasticTrial<3>&);
 template PiolaTangent<2> consistent_tangent<2>(const J2Parameters&, const PointScheme&, const J2Start<2>&,
                                                const StepKinematics<2>&, const Gradient<2>&,
                                                const Stress<2>&);
+template PiolaTangent<3> consistent_tangent<3>(const J2Parameters&, const PointScheme&, const J2Start<3>&,
+                                               const StepKinematics<3>&, const Gradient<3>&,
+                                               const Stress<3>&);
 template PiolaTangent<2> rate_tangent<2>(const J2Parameters&, const Stress<2>&, double, const Gradient<2>&,
+                                         bool, const double*);
+template PiolaTangent<3> rate_tangent<3>(const J2Parameters&, const Stress<3>&, double, const Gradient<3>&,
                                          bool, const double*);
 
 } // namespace burnish

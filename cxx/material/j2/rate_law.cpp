@@ -18,7 +18,7 @@ StressByIncrement<Dim> rate_moduli(const J2Parameters& material, const Stress<Di
     moduli.noalias() -= plastic_factor<Dim>(material, s, plastic_strain_eq, moving) * s * power;
   }
   moduli.template topLeftCorner<3, 3>().array() += material.elastic.K;
-  moduli.template rightCols<1>() += spin_rate(stress);
+  moduli.template rightCols<PointTraits<Dim>::num_rotations>() += spin_rate(stress);
   return moduli;
 }
 
@@ -57,10 +57,17 @@ StressByIncrement<Dim> forward_euler_by_increment(const J2Parameters& material,
 
 template StressByIncrement<2> rate_moduli<2>(const J2Parameters&, const Stress<2>&, double, bool,
                                              const double*);
+template StressByIncrement<3> rate_moduli<3>(const J2Parameters&, const Stress<3>&, double, bool,
+                                             const double*);
 template double forward_euler<2>(const J2Parameters&, const StepKinematics<2>&, const Stress<2>&, Stress<2>&,
+                                 double&, bool);
+template double forward_euler<3>(const J2Parameters&, const StepKinematics<3>&, const Stress<3>&, Stress<3>&,
                                  double&, bool);
 template StressByIncrement<2> forward_euler_by_increment<2>(const J2Parameters&, const StepKinematics<2>&,
                                                             const Stress<2>&, const StressByIncrement<2>&,
+                                                            double, bool);
+template StressByIncrement<3> forward_euler_by_increment<3>(const J2Parameters&, const StepKinematics<3>&,
+                                                            const Stress<3>&, const StressByIncrement<3>&,
                                                             double, bool);
 
 } // namespace burnish

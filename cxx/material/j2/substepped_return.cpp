@@ -44,9 +44,14 @@ int substeps_needed(const J2Parameters& material, const UpdateOptions& options,
 }
 
 template double substepped_return<2>(const J2Parameters&, const StrainPath<2>&, int, Stress<2>&, double&);
+template double substepped_return<3>(const J2Parameters&, const StrainPath<3>&, int, Stress<3>&, double&);
 template double substepped_return<2>(const J2Parameters&, const StrainPath<2>&, const PathDerivative<2>&, int,
                                      Stress<2>&, double&, ReturnDerivative<2>&);
+template double substepped_return<3>(const J2Parameters&, const StrainPath<3>&, const PathDerivative<3>&, int,
+                                     Stress<3>&, double&, ReturnDerivative<3>&);
 template int substeps_needed<2>(const J2Parameters&, const UpdateOptions&, const ElasticTrial<2>&, double,
+                                bool);
+template int substeps_needed<3>(const J2Parameters&, const UpdateOptions&, const ElasticTrial<3>&, double,
                                 bool);
 
 } // namespace burnish
