@@ -18,7 +18,7 @@ from plotting.space import files
 
 STEEL, BODY, EDGE = (0.55, 0.60, 0.68), (0.93, 0.91, 0.86), (0.35, 0.35, 0.35)
 
-LINES_BEFORE = 2e-3  # how far lines lie before faces, over the size of the workpiece
+APART = 2e-3  # how far lines lie before faces and tools behind them, over the size of the workpiece
 
 
 @cache
@@ -110,12 +110,14 @@ class Scene:
         if values is not None:
             data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(values, float), deep=True))
         self.add(data, BODY, smooth=True, table=None if values is None else lookup(colors), limits=limits)
-        before = LINES_BEFORE * np.ptp(body.points, axis=0).max() * eye
-        self.add(poly(body.points + before, files.edges_of(body.faces), "lines"), EDGE, width=1.0)
+        shift = APART * np.ptp(body.points, axis=0).max() * eye
+        self.add(poly(body.points + shift, files.edges_of(body.faces), "lines"), EDGE, width=1.0)
 
-    def add_tools(self, tools, opacity=0.4):
-        """With the lines of their triangles, which show how they turn."""
+    def add_tools(self, tools, shift, opacity=0.4):
+        """With the lines of their triangles, which show how they turn; moved by a shift that nobody sees, so that the contact is
+        that of the workpiece."""
         for _, points, triangles, _ in files.tool_parts(tools):
+            points = points + shift
             self.add(poly(points, triangles), STEEL, opacity, smooth=True)
             self.add(poly(points, files.edges_of(triangles), "lines"), STEEL, 0.5 * opacity, 1.0)
 

@@ -10,7 +10,7 @@ from matplotlib.patches import Patch
 from plotting import fields
 from plotting.figure import ORANGE, new_figure
 from plotting.space import files
-from plotting.space.render import BODY, STEEL, Scene
+from plotting.space.render import APART, BODY, STEEL, Scene
 from plotting.space.run import unit
 
 # colors (n x 4) of n bands of equal width between the limits; levels between them, from the first above zero on; label with unit
@@ -70,8 +70,8 @@ def picture(run, frame, box, values=None, colors=None, limits=None, size=(1100, 
     """(image, places in it of the corners of the workpiece's box); values: over the nodes, for the bands of colors."""
     scene = Scene(size)
     scene.add_body(frame.body, eye_of(run), values, colors, limits)
-    scene.add_tools(frame.tools)
     side = np.ptp(run.last.body.points, axis=0).max()
+    scene.add_tools(frame.tools, -APART * side * eye_of(run))
     for places in run.tracks.values():
         if len(places) > 1 and np.ptp(places, axis=0).max() > 1e-6 * side:
             scene.add_track(places, TRACK * side)
