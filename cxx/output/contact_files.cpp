@@ -47,8 +47,7 @@ template <int Dim> CellList facets_of(const ContactRun<Dim>& run) {
 }
 
 /// Pressure and tangential traction along the normal and tangents of the tool, of free nodes the nearest one [stress].
-template <int Dim>
-Numbers traction_vectors(const ContactRun<Dim>& run, const SurfaceReport<Dim>& report) {
+template <int Dim> Numbers traction_vectors(const ContactRun<Dim>& run, const SurfaceReport<Dim>& report) {
   const auto& state = run.accepted().contact;
   const auto& model = run.setup().model();
   const auto poses = model.poses(state.q);

@@ -73,8 +73,9 @@ class Views(unittest.TestCase):
 
     def test_bands_have_equal_widths(self):
         """A value in a band of the map has its color, one below the first level that of the workpiece."""
-        levels = scene.fields.levels_to(0.1, quantity=scene.fields.STRAIN)
-        colors, (low, high) = scene.bands(scene.fields.STRAIN, levels)
+        scale = scene.scale_of(self.run_, [self.run_.last])
+        levels, (colors, (low, high)) = scale.levels, scene.bands(scale)
+        self.assertEqual(scale.quantity, scene.fields.STRAIN)
         self.assertEqual(len(colors), len(levels))
         self.assertAlmostEqual((high - low) / len(colors), levels[2] - levels[1], delta=1e-15)
         self.assertLess(0, low + (high - low) / len(colors))

@@ -13,7 +13,7 @@ from plotting.figure import BLUE, GRAY, GREEN, ORANGE, RED, key_under_labels, ne
 from plotting.space import files
 from plotting.space.render import poly
 from plotting.space.run import AXES
-from plotting.space.scene import quantity_of, scale_of
+from plotting.space.scene import scale_of
 from plotting.units import amount
 
 ARROWS = 18                      # along the longer side of the contact, at most
@@ -148,13 +148,13 @@ def cut_tools(frame, point, normal):
     return np.vstack(edges)
 
 
-def section_panel(axes, run, quantity, factor, levels, point, across, title):
+def section_panel(axes, run, scale, point, across, title):
     """The plane through the point whose normal is the axis `across`; returns the bands."""
     normal = np.eye(3)[across]
     shown = [k for k in range(3) if k != across]
     if abs(run.up[shown[0]]) > 0.5:
         shown.reverse()                          # the tools' side is above
-    places, cells, values = cut_body(run, run.last.body, quantity.name, point, normal)
+    places, cells, values = cut_body(run, run.last.body, scale.quantity.name, point, normal)
     mesh = Triangulation(*places[:, shown].T, cells)
     edges = cut_tools(run.last, point, normal)[:, :, shown]
     box = fields.mesh_box(mesh)
@@ -164,7 +164,9 @@ def section_panel(axes, run, quantity, factor, levels, point, across, title):
     axes.set_xlabel(f"{AXES[shown[0]]} [{run.units.length_unit}]")
     axes.set_ylabel(f"{AXES[shown[1]]} [{run.units.length_unit}]")
     axes.grid(False)
-    bands = maps.draw_bands(axes, mesh, np.maximum(factor * values, 0), levels, quantity.colors) if levels is not None else None
+    bands = None
+    if scale.levels is not None:
+        bands = maps.draw_bands(axes, mesh, np.maximum(scale.factor * values, 0), scale.levels, scale.quantity.colors)
     maps.draw_outline(axes, mesh)
     axes.add_collection(LineCollection(edges, colors=GRAY, linewidths=1.6, zorder=3.5))
     step = 10.0 ** np.floor(np.log10(1e-2 * (box[1] - box[0])))
@@ -175,10 +177,11 @@ def section_panel(axes, run, quantity, factor, levels, point, across, title):
 
 def section_figure(run):
     """Two sections through the middle of the contact at the end, along the way of the tools and across it."""
-    surface, quantity = run.last.surface, quantity_of(run)
+    surface = run.last.surface
     if surface is None or not files.touching(surface).any():
         return None
-    unit_name, factor, levels = scale_of(run, quantity, [run.last])
+    scale = scale_of(run, [run.last])
+    quantity = scale.quantity
     weight = np.maximum(surface.data["pressure"], 0)
     point = weight @ surface.points / weight.sum() if weight.sum() > 0 else surface.points[files.touching(surface)].mean(axis=0)
     first, second = axes_of(run, run.up)
@@ -187,11 +190,11 @@ def section_figure(run):
     figure, panels = new_figure(12.0, float(np.clip(1.6 + 5.0 * 1.45 * height / max(size[first], size[second]), 3.4, 7)), ncols=2,
                                 width_ratios=(size[first], size[second]))
     title = f"{quantity.label[0].upper() + quantity.label[1:]} through the middle of the contact at t = {run.last.t:.4g}"
-    bands = [section_panel(axes, run, quantity, factor, levels, point, across, words) for axes, across, words in
+    bands = [section_panel(axes, run, scale, point, across, words) for axes, across, words in
              zip(panels, (second, first), (title + "\n", ""))]
     if bands[0] is None:
         say_empty(panels[0], f"no {quantity.label}")
     else:
-        fields.add_scale(figure, bands[0], list(panels), f"{quantity.label} [{unit_name}]", 0.7)
+        fields.add_scale(figure, bands[0], list(panels), scale.label, 0.7)
     key_under_labels(panels[0], [Line2D([], [], color=GRAY, linewidth=1.6, label="rigid tool")], 1)
     return figure

@@ -20,25 +20,20 @@ def frames_of(run):
     return [run.frame(k) for k in chosen]
 
 
-def gif_frame(run, frame, box, look):
-    image, _ = scene.picture(run, frame, box, *look, size=SIZE)
-    drawn = Image.fromarray(image)
+def gif_frame(run, frame, box, scale):
+    drawn = Image.fromarray(scene.picture(run, frame, box, scale, SIZE)[0])
     ImageDraw.Draw(drawn).text((12, 10), f"t = {frame.t:.4g}", fill="black")
     return drawn.quantize(COLORS, dither=Image.Dither.NONE)
 
 
 def write_movie(run, folder):
     """movie.html and movie.gif in the folder; returns their paths."""
-    frames, quantity = frames_of(run), scene.quantity_of(run)
-    unit, factor, levels = scene.scale_of(run, quantity, frames)
-    if levels is None:
-        raise MissingInput(f"{run.folder}: no {quantity.label} in any frame")
-    values = [scene.values_of(frame, quantity, factor) for frame in frames]
-    colors, limits = scene.bands(quantity, levels)
+    frames = frames_of(run)
+    scale, box = scene.scale_of(run, frames), scene.box_of(frames)
+    if scale.levels is None:
+        raise MissingInput(f"{run.folder}: no {scale.quantity.label} in any frame")
     above, name = os.path.split(os.path.abspath(folder))
     name = os.path.basename(above) if name == "out" else name
-    box = scene.box_of(frames)
-    html = page(name, frames, values, scene.Bands(colors, limits, levels, f"{quantity.label} [{unit}]"),
-                scene.View(scene.eye_of(run), run.up, box, run.units.length_unit))
-    pictures = [gif_frame(run, frame, box, (v, colors, limits)) for frame, v in zip(frames, values)]
+    html = page(name, frames, scale, scene.View(scene.eye_of(run), run.up, box, run.units.length_unit))
+    pictures = [gif_frame(run, frame, box, scale) for frame in frames]
     return [write_whole(os.path.join(folder, "movie.html"), html.encode()), write_whole(os.path.join(folder, "movie.gif"), gif(pictures))]

@@ -7,6 +7,7 @@ import numpy as np
 
 from plotting.space import files
 from plotting.space.page_script import SCRIPT
+from plotting.space.scene import bands, values_of
 
 PAGE = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>%(title)s</title>
@@ -44,12 +45,11 @@ def compact(cells):
     return nodes, new.reshape(cells.shape)
 
 
-def scale_rows(bands):
+def scale_rows(scale, colors):
     """A row for each band, the highest first."""
-    colors, levels = bands.colors[-(len(bands.levels) - 1):], bands.levels
-    rows = [html.escape(bands.label)]
+    levels, rows = scale.levels, [html.escape(scale.label)]
     for k in range(len(levels) - 2, -1, -1):
-        color = "#%02x%02x%02x" % tuple(int(255 * c) for c in colors[k][:3])
+        color = "#%02x%02x%02x" % tuple(int(255 * c) for c in colors[k - len(levels) + 1][:3])
         rows.append(f'<span style="--c:{color}">{levels[k] if k else 0:.4g} to {levels[k + 1]:.4g}</span>')
     return "".join(rows)
 
@@ -68,17 +68,18 @@ def frame_data(frame, nodes, values, center):
                        "lines": packed(files.edges_of(cells), "<u4")} for _, points, cells, _ in tools]}
 
 
-def page(name, frames, values, bands, view):
-    """Text of the page. values: over the nodes, of each frame; bands: scene.Bands; view: scene.View"""
+def page(name, frames, scale, view):
+    """Text of the page. scale: scene.Scale; view: scene.View"""
+    colors, limits = bands(scale)
     body = frames[0].body
     nodes, triangles = compact(files.triangles_of(body.faces))
     numbers = np.full(len(body.points), -1)
     numbers[nodes] = np.arange(len(nodes))
     center = 0.5 * (view.box[0] + view.box[1])
     data = {"cells": packed(triangles, "<u4"), "edges": packed(numbers[files.edges_of(body.faces)], "<u4"),
-            "frames": [frame_data(f, nodes, v, center) for f, v in zip(frames, values)],
-            "colors": [[round(c, 3) for c in color[:3]] for color in bands.colors], "limits": [float(v) for v in bands.limits],
+            "frames": [frame_data(frame, nodes, values_of(frame, scale), center) for frame in frames],
+            "colors": [[round(c, 3) for c in color[:3]] for color in colors], "limits": [float(v) for v in limits],
             "eye": list(view.eye), "up": list(view.up), "size": float(np.linalg.norm(view.box[1] - view.box[0])),
             "corner": list(nearest_corner(body.points, view) - center), "axes": [f"{axis} [{view.length}]" for axis in "xyz"]}
-    return PAGE % {"title": html.escape(name), "most": len(frames) - 1, "scale": scale_rows(bands),
+    return PAGE % {"title": html.escape(name), "most": len(frames) - 1, "scale": scale_rows(scale, colors),
                    "data": json.dumps(data).replace("</", "<\\/"), "script": SCRIPT}

@@ -52,6 +52,15 @@ def poly(points, cells, kind="polys"):
     return data
 
 
+def smoothed(data):
+    """With normals for the light, which keep edges that are sharper than 35 degrees."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(data)
+    normals.SetFeatureAngle(35)
+    normals.Update()
+    return normals.GetOutput()
+
+
 def lookup(colors):
     """colors: n x 4, 0..1"""
     table = vtkLookupTable()
@@ -77,19 +86,14 @@ class Scene:
         self.window.SetSize(*size)
         self.window.AddRenderer(self.renderer)
 
-    def add(self, data, color=None, opacity=1.0, width=None, smooth=False, table=None, limits=None):
+    def add(self, data, color=None, opacity=1.0, width=None, bands=None):
+        """width: of lines, which have no light and shade; bands: (table of colors, limits of the scalars)"""
         mapper, actor = vtkPolyDataMapper(), vtkActor()
-        if smooth:
-            normals = vtkPolyDataNormals()
-            normals.SetInputData(data)
-            normals.SetFeatureAngle(35)
-            mapper.SetInputConnection(normals.GetOutputPort())
-        else:
-            mapper.SetInputData(data)
-        mapper.SetScalarVisibility(table is not None)
-        if table is not None:
-            mapper.SetLookupTable(table)
-            mapper.SetScalarRange(*limits)
+        mapper.SetInputData(data)
+        mapper.SetScalarVisibility(bands is not None)
+        if bands is not None:
+            mapper.SetLookupTable(bands[0])
+            mapper.SetScalarRange(*bands[1])
             mapper.SetInterpolateScalarsBeforeMapping(True)
         actor.SetMapper(mapper)
         look = actor.GetProperty()
@@ -102,14 +106,13 @@ class Scene:
             look.SetLineWidth(width)
             look.SetLighting(False)
         self.renderer.AddActor(actor)
-        return actor
 
     def add_body(self, body, eye, values=None, colors=None, limits=None):
         """Outer faces with the edges of the elements, these a little toward the eye; values at the nodes by colors (n x 4) between the limits."""
         data = poly(body.points, files.triangles_of(body.faces))
         if values is not None:
             data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(values, float), deep=True))
-        self.add(data, BODY, smooth=True, table=None if values is None else lookup(colors), limits=limits)
+        self.add(smoothed(data), BODY, bands=None if values is None else (lookup(colors), limits))
         shift = APART * np.ptp(body.points, axis=0).max() * eye
         self.add(poly(body.points + shift, files.edges_of(body.faces), "lines"), EDGE, width=1.0)
 
@@ -118,7 +121,7 @@ class Scene:
         that of the workpiece."""
         for _, points, triangles, _ in files.tool_parts(tools):
             points = points + shift
-            self.add(poly(points, triangles), STEEL, opacity, smooth=True)
+            self.add(smoothed(poly(points, triangles)), STEEL, opacity)
             self.add(poly(points, files.edges_of(triangles), "lines"), STEEL, 0.5 * opacity, 1.0)
 
     def add_track(self, places, radius, color=ORANGE):

@@ -13,30 +13,28 @@ from plotting.space import files
 from plotting.space.render import APART, BODY, STEEL, Scene
 from plotting.space.run import unit
 
-# colors (n x 4) of n bands of equal width between the limits; levels between them, from the first above zero on; label with unit
-Bands = namedtuple("Bands", "colors limits levels label")
+# label with its unit; factor from the file's numbers; levels: None where all is zero
+Scale = namedtuple("Scale", "quantity label factor levels")
 View = namedtuple("View", "eye up box length")  # directions; what is seen, low and high corner; unit of length
 TOOL_ROOM = 0.35   # how far a tool is shown beyond the workpiece, over the workpiece's largest side
 ASIDE, ABOVE = 0.55, 0.42  # of the view: sideways and upward, over straight from the front
+FLOWING = 1e-6     # plastic strain from which it is shown
 TRACK = 0.008      # radius of a track over the largest side
 
 
-def quantity_of(run):
-    """What colors the workpiece at the end."""
+def scale_of(run, frames):
+    """The plastic strain at the end if there is some, else the stress, with levels for all these frames."""
     strain = run.last.body.data.get("plastic_strain_eq", np.zeros(1))
-    return fields.STRAIN if strain.max() > 1e-6 else fields.STRESS
+    quantity = fields.STRAIN if strain.max() > FLOWING else fields.STRESS
+    most = max(np.nanmax(frame.body.data[quantity.name], initial=0.0) for frame in frames)
+    exponent = fields.power_of_ten(most, 1e-3)
+    unit_name = run.units.stress_unit if quantity.stress else fields.in_powers(exponent, "-")
+    factor = run.units.stress if quantity.stress else 10.0**-exponent
+    return Scale(quantity, f"{quantity.label} [{unit_name}]", factor, fields.levels_to(factor * most, quantity=quantity))
 
 
-def largest(run, quantity, frames):
-    return max((np.nanmax(frame.body.data[quantity.name], initial=0.0) for frame in frames), default=0.0)
-
-
-def scale_of(run, quantity, frames):
-    """(unit, factor, levels or None) for all frames."""
-    most = largest(run, quantity, frames)
-    unit_name, factor = (run.units.stress_unit, run.units.stress) if quantity.stress else \
-        (lambda e: (fields.in_powers(e, "-"), 10.0**-e))(fields.power_of_ten(most, 1e-3))
-    return unit_name, factor, fields.levels_to(factor * most, quantity=quantity)
+def values_of(frame, scale):
+    return np.maximum(scale.factor * np.nan_to_num(frame.body.data[scale.quantity.name]), 0)
 
 
 def box_of(frames):
@@ -58,24 +56,28 @@ def eye_of(run):
     return unit(front + ASIDE * right + ABOVE * up)
 
 
-def bands(quantity, levels):
+def bands(scale):
     """Colors of the bands, with that of the workpiece below the first level if it is above zero, and the ends of their range."""
-    colors = [fields.band_colors(quantity, levels)(k) for k in range(len(levels) - 1)]
+    levels = scale.levels
+    colors = [fields.band_colors(scale.quantity, levels)(k) for k in range(len(levels) - 1)]
     if levels[0] == 0:
         return colors, (levels[0], levels[-1])
     return [BODY + (1.0,)] + colors, (levels[0] - levels[1], levels[-1] + levels[0])
 
 
-def picture(run, frame, box, values=None, colors=None, limits=None, size=(1100, 900)):
-    """(image, places in it of the corners of the workpiece's box); values: over the nodes, for the bands of colors."""
-    scene = Scene(size)
-    scene.add_body(frame.body, eye_of(run), values, colors, limits)
+def picture(run, frame, box, scale, size=(1100, 900)):
+    """(image, places in it of the corners of the workpiece's box)"""
+    scene, eye = Scene(size), eye_of(run)
+    if scale.levels is None:
+        scene.add_body(frame.body, eye)
+    else:
+        scene.add_body(frame.body, eye, values_of(frame, scale), *bands(scale))
     side = np.ptp(run.last.body.points, axis=0).max()
-    scene.add_tools(frame.tools, -APART * side * eye_of(run))
+    scene.add_tools(frame.tools, -APART * side * eye)
     for places in run.tracks.values():
         if len(places) > 1 and np.ptp(places, axis=0).max() > 1e-6 * side:
             scene.add_track(places, TRACK * side)
-    image = scene.image(eye_of(run), run.up, box)
+    image = scene.image(eye, run.up, box)
     return image, scene.pixels(corners(frame.body.points))
 
 
@@ -105,10 +107,6 @@ def label_edges(axes, run, frame, places):
                       textcoords="offset points", ha="center", va="center", rotation=turn, rotation_mode="anchor", fontsize=9)
 
 
-def values_of(frame, quantity, factor):
-    return np.maximum(factor * np.nan_to_num(frame.body.data[quantity.name]), 0)
-
-
 def key_of(run):
     handles = [Patch(facecolor=BODY, edgecolor="black", label="workpiece, edges of its elements"),
                Patch(facecolor=STEEL, alpha=0.6, label=f"rigid {', '.join(map(run.tool_name, run.tracks)) if len(run.tracks) < 4 else 'tools'}")]
@@ -128,21 +126,18 @@ def window_of(images, room=45):
     return spans
 
 
-def add_scale(figure, axes, quantity, levels, unit_name):
-    scale = ScalarMappable(BoundaryNorm(levels, len(levels) - 1), fields.band_colors(quantity, levels))
-    label = f"{quantity.label} [{unit_name}]" + ("\nlight: elastic" if levels[0] > 0 else "")
+def add_scale(figure, axes, scale):
+    levels = scale.levels
+    drawn = ScalarMappable(BoundaryNorm(levels, len(levels) - 1), fields.band_colors(scale.quantity, levels))
+    label = scale.label + ("\nlight: elastic" if levels[0] > 0 else "")
     first = 0 if levels[0] == 0 else 1
-    figure.colorbar(scale, ax=axes, label=label, ticks=levels[first::2], format="%.4g", shrink=0.8, pad=0.01)
+    figure.colorbar(drawn, ax=axes, label=label, ticks=levels[first::2], format="%.4g", shrink=0.8, pad=0.01)
 
 
 def row_figure(run, frames, titles, columns=2, width=12.5):
     """Images of the frames with one scale."""
-    quantity = quantity_of(run)
-    unit_name, factor, levels = scale_of(run, quantity, frames)
-    box, look = box_of(frames), [(None,) * 3] * len(frames)
-    if levels is not None:
-        look = [(values_of(frame, quantity, factor), *bands(quantity, levels)) for frame in frames]
-    drawn = [picture(run, frame, box, *how) for frame, how in zip(frames, look)]
+    scale, box = scale_of(run, frames), box_of(frames)
+    drawn = [picture(run, frame, box, scale) for frame in frames]
     (top, bottom), (left, right) = window_of([image for image, _ in drawn])
     rows = -(-len(frames) // columns)
     height = rows * ((width - 1.3) / columns * (bottom - top) / (right - left) + 0.3) + 0.5
@@ -157,8 +152,8 @@ def row_figure(run, frames, titles, columns=2, width=12.5):
     for axes in list(panels.flat)[len(frames):]:
         axes.set_visible(False)
     figure.legend(handles=key_of(run), loc="upper center", ncol=3, bbox_to_anchor=(0.5, 0.0), frameon=False)
-    if levels is not None:
-        add_scale(figure, list(panels.flat), quantity, levels, unit_name)
+    if scale.levels is not None:
+        add_scale(figure, list(panels.flat), scale)
     figure.shaded = True
     return figure
 

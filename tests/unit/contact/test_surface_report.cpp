@@ -161,8 +161,14 @@ TEST(SurfaceReport, ShearOfSpaceDoesNotHangOnTangents) {
   const Vector<3> pull(0.2, 0.1, -1);
   Mesh<3> mesh;
   mesh.X = {0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0};
-  for (const auto& [x, y] : {std::pair{0.5, 0.}, {0., 0.5}, {-0.5, 0.}, {0., -0.5}, {0.5, 0.5}, {-0.5, 0.5},
-                             {-0.5, -0.5}, {0.5, -0.5}})
+  for (const auto& [x, y] : {std::pair{0.5, 0.},
+                             {0., 0.5},
+                             {-0.5, 0.},
+                             {0., -0.5},
+                             {0.5, 0.5},
+                             {-0.5, 0.5},
+                             {-0.5, -0.5},
+                             {0.5, -0.5}})
     mesh.X.insert(mesh.X.end(), {x, y, 0});
   BodyView<3> body;
   body.X = Eigen::Map<const Eigen::VectorXd>(mesh.X.data(), 39);
@@ -175,9 +181,10 @@ TEST(SurfaceReport, ShearOfSpaceDoesNotHangOnTangents) {
     for (const int middle : facets.back().middle) R.segment<3>(3 * middle) += 0.5 / 3 * pull;
   }
   ContactModel<3> model;
-  model.tools = {std::make_shared<Tool<3>>("ball", sphere(radius),
-                                           std::make_shared<FormulaCoordinates<3>>(
-                                               "ball", std::vector<std::string>{"z"}, SpaceFormulas{"0", "0", "z"}))};
+  model.tools = {
+      std::make_shared<Tool<3>>("ball", sphere(radius),
+                                std::make_shared<FormulaCoordinates<3>>("ball", std::vector<std::string>{"z"},
+                                                                        SpaceFormulas{"0", "0", "z"}))};
   model.laws.emplace_back(make_coulomb(0.3));
   model.first = {0, 1};
   ContactState<3> state;
@@ -191,7 +198,8 @@ TEST(SurfaceReport, ShearOfSpaceDoesNotHangOnTangents) {
     place_at(state.nodes[a],
              model.tools[0]->foot(poses[0], Vector<3>(body.X.segment<3>(3 * a)), {0, 0}).place);
   }
-  const auto report = surface_report(model, body, state, facets, Eigen::VectorXd(Eigen::VectorXd::Zero(39)), R);
+  const auto report =
+      surface_report(model, body, state, facets, Eigen::VectorXd(Eigen::VectorXd::Zero(39)), R);
   ASSERT_EQ(report.traction_tangential.rows(), 3);
   for (int a = 0; a < 13; ++a) {
     EXPECT_NEAR(report.pressure[a], 1, 1e-5) << a;

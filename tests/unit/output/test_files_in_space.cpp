@@ -76,8 +76,7 @@ TEST(FilesInSpace, StressTensorOfUniformStrain) {
   Tensor<3> F;
   F << 1.1, 0.02, -0.03, 0.05, 0.9, 0.04, 0.01, 0.06, 1.05;
   Eigen::VectorXd u(mesh.num_dofs());
-  for (int a = 0; a < mesh.num_nodes; ++a)
-    u.segment<3>(3 * a) = (F - Tensor<3>::Identity()) * mesh.node(a);
+  for (int a = 0; a < mesh.num_nodes; ++a) u.segment<3>(3 * a) = (F - Tensor<3>::Identity()) * mesh.node(a);
   ASSERT_EQ(body.update(u, 1, 0).status, UpdateStatus::OK);
   body.accept();
   const VtkReader file([&](const std::string& path) { save_fields(body, path); });
@@ -101,8 +100,7 @@ TEST(FilesInSpace, TractionsOfTheContactSurface) {
   EXPECT_NE(file.text().find("NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"1\""),
             std::string::npos);
   EXPECT_EQ(file.array<std::int64_t>("connectivity"), (Indices{0, 1, 2}));
-  EXPECT_EQ(file.array<std::int64_t>("state"),
-            Indices(3, static_cast<std::int64_t>(NodeState::STICKING)));
+  EXPECT_EQ(file.array<std::int64_t>("state"), Indices(3, static_cast<std::int64_t>(NodeState::STICKING)));
   const Numbers p = file.array<double>("pressure"), shear = file.array<double>("traction_tangential"),
                 traction = file.array<double>("traction");
   Vector<3> sum = Vector<3>::Zero();
@@ -144,8 +142,8 @@ TEST(FilesInSpace, Summary) {
   const Diagnosis<3> diagnosis;
   const StepControl control(0, {});
   const Vector<3> about(1, 2, 3);
-  const Json summary = run_summary(SummarizedRun<3>{
-      *scene.contact, body, diagnosis, control, nullptr, {}, nullptr, "", false, about, {}});
+  const Json summary = run_summary(
+      SummarizedRun<3>{*scene.contact, body, diagnosis, control, nullptr, {}, nullptr, "", false, about, {}});
   const Json balance = summary["balance"];
   EXPECT_EQ(balance["moment_point"], Json::parse("[1.0, 2.0, 3.0]"));
   const Numbers support = balance["support"], tool = balance["contact"]["plane"];
