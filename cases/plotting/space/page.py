@@ -14,7 +14,7 @@ PAGE = """<!DOCTYPE html>
 <meta name="viewport" content="width=device-width">
 <style>
 body { font: 16px sans-serif; margin: 1em auto; max-width: 1100px; padding: 0 1em; color: #222 }
-.view { position: relative; overflow: hidden } canvas { width: 100%%; aspect-ratio: 16/10; display: block; border: 1px solid #ccc; touch-action: none; cursor: grab }
+.view { position: relative; overflow: hidden } canvas { box-sizing: border-box; width: 100%%; aspect-ratio: 16/10; display: block; border: 1px solid #ccc; touch-action: none; cursor: grab }
 .scale { position: absolute; right: 1em; top: 1em; background: #fffc; padding: .4em; font-size: 14px; display: flex; flex-direction: column }
 .scale span::before { content: ""; display: inline-block; width: 1.6em; height: 1.2em; margin-right: .5em; vertical-align: bottom; background: var(--c) }
 .axis { position: absolute; pointer-events: none; white-space: nowrap; font-size: 14px }

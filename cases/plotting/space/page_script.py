@@ -69,10 +69,10 @@ function draw(place, value, index, how, {color = [0, 0, 0], opacity = 1, lit = t
   gl.drawElements(how, index.count, gl.UNSIGNED_INT, 0);
 }
 const letters = data.axes.map(name => { const mark = document.createElement("span"); mark.className = "axis"; mark.textContent = name; document.querySelector(".view").append(mark); return mark; });
-const axisPlace = [0, 1, 2].map(k => { const end = [...data.corner]; end[k] += .25*data.size; return buffer(gl.ARRAY_BUFFER, new Float32Array([...data.corner, ...end])); });
+const axisPlace = [0, 1, 2].map(k => { const end = [...data.corner]; end[k] += .16*data.size; return buffer(gl.ARRAY_BUFFER, new Float32Array([...data.corner, ...end])); });
 const axisIndex = {buffer: buffer(gl.ELEMENT_ARRAY_BUFFER, new Uint32Array([0, 1])), count: 2};
 function letter(mark, k, m) {
-  const p = [...data.corner, 1]; p[k] += .27*data.size;
+  const p = [...data.corner, 1]; p[k] += .18*data.size;
   const clip = [0, 1, 3].map(row => [0, 1, 2, 3].reduce((s, c) => s + m[4*c + row]*p[c], 0));
   mark.style.left = (50 + 50*clip[0]/clip[2]) + "%"; mark.style.top = (50 - 50*clip[1]/clip[2]) + "%";
 }

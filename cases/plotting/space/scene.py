@@ -90,8 +90,7 @@ def corners(points):
 def label_edges(axes, run, frame, places):
     """What the edges of the box measure, in words, at those below and at the left."""
     ends = corners(frame.body.points)
-    eye, down = eye_of(run), -run.up
-    nearest = int(np.argmax(ends @ eye * 1e-3 + ends @ down + 1e-2 * (ends @ eye)))
+    nearest = int(np.argmax(ends @ (1e-2 * eye_of(run) - run.up)))  # of the corners below
     for axis in range(3):
         first = nearest
         if abs(run.up[axis]) > 0.5:                 # the edge upward: the outermost one at the left
