@@ -85,7 +85,7 @@ struct SpaceScene {
     StepStatus status = StepStatus::ITERATE;
     Workpiece<3>& workpiece = body.workpiece();
     for (int it = 0; status != StepStatus::CONVERGED; ++it) {
-      ASSERT_EQ(workpiece.update(u, dt, it).status, UpdateStatus::OK);
+      ASSERT_EQ(workpiece.update(u, dt, it).status, UpdateStatus::OK) << "t = " << t << ", iteration " << it;
       R = workpiece.internal_force();
       status = contact->check(u, R);
       if (status == StepStatus::REFACTORIZE) {

@@ -7,7 +7,7 @@ namespace burnish {
 namespace {
 
 constexpr double UNRESISTED = 1e-9; // motion along the normal over the motion: below, nothing resists
-constexpr double RANK = 1e-8;       // the same of a combination of coordinates, over the largest one
+constexpr double RANK = 1e-8;       // the same of a combination of coordinates, and its least part of one that counts
 constexpr double NO_WORK = 1e-7;    // of the forces in a motion over the sum of their amounts: rounding
 
 // Motions of a tool's surface by its coordinates where the body is near: n.X_k in rows, largest |X_k|.
@@ -109,7 +109,8 @@ std::vector<Unresisted> unresisted(const ContactSetup<3>&, const NormalMotions& 
     motion[free[order[j]]] = 1 / size[order[j]];
     const Eigen::VectorXd others = R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(
         R.col(j).head(rank));
-    for (Eigen::Index i = 0; i < rank; ++i) motion[free[order[i]]] = -others[i] / size[order[i]];
+    for (Eigen::Index i = 0; i < rank; ++i)
+      if (std::abs(others[i]) > RANK) motion[free[order[i]]] = -others[i] / size[order[i]];
     found.push_back({free[order[j]], motion});
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.coordinate < b.coordinate; });
@@ -131,12 +132,11 @@ void check_no_work(const ContactModel<Dim>& model, int tool, const Unresisted& d
   const Eigen::VectorXd work = dead.motion.cwiseProduct(drive.segment(model.first[tool], dead.motion.size()));
   if (std::abs(work.sum()) <= NO_WORK * work.cwiseAbs().sum()) return;
   std::string with;
-  const double least = RANK * dead.motion.cwiseAbs().maxCoeff();
   for (int k = 0; k < dead.motion.size(); ++k)
-    if (k != dead.coordinate && std::abs(dead.motion[k]) > least)
+    if (k != dead.coordinate && dead.motion[k] != 0)
       with += (with.empty() ? ", moved together with \"" : ", \"") +
-              model.tools[tool]->coordinates().names()[static_cast<std::size_t>(k)] + "\",";
-  fail("contact.begin", model.coordinate(model.first[tool] + dead.coordinate) + with +
+              model.tools[tool]->coordinates().names()[static_cast<std::size_t>(k)] + "\"";
+  fail("contact.begin", model.coordinate(model.first[tool] + dead.coordinate) + with + (with.empty() ? "" : ",") +
                             " has a force but without friction nothing resists it; give it a motion or friction");
 }
 

@@ -66,13 +66,14 @@ TEST(ChecksInSpace, ABallInAFaceWithoutALabel) { // the side x = 1
   EXPECT_FALSE(found.trusted());
 }
 
-// A large ball over 3 x 3 nodes, and a roll that reaches over the block: as many nodes as lie across.
+// A large ball over 3 x 3 nodes (4 across their diagonal), and a roll that reaches over the block: as many nodes as lie across.
 TEST(ChecksInSpace, ContactsOfFewNodes) {
   SpaceScene ball({}, sphere(4), six(), 0.3);
-  const FindingList few = findings_of(ball, {{0, 0, 4}, {0, 0, 3.94}});
+  const FindingList few = findings_of(ball, {{0, 0, 4}, {0, 0, 3.9}});
   ASSERT_FALSE(HasFatalFailure());
   EXPECT_TRUE(few.holds("contact width", "tool"));
-  EXPECT_EQ(few.measured().at("contact nodes tool"), 3);
+  EXPECT_GE(few.measured().at("contact nodes tool"), 3);
+  EXPECT_LE(few.measured().at("contact nodes tool"), 4);
   BlockOfTetrahedra fine;
   fine.nx = 10;
   fine.lx = 1;

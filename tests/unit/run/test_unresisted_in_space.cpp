@@ -31,12 +31,21 @@ struct Pressed {
   }
   static BlockOfTetrahedra block(const Tensor<3>& turn) {
     BlockOfTetrahedra block;
+    block.nx = block.ny = 8;
     block.turn = turn;
     return block;
   }
   void free(const Vector<3>& force) {
     Prescription& p = scene.tool->prescription();
     for (int c = 0; c < 6; ++c) p.force(ALL[c], c < 3 ? force[c] : 0);
+  }
+  /// Coordinates that the next step would leave out.
+  std::vector<std::string> begun() {
+    Eigen::VectorXd u = scene.u;
+    scene.contact->begin(u, 0.1, 0.1, Stepping::IMPLICIT);
+    const std::vector<std::string> found = scene.contact->step().left_out;
+    scene.contact->revert();
+    return found;
   }
   std::vector<std::string> left_out() { return burnish::left_out(*scene.contact); }
 };
@@ -54,11 +63,15 @@ TEST(UnresistedInSpace, ThreeRotationsOfASmoothBall) {
   Pressed ball(sphere(2), 2, 0);
   ASSERT_FALSE(HasFatalFailure());
   ball.free({0, 0, -0.02});
+  EXPECT_EQ(names(ball.begun()), "spinx spiny spinz");
+  // along a flat body a smooth ball is in neutral equilibrium: x and y are moved
+  ball.scene.tool->prescription().move("x", 0.02);
+  ball.scene.tool->prescription().move("y", 0.01);
   ball.scene.step(0.1, 0.1);
   ASSERT_FALSE(HasFatalFailure());
   EXPECT_EQ(names(ball.left_out()), "spinx spiny spinz");
   EXPECT_NEAR(ball.scene.tool->generalized_force()[2], -0.02, 1e-9);
-  EXPECT_LE(ball.scene.tool->generalized_force().head<2>().norm(), 1e-9);
+  EXPECT_LE(ball.scene.tool->generalized_force().tail<3>().norm(), 1e-12);
 }
 
 // Its frame is not at its center: each dead motion is a turn with a translation.
@@ -70,13 +83,9 @@ TEST(UnresistedInSpace, ABallAboutAnotherPoint) {
   Prescription& p = ball.scene.tool->prescription();
   const Vector<3> F(0, 0, -0.02), M = center.point.cross(F); // through its center: no work in a turn about it
   for (int c = 0; c < 6; ++c) p.force(ALL[c], c < 3 ? F[c] : M[c - 3]);
-  ball.scene.step(0.1, 0.1);
-  ASSERT_FALSE(HasFatalFailure());
-  EXPECT_EQ(ball.left_out().size(), 3u);
-  EXPECT_NEAR(ball.scene.tool->generalized_force()[2], -0.02, 1e-9);
-  EXPECT_LE((ball.scene.tool->generalized_force().tail<3>() - M).norm(), 1e-8);
+  EXPECT_EQ(ball.begun().size(), 3u);
   for (int c = 3; c < 6; ++c) p.force(ALL[c], 0); // work in turns about the center
-  expect_invalid([&] { ball.scene.step(0.2, 0.1); }, "has a force but without friction nothing resists it");
+  expect_invalid([&] { ball.begun(); }, "has a force but without friction nothing resists it");
 }
 
 TEST(UnresistedInSpace, TwoMotionsOfASmoothCylinder) {
@@ -84,24 +93,22 @@ TEST(UnresistedInSpace, TwoMotionsOfASmoothCylinder) {
   Pressed roll(cylinder(2, 8, along_y), 2, 0);
   ASSERT_FALSE(HasFatalFailure());
   roll.free({0, 0, -0.02});
-  roll.scene.step(0.1, 0.1);
-  ASSERT_FALSE(HasFatalFailure());
-  EXPECT_EQ(names(roll.left_out()), "y spiny");
-  EXPECT_NEAR(roll.scene.tool->generalized_force()[2], -0.02, 1e-9);
+  EXPECT_EQ(names(roll.begun()), "y spiny");
+  roll.free({0, 1e-6, -0.02});
+  expect_invalid([&] { roll.begun(); }, "coordinate \"y\" of tool \"tool\" has a force but without friction");
 }
 
-// The axis is along no coordinate: the dead translation is a combination of them, and one stands for it.
+// The axis is along no coordinate: the dead motions are combinations of them, and a coordinate stands for each.
 TEST(UnresistedInSpace, ACylinderThatLiesAcross) {
   const AxisFrame across = axis_frame("test", Vector<3>(-4, -4, 0), {1, 1, 0});
   Pressed roll(cylinder(2, 8 * std::sqrt(2.), across), 2, 0);
   ASSERT_FALSE(HasFatalFailure());
   roll.free({0, 0, -0.02});
-  roll.scene.step(0.1, 0.1);
-  ASSERT_FALSE(HasFatalFailure());
-  EXPECT_EQ(roll.left_out().size(), 2u) << names(roll.left_out());
-  EXPECT_NEAR(roll.scene.tool->generalized_force()[2], -0.02, 1e-9);
-  roll.free({0.001, 0.001, -0.02});
-  expect_invalid([&] { roll.scene.step(0.2, 0.1); }, "moved together with");
+  EXPECT_EQ(roll.begun().size(), 2u) << names(roll.begun());
+  roll.free({0.001, -0.001, -0.02}); // across the axis
+  EXPECT_EQ(roll.begun().size(), 2u);
+  roll.free({0.001, 0.001, -0.02}); // along it
+  expect_invalid([&] { roll.begun(); }, "moved together with");
 }
 
 TEST(UnresistedInSpace, ThreeMotionsOfASmoothPlateInAnyPosition) {
@@ -112,7 +119,10 @@ TEST(UnresistedInSpace, ThreeMotionsOfASmoothPlateInAnyPosition) {
     plate.scene.step(0.1, 0.1);
     ASSERT_FALSE(HasFatalFailure());
     EXPECT_EQ(plate.left_out().size(), 3u) << names(plate.left_out());
-    EXPECT_LE((plate.scene.tool->generalized_force().head<3>() - turn * Vector<3>(0, 0, -0.05)).norm(), 1e-9);
+    // the plate tilts in the step, and what is left out holds it then
+    const Vector<3> Q = turn.transpose() * plate.scene.tool->generalized_force().head<3>();
+    EXPECT_NEAR(Q[2], -0.05, 1e-4);
+    EXPECT_LE(Q.head<2>().norm(), 1e-4);
   }
 }
 
@@ -123,9 +133,7 @@ TEST(UnresistedInSpace, WhatIsResistedStays) {
   Eigen::VectorXd q = ball.scene.tool->q();
   ball.scene.move(q);
   for (const char* c : {"x", "y", "z"}) ball.scene.tool->prescription().force(c, c[0] == 'z' ? -0.02 : 0);
-  ball.scene.step(0.1, 0.1);
-  ASSERT_FALSE(HasFatalFailure());
-  EXPECT_TRUE(ball.left_out().empty());
+  EXPECT_TRUE(ball.begun().empty());
 }
 
 TEST(ApproachInSpace, AlongAnyCoordinateToTheFirstTouch) {
