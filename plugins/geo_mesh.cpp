@@ -31,11 +31,13 @@ std::string fields_of(const KN_<double>& lengths) {
   return size_fields(zones, lengths[0], lengths[1], "rcGradedMesh3");
 }
 
-bool mesh_volumes(string* const& file, string* const& numbers, string* const& result, const KN_<double>& lengths) {
+bool mesh_volumes(string* const& file, string* const& numbers, string* const& result,
+                  const KN_<double>& lengths) {
   return guarded([&] {
     const std::string fields = fields_of(lengths);
-    called(fields.empty() ? "rcGmsh3" : "rcGradedMesh3",
-           [&] { mesh_geo(script_options().found(*file), *numbers, *result, {3, fields}); });
+    called(fields.empty() ? "rcGmsh3" : "rcGradedMesh3", [&] {
+      mesh_geo(script_options().found(*file), *numbers, *result, {3, fields});
+    });
     return true;
   });
 }

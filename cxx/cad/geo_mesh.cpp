@@ -28,9 +28,13 @@ struct Wanted {
   long element, face;
   const char *elements, *faces, *group, *label;
 };
-constexpr Wanted TRIANGLES{2, 1, "triangles", "curves", "surface needs Physical Surface(1) = {1};",
-                           "Physical Curve(3) = {1, 2};"};
-constexpr Wanted TETRAHEDRA{4, 2, "tetrahedra", "surfaces", "volume needs Physical Volume(1) = {1};",
+constexpr Wanted TRIANGLES{
+    2, 1, "triangles", "curves", "surface needs Physical Surface(1) = {1};", "Physical Curve(3) = {1, 2};"};
+constexpr Wanted TETRAHEDRA{4,
+                            2,
+                            "tetrahedra",
+                            "surfaces",
+                            "volume needs Physical Volume(1) = {1};",
                             "Physical Surface(3) = {1, 2};"};
 
 // In this format a line of $Elements is: number, type (1 edge, 2 triangle, 4 tetrahedron), how many tags, the first of
@@ -49,7 +53,8 @@ void check_elements(const std::string& file, const std::string& mesh, const Want
     fail(MESH_GEO, std::string("no ") + wanted.elements + " in the mesh of \"" + file + "\"; with physical " +
                        wanted.faces + " the " + wanted.group);
   if (!labels)
-    fail(MESH_GEO, "\"" + file + "\" has no physical " + wanted.faces + "; they become the labels: " + wanted.label);
+    fail(MESH_GEO,
+         "\"" + file + "\" has no physical " + wanted.faces + "; they become the labels: " + wanted.label);
 }
 
 } // namespace

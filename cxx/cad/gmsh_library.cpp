@@ -86,9 +86,8 @@ std::string gmsh_mesh(const std::string& file, const GeoNumbers& numbers, const 
   const auto list = pointers_to(numbers);
   const TemporaryFolder folder;
   const auto make = [&]() -> std::string {
-    const char* error =
-        call(file.c_str(), list.data(), static_cast<int>(list.size()), folder.path().c_str(), result.c_str(),
-             meshing.dimension, meshing.sizes.c_str());
+    const char* error = call(file.c_str(), list.data(), static_cast<int>(list.size()), folder.path().c_str(),
+                             result.c_str(), meshing.dimension, meshing.sizes.c_str());
     return error ? error : "";
   };
   return told(run_in_child(make, log), log);

@@ -11,7 +11,7 @@ constexpr double MOST = 5e6; // tetrahedra
 // Regular tetrahedra of the lengths in and around a ball: volume over 2^(1/2)/12 L^3.
 double number_of(const SizeZone& zone, double coarse, double growth) {
   constexpr double per_cube = 8.485281374238571, four_pi = 12.566370614359172;
-  const double R = zone.radius, h = zone.length, ratio = coarse/h;
+  const double R = zone.radius, h = zone.length, ratio = coarse / h;
   // of the integral of r^2/(h + growth (r - R))^3 from R to where the length is coarse
   const double shift = R - h / growth, from = 1 - 1 / ratio;
   const double around = (std::log(ratio) + 2 * shift * growth / h * from +
@@ -25,7 +25,8 @@ void check(const SizeZone& zone, double coarse, double growth, const char* where
   require(zone.radius > 0 && std::isfinite(zone.radius), where, "size", zone.radius, "finite > 0");
   require(zone.length > 0 && zone.length < coarse, where, "h", zone.length, "0 < h < coarse");
   const double number = number_of(zone, coarse, growth);
-  require(number <= MOST, where, "tetrahedra in and around a zone", number, "at most 5e6: longer edges, or a smaller size");
+  require(number <= MOST, where, "tetrahedra in and around a zone", number,
+          "at most 5e6: longer edges, or a smaller size");
 }
 
 } // namespace
@@ -42,7 +43,9 @@ std::string size_fields(const std::vector<SizeZone>& zones, double coarse, doubl
     check(zone, coarse, growth, where);
     const std::string field = "Field[burnish_field + " + std::to_string(k) + "]";
     text << field << " = Ball;\n";
-    for (int c = 0; c < 3; ++c) text << field << "." << "XYZ"[c] << "Center = " << zone.center[c] << ";\n";
+    for (int c = 0; c < 3; ++c)
+      text << field << "."
+           << "XYZ"[c] << "Center = " << zone.center[c] << ";\n";
     text << field << ".Radius = " << zone.radius << ";\n"
          << field << ".Thickness = " << (coarse - zone.length) / growth << ";\n"
          << field << ".VIn = " << zone.length << ";\n"

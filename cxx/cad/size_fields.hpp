@@ -9,7 +9,8 @@ namespace burnish {
 struct SizeZone {
   double center[3]; ///< [length]
   double radius;    ///< [length]
-  double length;    ///< of the edges there; gmsh keeps to it on surfaces, its tetrahedra have some a quarter longer [length]
+  double
+      length; ///< of the edges there; gmsh keeps to it on surfaces, its tetrahedra have some a quarter longer [length]
 };
 
 /// Statements of .geo for L = min(coarse, length + growth (distance to the ball)) over all zones, in place of what a file says

@@ -75,8 +75,7 @@ template <class Map> Mesh<3> block_of_tetrahedra(int nx, int ny, int nz, const M
 /// Displacement (F - I) X of a homogeneous deformation.
 inline Eigen::VectorXd homogeneous(const Discretization<3>& mesh, const Tensor<3>& F) {
   Eigen::VectorXd u(mesh.num_dofs());
-  for (int a = 0; a < mesh.num_nodes; ++a)
-    u.segment<3>(3 * a) = (F - Tensor<3>::Identity()) * mesh.node(a);
+  for (int a = 0; a < mesh.num_nodes; ++a) u.segment<3>(3 * a) = (F - Tensor<3>::Identity()) * mesh.node(a);
   return u;
 }
 

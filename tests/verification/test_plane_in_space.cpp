@@ -39,15 +39,18 @@ std::vector<LawInput> laws() {
 TEST(PlaneInSpace, SimpleShearInAnyPlane) {
   const int steps = 25;
   const double gamma = 1.5;
-  const Tensor<3> planes[] = {Tensor<3>::Identity(), turn_about({1, 0, 0}, M_PI / 2), turn_about({1, 2, -1}, 1.1)};
+  const Tensor<3> planes[] = {Tensor<3>::Identity(), turn_about({1, 0, 0}, M_PI / 2),
+                              turn_about({1, 2, -1}, 1.1)};
   double worst = 0;
   for (const LawInput& law : laws())
     for (int linear : {true, false}) {
       Workpiece<2> flat(patch(linear ? 3 : 6, 1), make_law<2>(law, "test"));
-      std::vector<Workpiece<3>> bodies(3, Workpiece<3>(two_tetrahedra(linear ? 4 : 10), make_law<3>(law, "test")));
+      std::vector<Workpiece<3>> bodies(
+          3, Workpiece<3>(two_tetrahedra(linear ? 4 : 10), make_law<3>(law, "test")));
       for (int k = 1; k <= steps; ++k) {
         const Gradient<2> F = gradient(tensor(1, gamma * k / steps, 0, 1));
-        ASSERT_EQ(flat.update(homogeneous(flat.discretization(), in_plane(F)), 1, 0).status, UpdateStatus::OK);
+        ASSERT_EQ(flat.update(homogeneous(flat.discretization(), in_plane(F)), 1, 0).status,
+                  UpdateStatus::OK);
         flat.accept();
         for (std::size_t i = 0; i < bodies.size(); ++i) {
           const Tensor<3> F_space = mesh_part<3>(in_space(F, planes[i]));

@@ -117,7 +117,8 @@ TEST(ToolsInSpace, ATurnedFrame) {
       std::make_shared<CartesianInSpace>(),
       [&](int k) {
         Eigen::VectorXd q(6);
-        q << turn * center(k), turn * spin(k); // of R turned, but for turn on the right, which a ball does not see
+        q << turn * center(k),
+            turn * spin(k); // of R turned, but for turn on the right, which a ball does not see
         return q;
       },
       MU, block);
@@ -132,13 +133,14 @@ TEST(ToolsInSpace, PolarCoordinatesAboutALine) {
   const Vector<3> pivot(3, -4, 0.5);
   AxisFrame axis;
   axis.point = pivot;
-  const auto a = moved(std::make_shared<CartesianInSpace>(),
-                       [](int k) {
-                         Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
-                         q << center(k), 0, 0, 0.05 * k / STEPS;
-                         return q;
-                       },
-                       MU);
+  const auto a = moved(
+      std::make_shared<CartesianInSpace>(),
+      [](int k) {
+        Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
+        q << center(k), 0, 0, 0.05 * k / STEPS;
+        return q;
+      },
+      MU);
   const auto b = moved(
       std::make_shared<PolarInSpace>(axis),
       [&](int k) {
@@ -153,24 +155,28 @@ TEST(ToolsInSpace, PolarCoordinatesAboutALine) {
 }
 
 // Under motion; then with some coordinates under the forces that were read, from the fourth step on.
-void check_duality(const std::shared_ptr<const Surface<3>>& surface, const Way& way, double mu, const std::vector<int>& loaded) {
-    const auto scene_of = [&] { return std::make_unique<SpaceScene>(BlockOfTetrahedra{}, surface, std::make_shared<CartesianInSpace>(), mu); };
-    const auto first = scene_of(), second = scene_of();
-    const auto a = run(*first, way, [](int) {});
-    SpaceScene& scene = *second;
-    const auto b = run(scene, way, [&](int k) {
-      if (k < 4) return;
-      for (const int c : loaded) scene.tool->prescription().force(scene.names()[c], a.force[k - 1][c]);
-    });
-    ASSERT_FALSE(testing::Test::HasFatalFailure()) << loaded.size();
-    for (int k = 0; k < STEPS; ++k)
-      EXPECT_LE((b.force[k] - a.force[k]).cwiseAbs().maxCoeff(), 1e-9) << "step " << k;
-    double worst = 0;
-    for (int k = 0; k < STEPS; ++k) worst = std::max(worst, (b.q[k] - way(k + 1)).cwiseAbs().maxCoeff());
-    EXPECT_LE(worst, 1e-8) << "of ways of 0.05 and more";
-    EXPECT_LE(difference(a, b), 1e-7);
-    for (const int c : loaded) EXPECT_GE(std::abs(a.force.back()[c]), 1e-4) << "no force, no test";
-    std::cout << loaded.size() << " under force: coordinates recovered to " << worst << "\n";
+void check_duality(const std::shared_ptr<const Surface<3>>& surface, const Way& way, double mu,
+                   const std::vector<int>& loaded) {
+  const auto scene_of = [&] {
+    return std::make_unique<SpaceScene>(BlockOfTetrahedra{}, surface, std::make_shared<CartesianInSpace>(),
+                                        mu);
+  };
+  const auto first = scene_of(), second = scene_of();
+  const auto a = run(*first, way, [](int) {});
+  SpaceScene& scene = *second;
+  const auto b = run(scene, way, [&](int k) {
+    if (k < 4) return;
+    for (const int c : loaded) scene.tool->prescription().force(scene.names()[c], a.force[k - 1][c]);
+  });
+  ASSERT_FALSE(testing::Test::HasFatalFailure()) << loaded.size();
+  for (int k = 0; k < STEPS; ++k)
+    EXPECT_LE((b.force[k] - a.force[k]).cwiseAbs().maxCoeff(), 1e-9) << "step " << k;
+  double worst = 0;
+  for (int k = 0; k < STEPS; ++k) worst = std::max(worst, (b.q[k] - way(k + 1)).cwiseAbs().maxCoeff());
+  EXPECT_LE(worst, 1e-8) << "of ways of 0.05 and more";
+  EXPECT_LE(difference(a, b), 1e-7);
+  for (const int c : loaded) EXPECT_GE(std::abs(a.force.back()[c]), 1e-4) << "no force, no test";
+  std::cout << loaded.size() << " under force: coordinates recovered to " << worst << "\n";
 }
 
 /// A plate wider than the block: pressed, tilted, twisted, drawn sideways.
@@ -179,10 +185,13 @@ Eigen::VectorXd plate_way(int k) {
   return numbers({0.05 * later, 0.03 * later, -0.08 * t, 0.015 * later, -0.02 * later, 0.04 * later});
 }
 
-TEST(ToolsInSpace, MotionAndForceExchangedWithoutFriction) { check_duality(sphere(RADIUS), cartesian, 0, {2}); }
+TEST(ToolsInSpace, MotionAndForceExchangedWithoutFriction) {
+  check_duality(sphere(RADIUS), cartesian, 0, {2});
+}
 TEST(ToolsInSpace, MotionAndForceExchangedWhereAllStick) {
   const auto plate = std::make_shared<PlaneSurface>(Vector<3>(0, 0, 0), Vector<3>(0, 0, -1), 4);
-  for (const auto& loaded : std::vector<std::vector<int>>{{2}, {0, 1, 2}, {2, 5}, {2, 3, 4}, {0, 1, 2, 3, 4, 5}})
+  for (const auto& loaded :
+       std::vector<std::vector<int>>{{2}, {0, 1, 2}, {2, 5}, {2, 3, 4}, {0, 1, 2, 3, 4, 5}})
     check_duality(plate, plate_way, 50, loaded);
 }
 

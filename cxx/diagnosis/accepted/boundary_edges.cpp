@@ -47,7 +47,8 @@ std::vector<BoundaryEdge<3>> boundary_edges(const Mesh<3>& mesh) {
     }
     if (mesh.nodes_per_element == 10)
       for (std::size_t k = 0; k < 6; ++k)
-        middle[std::minmax(node[SimplexEdges<3>::ends[k][0]], node[SimplexEdges<3>::ends[k][1]])] = node[4 + k];
+        middle[std::minmax(node[SimplexEdges<3>::ends[k][0]], node[SimplexEdges<3>::ends[k][1]])] =
+            node[4 + k];
   }
   std::map<std::pair<int, int>, BoundaryEdge<3>> edges; // by their vertices
   for (const auto& [sorted, entry] : faces) {

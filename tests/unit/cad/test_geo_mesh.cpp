@@ -126,7 +126,8 @@ Edges edges_near(const std::string& path, const std::array<double, 3>& center, d
 } // namespace
 
 TEST(GeoMesh, VolumesAndSizeFields) {
-  const TemporaryFile file(BOX + std::string("Physical Surface(3) = {6}; Physical Volume(1) = {1};\n"), ".geo");
+  const TemporaryFile file(BOX + std::string("Physical Surface(3) = {6}; Physical Volume(1) = {1};\n"),
+                           ".geo");
   const TemporaryFolder folder;
   mesh_geo(file.path(), "", folder.path() + "/even", {3, ""});
   EXPECT_GT(edges_near(folder.path() + "/even.msh", {0.5, 0.5, 0.5}, 10).tetrahedra, 20);
@@ -146,7 +147,8 @@ TEST(GeoMeshErrors, VolumesAndSizeFields) {
     expect_invalid([&] { mesh_geo(file.path(), "", folder.path() + "/mesh", {3, ""}); }, message);
     EXPECT_FALSE(std::filesystem::exists(folder.path() + "/mesh.msh"));
   };
-  refuses_volume("Physical Surface(3) = {6};", "; with physical surfaces the volume needs Physical Volume(1) = {1};");
+  refuses_volume("Physical Surface(3) = {6};",
+                 "; with physical surfaces the volume needs Physical Volume(1) = {1};");
   refuses_volume("Physical Volume(3) = {1};",
                  "has no physical surfaces; they become the labels: Physical Surface(3) = {1, 2};");
   const auto fields = [](double radius, double length) {

@@ -103,6 +103,7 @@ TEST(ChecksInSpace, RangeOfTheJaumannRate) {
     diagnosis.look(step);
   }
   bool told = false;
-  for (const Finding& finding : diagnosis.findings().list()) told = told || finding.text.find("Jaumann") != std::string::npos;
+  for (const Finding& finding : diagnosis.findings().list())
+    told = told || finding.text.find("Jaumann") != std::string::npos;
   EXPECT_TRUE(told) << "elastic strains of some tenths";
 }

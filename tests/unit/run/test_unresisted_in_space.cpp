@@ -16,7 +16,8 @@ std::shared_ptr<const Coordinates<3>> six() { return std::make_shared<CartesianI
 /// Pressed by a force along the normal of the contact, turned by `turn` about its origin, all six coordinates under force.
 struct Pressed {
   SpaceScene scene;
-  Pressed(std::shared_ptr<const Surface<3>> surface, double height, double mu, const Tensor<3>& turn = Tensor<3>::Identity())
+  Pressed(std::shared_ptr<const Surface<3>> surface, double height, double mu,
+          const Tensor<3>& turn = Tensor<3>::Identity())
       : scene(block(turn), std::move(surface), six(), mu) {
     Eigen::VectorXd q = Eigen::VectorXd::Zero(6);
     q.head<3>() = turn * Vector<3>(0.02, 0.01, height);
@@ -167,7 +168,8 @@ TEST(ApproachInSpace, ByAScrewAndFromInside) {
   SpaceScene inside({}, sphere(0.2), six(), 0.3);
   inside.place(numbers({0, 0, -0.5, 0, 0, 0}));
   inside.start();
-  expect_invalid([&] { inside.contact->approach(0, "z", inside.u); }, "comes to the surface from inside the workpiece");
+  expect_invalid([&] { inside.contact->approach(0, "z", inside.u); },
+                 "comes to the surface from inside the workpiece");
   SpaceScene beside({}, sphere(0.2), six(), 0.3);
   beside.place(numbers({5, 0, 3, 0, 0, 0}));
   beside.start();

@@ -117,8 +117,7 @@ TEST(J2InSpace, AUserDefinedLawByNineGradientsAndSixStresses) {
       pair.give_stress();
       const std::vector<double> A = moduli_field(pair.core, TangentKind::CONSISTENT);
       for (int i = 0; i < 9; ++i)
-        for (int j = i; j < 9; ++j)
-          pair.user.given("give").moduli(i, j, pair.component(A, 9 * i + j, 81));
+        for (int j = i; j < 9; ++j) pair.user.given("give").moduli(i, j, pair.component(A, 9 * i + j, 81));
       EXPECT_LE(difference(pair.core.internal_force(), pair.user.internal_force()), 1e-14);
       NodeBlockMatrix<3> K = pair.core.pattern(), L = K;
       pair.core.tangent(K, TangentKind::CONSISTENT);
@@ -137,7 +136,8 @@ TEST(J2InSpace, AUserDefinedLawByPiolaStress) {
   pair.move(0.01);
   const std::vector<double> P = piola_field(pair.core);
   for (int c = 0; c < 9; ++c) {
-    expect_invalid([&] { pair.user.internal_force(); }, c == 0 ? "component xx of the stress" : "of the first Piola stress");
+    expect_invalid([&] { pair.user.internal_force(); },
+                   c == 0 ? "component xx of the stress" : "of the first Piola stress");
     pair.user.given("give").piola(c, pair.component(P, c, 9));
   }
   EXPECT_LE(difference(pair.core.internal_force(), pair.user.internal_force()), 1e-13);
@@ -163,9 +163,9 @@ TEST(J2InSpace, AUserDefinedLawByItsDerivativeByTheIncrements) {
       const PointStep<3> one = pair.core.point_step(p);
       const StepKinematics<3> kin = step_kinematics(Gradient<3>(one.old.F), one.F, one.options.strain_frame);
       const J2Start<3> start{one.old.stress, one.old.internal[0], one.old.strain_increment, one.old.plastic};
-      D.push_back(consistent_moduli<3>(
-          example_material(), scheme, start, kin,
-          elastic_trial<3>(example_material().elastic, kin, Stress<3>(one.old.stress))));
+      D.push_back(
+          consistent_moduli<3>(example_material(), scheme, start, kin,
+                               elastic_trial<3>(example_material().elastic, kin, Stress<3>(one.old.stress))));
     }
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 9; ++j) {
@@ -189,11 +189,13 @@ TEST(J2InSpace, DamageBeginsAfterAnEventOfAPoint) {
     step(body, homogeneous(body.discretization(), F));
     const Eigen::VectorXd whole = body.internal_force();
     run.accept();
-    for (int p = 0; p < 2; ++p) EXPECT_NEAR(integrity_of(body.state(), p), expected[k], 1e-14) << "step " << k;
+    for (int p = 0; p < 2; ++p)
+      EXPECT_NEAR(integrity_of(body.state(), p), expected[k], 1e-14) << "step " << k;
     if (k > 1) {
       const double carried = carried_piola(body.state(), 0, false).norm();
       const PointState<3> at = point_state(body.state(), 0);
-      EXPECT_NEAR(carried / first_piola(Stress<3>(at.stress), inverse(Gradient<3>(at.F))).norm(), expected[k], 1e-13);
+      EXPECT_NEAR(carried / first_piola(Stress<3>(at.stress), inverse(Gradient<3>(at.F))).norm(), expected[k],
+                  1e-13);
       EXPECT_GT(whole.norm(), 0);
     }
   }
