@@ -118,4 +118,39 @@ inline Mesh<3> block_of_tetrahedra(const std::vector<double>& x, const std::vect
   return mesh;
 }
 
+/// Linear tetrahedra of a block of nx x ny x nz cells, six a cell about its diagonal; map(xi, eta, zeta) leads from the unit
+/// cube to the body.
+template <class Map> Mesh<3> block_of_tetrahedra(int nx, int ny, int nz, const Map& map) {
+  constexpr int ways[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}};
+  const int n[3] = {nx, ny, nz};
+  const auto node = [&](const int* i) { return (i[2] * (ny + 1) + i[1]) * (nx + 1) + i[0]; };
+  std::vector<double> X;
+  std::vector<int> connectivity;
+  for (int k = 0; k <= nz; ++k)
+    for (int j = 0; j <= ny; ++j)
+      for (int i = 0; i <= nx; ++i) {
+        const Vector<3> x = map(1. * i / nx, 1. * j / ny, 1. * k / nz);
+        X.insert(X.end(), x.data(), x.data() + 3);
+      }
+  for (int cell = 0; cell < nx * ny * nz; ++cell)
+    for (int w = 0; w < 6; ++w) {
+      int at[3] = {cell % n[0], cell / n[0] % n[1], cell / (n[0] * n[1])};
+      std::vector<int> corners{node(at)};
+      for (const int axis : ways[w]) {
+        ++at[axis];
+        corners.push_back(node(at));
+      }
+      if (w >= 3) std::swap(corners[1], corners[2]); // odd ways
+      connectivity.insert(connectivity.end(), corners.begin(), corners.end());
+    }
+  return linear_tetrahedra(std::move(X), std::move(connectivity));
+}
+
+/// Displacement (F - I) X of a homogeneous deformation.
+inline Eigen::VectorXd homogeneous(const Discretization<3>& mesh, const Tensor<3>& F) {
+  Eigen::VectorXd u(mesh.num_dofs());
+  for (int a = 0; a < mesh.num_nodes; ++a) u.segment<3>(3 * a) = (F - Tensor<3>::Identity()) * mesh.node(a);
+  return u;
+}
+
 } // namespace burnish::test

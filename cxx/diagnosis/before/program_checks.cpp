@@ -11,7 +11,7 @@ namespace {
 constexpr int SAMPLES = 32; // of a closed tool's surface, to tell whether it lies in the body
 constexpr double INSIDE =
     1e-3; // penetration at the start that does not count, over the spacing of candidates
-constexpr double DEPENDENT = 1e-9;  // pivot of the QR of the motions, over the largest one
+constexpr double DEPENDENT = 1e-9; // pivot of the QR of the motions, over the largest one
 
 template <int Dim> std::string coordinate(const DrivenTool<Dim>& tool, Eigen::Index k) {
   const std::string& name = tool.tool().coordinates().names()[static_cast<std::size_t>(k)];
