@@ -9,6 +9,7 @@
 //   C.normalforce, C.tangentialforce   nodal forces of the tool on the body, pressing positive, along the tool's tangent; in space
 //       its length | force
 //   C.pressure, C.traction   the same as stresses, linear on every edge, of forces shared to the corners of P2 | stress
+//   C.shearx, C.sheary, C.shearz   in space: the traction as a vector | stress
 //   C.nodalpressure, C.nodaltraction   nodal forces over tributary lengths: on P1 the same, on P2 they alternate between vertices and mid
 //       nodes | stress
 //   C.width     contact width, of several tools the largest | length
@@ -86,6 +87,13 @@ struct Traction {
 struct NodalTraction {
   template <class R> static const auto& of(const R& report) { return report.nodal_traction; }
 };
+// x, y or z of the traction in space.
+template <int axis> Array shear(Stack stack, H* const& h) {
+  return guarded([&] {
+    return new_array(stack, Eigen::VectorXd(report(of_dimension<3>(h->get(), "contact.shear"))
+                                                .traction_tangential.row(axis)));
+  });
+}
 struct TangentialForce {
   template <class R> static const auto& of(const R& report) { return report.tangential_force; }
 };
@@ -273,6 +281,9 @@ void register_contact_data() {
   array("gap", from_report<Gap>);
   array("pressure", from_report<Pressure>);
   array("traction", along_tangent<Traction>);
+  array("shearx", shear<0>);
+  array("sheary", shear<1>);
+  array("shearz", shear<2>);
   array("nodalpressure", from_report<NodalPressure>);
   array("nodaltraction", along_tangent<NodalTraction>);
   array("normalforce", from_report<NormalForce>);

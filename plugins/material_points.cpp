@@ -223,9 +223,10 @@ Array hardening_slope(Stack stack, const Method<H, SlopeTag>& m, const Array& ep
   });
 }
 Array at_vertices(Stack stack, const Method<H, VertexTag>& m, const Array& a) {
-  return on(m.object, [&](auto& material) {
-    return new_array(stack, vertex_values(material.workpiece().discretization(),
-                                          to_vector(a, "material.vertexvalues", "values"), P1DC_PLACES));
+  return guarded([&] {
+    const char* where = "material.vertexvalues";
+    return new_array(stack, vertex_values(of_dimension<2>(m->get(), where).workpiece().discretization(),
+                                          to_vector(a, where, "values"), P1DC_PLACES));
   });
 }
 

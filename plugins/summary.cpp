@@ -76,7 +76,7 @@ private:
                                        material.workpiece(),
                                        contact.diagnosis,
                                        control.now(),
-                                       static_cast<const Stepper<Dim>*>(control.stepper.get()),
+                                       control.stepper.get(),
                                        statements_of(s),
                                        counts.condensations > 0 ? contact.condensed : nullptr,
                                        material.warnings,

@@ -132,7 +132,7 @@ template <int Dim> Json counts(const ContactRun<Dim>& run) {
           {"events", events}};
 }
 
-template <int Dim> Json steps(const StepControl& control, const Stepper<Dim>* stepper) {
+Json steps(const StepControl& control, const StepLoop* stepper) {
   return {{"last_dt", control.dt()},
           {"rejected_dt", stepper ? stepper->rejected_dt() : 0},
           {"last_rejection", stepper ? stepper->last_rejection() : ""},

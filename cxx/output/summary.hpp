@@ -14,7 +14,7 @@ template <int Dim> struct SummarizedRun {
   const Workpiece<Dim>& workpiece;
   const Diagnosis<Dim>& diagnosis;
   const StepControl& control;
-  const Stepper<Dim>* stepper; ///< null: no run of a stepcontrol was begun
+  const StepLoop* stepper; ///< null: no run of a stepcontrol was begun
   const std::vector<Statement>& report;
   const CondensedSystem* condensed;      ///< the last one; null: none
   std::string warnings;                  ///< of the material's numbers, a line each
