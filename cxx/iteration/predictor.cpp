@@ -40,7 +40,9 @@ Tensor<2> mean_rotation(const Tensor<2>& a, const Tensor<2>& b) {
   for (int c = 0; c < 2; ++c) mean.col(c).normalize();
   return mean;
 }
-Tensor<3> mean_rotation(const Tensor<3>& a, const Tensor<3>& b) { return part_of_rotation(Tensor<3>(a + b), 1); }
+Tensor<3> mean_rotation(const Tensor<3>& a, const Tensor<3>& b) {
+  return part_of_rotation(Tensor<3>(a + b), 1);
+}
 
 // Per node the mean of its elements: deformation gradient, and that of the last increment, both of straight edges.
 template <int Dim> struct NodalGradients { std::vector<Tensor<Dim>> F, step; };

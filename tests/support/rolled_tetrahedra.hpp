@@ -20,8 +20,8 @@ struct RolledTetrahedra {
   std::unique_ptr<ContactRun<3>> contact;
   RunBody<3> body;
   Eigen::VectorXd u, R;
-  double load = 0, way = 0;      ///< [force], x at the end [length]
-  long steps = 0, rejected = 0;  ///< of all parts of the program
+  double load = 0, way = 0;     ///< [force], x at the end [length]
+  long steps = 0, rejected = 0; ///< of all parts of the program
   std::function<void()> on_step = [] {};
 
   /// @param P load [force]
@@ -33,8 +33,7 @@ struct RolledTetrahedra {
         body(std::make_unique<Workpiece<3>>(mesh, j2_law<3>(J2Parameters::from_shear(140, 0.32, 1, 5)))),
         u(Eigen::VectorXd::Zero(mesh.num_dofs())), R(u), load(P) {
     tool->set_coordinates(std::make_shared<FormulaCoordinates<3>>(
-        "tool", std::vector<std::string>{"x", "z", "theta"},
-        SpaceFormulas{"x", "0", "z", "y:theta"}));
+        "tool", std::vector<std::string>{"x", "z", "theta"}, SpaceFormulas{"x", "0", "z", "y:theta"}));
     tool->place("z", 1.01);
     setup->add_tool(tool, make_coulomb(mu));
     contact = std::make_unique<ContactRun<3>>(setup, options);
@@ -162,7 +161,8 @@ struct BallOnBlock {
   bool whole = false;
   std::unique_ptr<RolledTetrahedra> scene(const IterationOptions& options = {}) const {
     const double from = -1.3 * fine, to = from + h * std::ceil((distance + 2.6 * fine) / h - 1e-9);
-    std::vector<double> y = divisions(0, h * std::ceil(fine / h - 1e-9), h, 2, NAN, 0.4), z = divisions(0, 0.05, h, 2, NAN, 0.4);
+    std::vector<double> y = divisions(0, h * std::ceil(fine / h - 1e-9), h, 2, NAN, 0.4),
+                        z = divisions(0, 0.05, h, 2, NAN, 0.4);
     std::reverse(z.begin(), z.end());
     for (double& c : z) c = -c;
     if (whole) {
@@ -171,10 +171,12 @@ struct BallOnBlock {
       both.insert(both.end(), y.begin(), y.end());
       y = both;
     }
-    Mesh<3> mesh = block_of_tetrahedra(divisions(from, to, h, 2, from - 0.3, to + 0.3), y, z, nodes_per_element);
+    Mesh<3> mesh =
+        block_of_tetrahedra(divisions(from, to, h, 2, from - 0.3, to + 0.3), y, z, nodes_per_element);
     AxisFrame axis;
     axis.base << 0, 1, 0, 0, 0, 1, 1, 0, 0; // third direction y
-    return std::make_unique<RolledTetrahedra>(std::move(mesh), sphere(1, axis), mu, whole ? P : 0.5 * P, options);
+    return std::make_unique<RolledTetrahedra>(std::move(mesh), sphere(1, axis), mu, whole ? P : 0.5 * P,
+                                              options);
   }
 };
 

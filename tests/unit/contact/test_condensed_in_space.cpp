@@ -64,7 +64,8 @@ struct SpaceSample {
     const SurfaceFrame<3> frame = surface.frame(node.place);
     if (i == 2) node.state = NodeState::STICKING;
     if (i != 2) {
-      const Vector<3> way = i == 3 ? Vector<3>(0.05 * Vector<3>::UnitY().cross(frame.n)) : Vector<3>(frame.E * slip);
+      const Vector<3> way =
+          i == 3 ? Vector<3>(0.05 * Vector<3>::UnitY().cross(frame.n)) : Vector<3>(frame.E * slip);
       node.slip_origin = surface.foot(node.place.y - way, node.place.hint).place;
       make_slide(node, Vector<3>(model.laws[0].frictionless() ? Vector<3>::Zero() : way.normalized()));
     }
@@ -113,7 +114,8 @@ struct SpaceSample {
       const double g = model.laws[0].friction().limit(part.N, 1);
       Param<3> m = i == 3 ? contact_point(model, model.poses(q), nodes[3]).m : Param<3>(-tau.normalized());
       const Param<3> row = part.T + g * m;
-      r.segment<2>(3 * i) = surface.frame(state.nodes[i].place).E.transpose() * (surface.frame(nodes[i].place).E * row);
+      r.segment<2>(3 * i) =
+          surface.frame(state.nodes[i].place).E.transpose() * (surface.frame(nodes[i].place).E * row);
     }
     return r;
   }
@@ -131,8 +133,8 @@ std::vector<std::shared_ptr<const Surface<3>>> surfaces() {
   axis.point = Vector<3>(0, -4, 0);
   AxisFrame ring = axis;
   ring.point.setZero();
-  return {std::make_shared<PlaneSurface>(Vector<3>(0, 0, 1), Vector<3>(0, 0, 1), 1), cylinder(1.5, 8, axis), sphere(1.3),
-          torus(1.2, 0.4, ring)};
+  return {std::make_shared<PlaneSurface>(Vector<3>(0, 0, 1), Vector<3>(0, 0, 1), 1), cylinder(1.5, 8, axis),
+          sphere(1.3), torus(1.2, 0.4, ring)};
 }
 
 } // namespace

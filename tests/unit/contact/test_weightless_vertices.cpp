@@ -19,8 +19,7 @@ struct PlaneOnBlock {
   Eigen::VectorXd u, R;
 
   explicit PlaneOnBlock(int nodes_per_element)
-      : mesh(tetrahedra(
-            block_of_tetrahedra({0, 0.7, 1.5, 2}, {0, 1, 1.6}, {-1, 0}, nodes_per_element))),
+      : mesh(tetrahedra(block_of_tetrahedra({0, 0.7, 1.5, 2}, {0, 1, 1.6}, {-1, 0}, nodes_per_element))),
         setup(mesh, mesh.facets, std::vector<char>(static_cast<std::size_t>(mesh.num_dofs()), 0),
               std::make_shared<FaceMeasure>()),
         u(Eigen::VectorXd::Zero(mesh.num_dofs())), R(u) {
