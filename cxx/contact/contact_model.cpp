@@ -149,7 +149,8 @@ Curvature<Dim> slip_space(const ContactModel<Dim>& model, int candidate, const S
   for (int c = 0; c < Dim; ++c)
     if (model.constrained[candidate][c]) {
       const Param<Dim> across = p.E.row(c).transpose();
-      if (!across.isZero(1e-12)) projector = Curvature<Dim>::Identity() - across * across.transpose() / across.squaredNorm();
+      if (!across.isZero(1e-12))
+        projector = Curvature<Dim>::Identity() - across * across.transpose() / across.squaredNorm();
     }
   return projector;
 }

@@ -56,7 +56,8 @@ template <int Dim> void make_free(ContactNode<Dim>& node) {
 template <int Dim> struct ContactState {
   std::vector<ContactNode<Dim>> nodes; ///< one per candidate
   Eigen::VectorXd q;                   ///< coordinates of all tools, one after another
-  double slip_stiffness = 0; ///< c of METHOD.md (3.14), in space [force/length]; 0: directions of slip stay as they are
+  double slip_stiffness =
+      0; ///< c of METHOD.md (3.14), in space [force/length]; 0: directions of slip stay as they are
 };
 
 /// What the program prescribes at an instant, one value per coordinate of all tools.

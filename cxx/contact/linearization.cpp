@@ -60,8 +60,8 @@ NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const Cont
   result.geo_qq = Eigen::MatrixXd::Zero(nq, nq);
   if (result.sliding) {
     const TangentialLaw<Dim>& law = model.law(candidate, node);
-    const SlidingRows<Dim> rows = cones ? law.rows(p, F, at.m, cones->own, cones->turn)
-                                        : law.rows(p, F, at.m, node.tributary_area);
+    const SlidingRows<Dim> rows =
+        cones ? law.rows(p, F, at.m, cones->own, cones->turn) : law.rows(p, F, at.m, node.tributary_area);
     result.W = rows.W;
     result.constant = rows.constant;
     if (cones) result.geo_ss = cones->turn.cHD;

@@ -27,7 +27,7 @@ template <int Dim> struct NodeLinearization {
   bool sliding = false;   ///< has unknown slips, Dim-1 of them
   SurfacePoint<Dim> point;
   Tangents<Dim> E = Tangents<Dim>::Zero(); ///< columns of its slip: point.E, less what the supports hold
-  Vector<Dim> F = Vector<Dim>::Zero(); ///< force of the tool on it at the linearization point [force]
+  Vector<Dim> F = Vector<Dim>::Zero();     ///< force of the tool on it at the linearization point [force]
   std::vector<int> at; ///< coordinates that the columns of x_q and the geometric terms belong to: places in q
   PerCoordinate<Dim>
       x_q; ///< displacement per coordinate: X_,k, or along the admissible normal of a constrained node

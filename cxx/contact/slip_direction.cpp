@@ -24,18 +24,24 @@ template <int Dim> double slip_stiffness(const ContactModel<Dim>& model, const N
 
 template <int Dim>
 void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, ContactState<Dim>& state) {
-  if (Dim == 2 || !(state.slip_stiffness > 0)) return;
+  if (Dim == 2) return;
   const auto poses = model.poses(state.q);
   const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, state, poses, R);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
     const int candidate = static_cast<int>(i);
-    if (node.state != NodeState::SLIDING || node.tied || model.is_constrained(candidate) ||
-        model.law(candidate, node).frictionless())
-      continue;
+    if (node.state != NodeState::SLIDING || node.tied || model.law(candidate, node).frictionless()) continue;
     const ContactPoint<Dim> at = contact_point(model, poses, node);
-    const Param<Dim> slip = slip_of(model, node), way = state.slip_stiffness * slip - deciding[i].force.T;
-    if (TangentialLaw<Dim>::slips_back(slip, at.m, 0) || !(way.norm() > 0)) continue;
+    const Param<Dim> slip = slip_of(model, node);
+    Param<Dim> way = state.slip_stiffness * slip - deciding[i].force.T;
+    if (model.is_constrained(candidate)) {
+      const Curvature<Dim> free = slip_space(model, candidate, at.surface);
+      const Param<Dim> kept = free * at.m;
+      way = kept.norm() > 0.1 ? kept
+                              : Param<Dim>(free * way); // carried from a node without a direction, or across
+    } else if (!(state.slip_stiffness > 0) || TangentialLaw<Dim>::slips_back(slip, at.m, 0))
+      continue;
+    if (!(way.norm() > 0)) continue;
     node.slip_direction = in_tool_frame(poses[node.tool], at.surface, Param<Dim>(way.normalized()));
   }
   follow_ends(model, state);

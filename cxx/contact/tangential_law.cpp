@@ -75,12 +75,16 @@ template <int Dim>
 SlipTurn<Dim> TangentialLaw<Dim>::turn(const DecidingForce<Dim>& deciding, const Param<Dim>& m,
                                        const Param<Dim>& slip, const Curvature<Dim>& slip_by_eta,
                                        double c) const {
+  constexpr double aligned = 1e-6; // of unit vectors
   SlipTurn<Dim> turn;
-  const double size = (deciding.force.T - c * slip).norm();
+  const Param<Dim> tau = deciding.force.T - c * slip;
+  const double size = tau.norm();
   if (Dim == 2 || !(c > 0) || !(size > 0) || frictionless()) return turn;
+  if ((tau + size * m).norm() > aligned * size)
+    return turn; // it begins to slide, that way: (3.14) has not been taken
   const double part = std::min(1., capacity(deciding.force.N, deciding.area) / size);
   turn.H = part * (Curvature<Dim>::Identity() - m * m.transpose());
-  turn.held = turn.H * deciding.force.T;
+  turn.held = c * turn.H * slip; // H (T - c D) = 0
   turn.cHD = c * turn.H * slip_by_eta;
   return turn;
 }

@@ -18,7 +18,8 @@ template <int Dim> struct SurfaceForce {
 template <int Dim> struct DecidingForce {
   SurfaceForce<Dim> force; ///< [force]
   double area = 1;         ///< [length or area]
-  double normal = 0; ///< by which it is released: its own N, of a weightless vertex with the shares of all mid nodes [force]
+  double normal =
+      0; ///< by which it is released: its own N, of a weightless vertex with the shares of all mid nodes [force]
 };
 
 /// What a node in contact is found to do next.
@@ -37,8 +38,8 @@ struct ConeTangent {
 
 /// How the direction of slip turns, METHOD.md (3.14) to (3.16): dm = -H (dT - c dD)/g. Zero in the plane.
 template <int Dim> struct SlipTurn {
-  Curvature<Dim> H = Curvature<Dim>::Zero();  ///< g/|tau| (I - m m') [-]
-  Param<Dim> held = Param<Dim>::Zero();       ///< H T [force]
+  Curvature<Dim> H = Curvature<Dim>::Zero();   ///< g/|tau| (I - m m') [-]
+  Param<Dim> held = Param<Dim>::Zero();        ///< c H D [force]
   Curvature<Dim> cHD = Curvature<Dim>::Zero(); ///< c H dD/d(eta) of the node's own slip [force/length]
 };
 

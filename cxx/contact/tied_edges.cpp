@@ -57,7 +57,8 @@ void add_shares_of_all(const ContactModel<Dim>& model, const ContactState<Dim>& 
     const ContactNode<Dim>& node = state.nodes[i];
     if (!model.is_middle(static_cast<int>(i)) || !in_contact(node.state)) continue;
     for (const int end : model.edge_ends[i])
-      if (model.is_weightless(end) && in_contact(state.nodes[end].state) && state.nodes[end].tool == node.tool)
+      if (model.is_weightless(end) && in_contact(state.nodes[end].state) &&
+          state.nodes[end].tool == node.tool)
         deciding[end].normal += 0.5 * own[i].N;
   }
 }

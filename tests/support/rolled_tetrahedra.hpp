@@ -20,28 +20,26 @@ struct RolledTetrahedra {
   std::unique_ptr<ContactRun<3>> contact;
   RunBody<3> body;
   Eigen::VectorXd u, R;
-  double load = 0, way = 0;      ///< [force], x at the end [length]
-  long steps = 0, rejected = 0;  ///< of all parts of the program
-  double rate_x = 0;
+  double load = 0, way = 0;     ///< [force], x at the end [length]
+  long steps = 0, rejected = 0; ///< of all parts of the program
   std::function<void()> on_step = [] {};
 
-  /// @param symmetric_y the plane at the largest y holds u_y, too: plane strain
-  RolledTetrahedra(Mesh<3> block, std::shared_ptr<const Surface<3>> surface, double mu, double P, bool plane_strain,
-                   const IterationOptions& options = {}, double yield = 1)
-      : mesh(tetrahedra(std::move(block))), fixed(supports(mesh, plane_strain)),
+  /// @param P load [force]
+  RolledTetrahedra(Mesh<3> block, std::shared_ptr<const Surface<3>> surface, double mu, double P,
+                   const IterationOptions& options = {})
+      : mesh(tetrahedra(std::move(block))), fixed(supports(mesh)),
         tool(std::make_shared<DrivenTool<3>>("tool", std::move(surface))),
         setup(std::make_shared<ContactSetup<3>>(mesh, mesh.facets, fixed, std::make_shared<FaceMeasure>())),
-        body(std::make_unique<Workpiece<3>>(mesh, j2_law<3>(J2Parameters::from_shear(140, 0.32, yield, 5)))),
+        body(std::make_unique<Workpiece<3>>(mesh, j2_law<3>(J2Parameters::from_shear(140, 0.32, 1, 5)))),
         u(Eigen::VectorXd::Zero(mesh.num_dofs())), R(u), load(P) {
     tool->set_coordinates(std::make_shared<FormulaCoordinates<3>>(
-        "tool", std::vector<std::string>{"x", "z", "theta"},
-        SpaceFormulas{"x", "0", "z", "y:theta"}));
+        "tool", std::vector<std::string>{"x", "z", "theta"}, SpaceFormulas{"x", "0", "z", "y:theta"}));
     tool->place("z", 1.01);
     setup->add_tool(tool, make_coulomb(mu));
     contact = std::make_unique<ContactRun<3>>(setup, options);
   }
-  /// Bottom clamped, both ends held along x, y = 0 (and the other side) along y.
-  static std::vector<char> supports(const Discretization<3>& mesh, bool plane_strain) {
+  /// Bottom clamped, ends held along x, sides along y.
+  static std::vector<char> supports(const Discretization<3>& mesh) {
     Vector<3> low = mesh.node(0), high = low;
     for (int a = 0; a < mesh.num_nodes; ++a) {
       low = low.cwiseMin(mesh.node(a));
@@ -54,7 +52,6 @@ struct RolledTetrahedra {
       fixed[3 * a] = bottom || x[0] < low[0] + 1e-9 || x[0] > high[0] - 1e-9;
       fixed[3 * a + 1] = bottom || x[1] < low[1] + 1e-9 || x[1] > high[1] - 1e-9;
       fixed[3 * a + 2] = bottom;
-      (void)plane_strain;
     }
     return fixed;
   }
@@ -153,7 +150,34 @@ inline std::unique_ptr<RolledTetrahedra> slab(double h, double fine_depth, doubl
   AxisFrame axis;
   axis.point = Vector<3>(0, -1, 0);
   axis.base << 0, 1, 0, 0, 0, 1, 1, 0, 0; // third direction y
-  return std::make_unique<RolledTetrahedra>(std::move(mesh), cylinder(1, 3, axis), mu, 2 * h * P, true, options);
+  return std::make_unique<RolledTetrahedra>(std::move(mesh), cylinder(1, 3, axis), mu, 2 * h * P, options);
 }
+
+/// A ball on a block, the half y > 0 of both or the whole. @param P load of the whole ball; @param fine size of the part of
+/// the surface that has cells of size h, beside the way
+struct BallOnBlock {
+  double h = 0.04, distance = 0.1, mu = 0.2, P = 0.05, fine = 0.1;
+  int nodes_per_element = 10;
+  bool whole = false;
+  std::unique_ptr<RolledTetrahedra> scene(const IterationOptions& options = {}) const {
+    const double from = -1.3 * fine, to = from + h * std::ceil((distance + 2.6 * fine) / h - 1e-9);
+    std::vector<double> y = divisions(0, h * std::ceil(fine / h - 1e-9), h, 2, NAN, 0.4),
+                        z = divisions(0, 0.05, h, 2, NAN, 0.4);
+    std::reverse(z.begin(), z.end());
+    for (double& c : z) c = -c;
+    if (whole) {
+      std::vector<double> both(y.rbegin(), y.rend() - 1);
+      for (double& c : both) c = -c;
+      both.insert(both.end(), y.begin(), y.end());
+      y = both;
+    }
+    Mesh<3> mesh =
+        block_of_tetrahedra(divisions(from, to, h, 2, from - 0.3, to + 0.3), y, z, nodes_per_element);
+    AxisFrame axis;
+    axis.base << 0, 1, 0, 0, 0, 1, 1, 0, 0; // third direction y
+    return std::make_unique<RolledTetrahedra>(std::move(mesh), sphere(1, axis), mu, whole ? P : 0.5 * P,
+                                              options);
+  }
+};
 
 } // namespace burnish::test

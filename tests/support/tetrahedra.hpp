@@ -47,7 +47,8 @@ inline Discretization<3> two_tetrahedra(int nodes_per_element) {
 }
 
 /// Ascending divisions of an edge of a block: even from a to b, then growing by `ratio` out to A and B.
-inline std::vector<double> divisions(double a, double b, double h, double ratio = 1.6, double A = NAN, double B = NAN) {
+inline std::vector<double> divisions(double a, double b, double h, double ratio = 1.6, double A = NAN,
+                                     double B = NAN) {
   const int n = std::max(1, static_cast<int>(std::lround((b - a) / h)));
   std::vector<double> at;
   for (int i = 0; i <= n; ++i) at.push_back(a + (b - a) * i / n);
@@ -111,7 +112,8 @@ inline Mesh<3> block_of_tetrahedra(const std::vector<double>& x, const std::vect
         for (int k = 0; k < 6; ++k) {
           const auto [a, b] = SimplexEdges<3>::ends[k];
           const auto [i, j] = SimplexEdges<2>::ends[m];
-          if (std::minmax(a, b) == std::minmax(corners[i], corners[j])) facet.middle[m] = mesh.element(e)[4 + k];
+          if (std::minmax(a, b) == std::minmax(corners[i], corners[j]))
+            facet.middle[m] = mesh.element(e)[4 + k];
         }
       if (top) mesh.facets.push_back(facet);
     }
