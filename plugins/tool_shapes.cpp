@@ -1,7 +1,8 @@
 // The profile of a tool, and what scripts read of it. Arrays: inline, real[int] or int[int].
 // Closed: body outside; open: body on the left of the direction of travel. FreeFEM reads letters beyond ASCII in a path only
 // from the command line: cad=getARGV("-cad", "").
-//   tool(...)   parameters of the profile; those of the kinds not chosen are refused
+//   tool(...)   parameters of the profile or surface; those of the kinds not chosen are refused. A profile alone is a tool of the
+//       plane, everything else one of space. Without a word for it the axis is z of the tool's frame
 //     circle=   roller about the origin of the tool's frame: its radius | length | | > 0
 //     line=     straight line [x0, y0, x1, y1] from the first end to the second, body on the left | length | | two places
 //     chain=    [x0, y0, r0, x1, y1, r1, ...]: lines from corner to corner, each with the radius of its fillet | length | |
@@ -12,14 +13,39 @@
 //     scale=    cad: unit of length of the script over that of the file (STEP: over a mm) | - | 1 | > 0
 //     curves=   cad: numbers of the curves in the file that make the profile | - | all
 //     geo=      cad: numbers for a .geo file, "R=3; H=8" | | ""
-//     inside=   true: the body on the other side, a circle is a hollow die; not with line= | | false
+//     sphere=   ball about the origin: its radius | length | | > 0
+//     cylinder=   roller about the axis through the origin: its radius | length | | > 0
+//     cone=     [R1, R2, height]: radii half the height below and above the origin, one of them may be 0, with flat ends | length | |
+//       >= 0
+//     torus=    [R, r]: radius of the circle of centers about the axis, and of the tube | length | | 0 < r < R
+//     plane=    [x0, y0, z0, nx, ny, nz]: endless plane through a point, with the normal into the body | length, - | | six numbers
+//     size=     plane: about the extent of the body on it, the lever arm for tolerances of moments | length | 1 | > 0
+//     box=      [a, b, c]: lengths along x, y and z, about the origin | length | | > 0
+//     revolve=   true: the profile is turned about the axis, its x is the distance from it and its y runs along it | | false
+//     extrude=   true: the profile is swept along the axis; it lies in the x, y plane of the frame turned the shortest way from
+//       z to the axis | | false
+//     length=   cylinder, extrude: from end to end, half on each side of the origin, a closed profile with flat ends | length |
+//       endless | > 0
+//     fillet=   cylinder with length=, cone, box, extrude with length=: radius of all edges; a sharp one has no normal | length | |
+//       > 0
+//     axis=     cylinder, cone, torus, revolve, extrude: direction of the axis [x, y, z] | - | [0, 0, 1] | not all 0
+//     inside=   true: the body on the other side, a circle is a hollow die; not with line= and plane= | | false
 //     > tool die(chain=[-0.1, 0, 0, 0, 0, 5e-3, 0, -0.1, 0]);
+//     > tool ball(sphere=5);
+//     > tool punch(cylinder=25, length=80, fillet=4);
+//     > tool ring(chain=[60, 0, 0, 40, 0, 8, 40, -60, 0], revolve=true);
 //     ! number of values in line
 //     ! degrees without fillet; give it a radius > 0
 //     ! no room for the fillets between
 //     ! three per point: [x0,y0,r0, x1,y1,r1, ...]
 //     ! ; swap the ends of a line to turn it
-//   rcShapes(dummy)   all kinds of profiles with their parameters, a line each
+//     ! is sharp: give it
+//     ! cannot have the radius
+//     ! does not fit into the section at
+//     ! and not at a right angle: a tip without normal
+//     ! rounds the edges of the ends, and without length= there are none
+//     ! rounds the edges of a closed profile, and this one is open
+//   rcShapes(dummy)   all kinds of profiles and surfaces with their parameters, a line each
 //     dummy     not read
 //   t.outlinex(n), t.outliney(n)   x, y of the outline where the tool is: n points and its joints | length
 //     n         number of points | - | | 2 to 1000000
@@ -38,7 +64,6 @@
 #include "tool_shapes.hpp"
 #include "arguments.hpp"
 #include "base/error.hpp"
-#include "geometry/profile_surface.hpp"
 #include "kinematics/outline.hpp"
 #include "kinematics/tool_foot.hpp"
 #include "script_options.hpp"
@@ -127,9 +152,10 @@ std::vector<basicAC_F0::name_and_type> shape_names(const std::vector<basicAC_F0:
 
 AnySurface shape_of(const Named& named) {
   Arguments arguments = arguments_of(named, parameters());
-  return called("tool", [&] {
+  return called("tool", [&]() -> AnySurface {
     if (arguments.has("cad")) arguments.texts["cad"] = script_options().found(arguments.text("cad"));
-    return std::shared_ptr<const Surface<2>>(std::make_shared<ProfileSurface>(make_shape(arguments)));
+    if (shape_dimension(arguments) == 3) return make_surface<3>(arguments);
+    return make_surface<2>(arguments);
   });
 }
 

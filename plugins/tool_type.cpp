@@ -1,22 +1,39 @@
-// Script type `tool`: profile, coordinates, motion or force of each coordinate.
-//   > tool roller(circle=15e-3, name="roller");                 profiles: tool_shapes.cpp
+// Script type `tool`: shape, coordinates, motion or force of each coordinate.
+//   > tool roller(circle=15e-3, name="roller");                 shapes: tool_shapes.cpp
 //   > roller.coordinates("polar", pivot=[0, 0]);
 //   > roller.place("r", 46e-3);  roller.move("phi", 1.6);  roller.force("r", -4e5);
-//   tool(...)   declares a rigid tool; exactly one of circle=, line=, chain=, cad= gives its profile
+//   tool(...)   declares a rigid tool: of the plane by exactly one of circle=, line=, chain=, cad=; of space by exactly one of
+//       sphere=, cylinder=, cone=, torus=, plane=, box=, or by revolve= or extrude= with one of the former
 //     name=     name in messages, files and "tool.coordinate" | | "tool 1", "tool 2", ... | no comma, quote, line break
 //     ! give exactly one profile
+//     ! give exactly one
 //     ! , expected a text without comma, quote and line break
-//   t.coordinates(kind)   the coordinates that place the tool's frame, once, before place, tightestradius and C.add; all begin at 0
-//     kind      "cartesian": x, y, angle; "polar": r, phi, theta (its absolute turn); or names of one's own, separated by commas | length, rad
-//     pivot=    polar: pole [x0, y0] | length | [0, 0]
+//   t.coordinates(kind)   the coordinates that place the tool's frame, once, before place, tightestradius and C.add; all begin at 0.
+//       In space the spins of "cartesian" turn about the directions of space from where the tool is, so that no pose is
+//       singular, and their forces are the moments about the frame's origin; turns about several axes do not commute
+//     kind      "cartesian": x, y, angle; "polar": r, phi, theta (its absolute turn); in space "cartesian": x, y, z, spinx,
+//       spiny, spinz, or with rotation= x, y, z and its names; "polar": r, phi, z, theta about a line; "screw": phi; or names of
+//       one's own, separated by commas | length, rad
+//     pivot=    polar: pole [x0, y0]; in space of polar and screw: point of the line [x0, y0, z0] | length | 0
+//     axis=     polar, screw in space: direction of the line [x, y, z]; phi = 0 is along x of the frame turned the shortest way
+//       from z to it | - | [0, 0, 1] | not all 0
+//     lead=     screw: way along the line of a full turn | length | required
 //     x=        names of one's own: formula of the frame's x in coordinates and parameters | length | required
 //     y=        the same of its y | length | required
-//     angle=    the same of its turn, counter-clockwise | rad | "0"
+//     z=        the same of its z, in space | length | required
+//     angle=    the same of its turn in the plane, counter-clockwise | rad | "0"
+//     rotation=   the same of its rotation in space: turns one after the other about axes of the frame turned so far,
+//       "z:phi x:theta z:psi", "[1 1 0]:phi"; "vector: a, b, c"; "quaternion: w, a, b, c" of any length but 0 | rad, - | none
 //     > crank.coordinates("beta", x="e*cos(beta)", y="e*sin(beta)", angle="0");
+//     > ball.coordinates("cartesian");
+//     > plate.coordinates("cartesian", rotation="z:phi x:theta z:psi");
 //     ! , expected "polar", "cartesian", or names of coordinates with their formulas x=
 //     ! belongs to a contact already: choose its coordinates before add
 //     ! has its coordinates already:
 //     ! lack the formula
+//     ! lacks lead=, the way along the axis of a full turn
+//     ! the quaternion has the length 0, expected a direction
+//     ! whose spins have no singular pose
 //   t.parameter(name, value)   a number that formulas of coordinates and forces call by name; returns it | its own
 //     name      name in the formulas
 //     value     the number | its own | | finite
@@ -40,11 +57,9 @@
 //   t.q         present values of all coordinates, in their order | length, rad
 //   t.Q         generalized forces on them | force, force*length
 //   t.name      name of the tool
+#include "arguments.hpp"
 #include "base/error.hpp"
-#include "kinematics/cartesian.hpp"
-#include "kinematics/cartesian_in_space.hpp"
-#include "kinematics/formula_coordinates.hpp"
-#include "kinematics/polar.hpp"
+#include "kinematics/make_coordinates.hpp"
 #include "named.hpp"
 #include "tool_shapes.hpp"
 #include "types.hpp"
@@ -77,11 +92,15 @@ basicAC_F0::name_and_type* const MakeTool::names = list.data();
 struct CoordinatesTag {};
 using CoordinatesMethod = Method<ToolHandle, CoordinatesTag>;
 struct ChooseCoordinates {
-  static const int n = 4;
-  static basicAC_F0::name_and_type names[n];
+  static std::vector<basicAC_F0::name_and_type> list;
+  static const int n;
+  static basicAC_F0::name_and_type* const names;
   static bool call(const Named& named, CoordinatesMethod m, string* kind) {
     return visit(m->get(), [&](auto& object) {
-      const auto coordinates = made(named, *kind, object);
+      const auto coordinates =
+          make_coordinates<dim_of<decltype(object)>>(object.tool->name(), *kind,
+                                                     arguments_of(named, coordinate_parameters()),
+                                                     object.tool->parameters());
       if (object.added)
         fail("tool.coordinates", "tool \"" + object.tool->name() +
                                      "\" belongs to a contact already: choose its coordinates before add");
@@ -92,58 +111,10 @@ struct ChooseCoordinates {
       return true;
     });
   }
-
-private:
-  using Made = std::shared_ptr<const Coordinates<2>>;
-  static Made made(const Named& named, const std::string& kind, const ToolOf<2>& object) {
-    if (kind == "polar") return polar(named);
-    return kind == "cartesian" ? cartesian(named) : by_formula(named, kind, object);
-  }
-  static std::shared_ptr<const Coordinates<3>> made(const Named&, const std::string& kind, const ToolOf<3>&) {
-    if (kind == "cartesian") return std::make_shared<CartesianInSpace>();
-    fail("tool.coordinates", "unknown kind \"" + kind + "\", expected \"cartesian\"");
-  }
-  static void refuse_formulas(const Named& named, const std::string& kind, const std::string& takes) {
-    for (const char* formula : {"x", "y", "angle"})
-      if (named.has(formula))
-        fail("tool.coordinates", "\"" + kind + "\" takes " + takes + ", not " + formula +
-                                     "=, which is a formula of coordinates named by the script");
-  }
-  static Made polar(const Named& named) {
-    refuse_formulas(named, "polar", "pivot=[x0,y0]");
-    if (!named.has("pivot")) return std::make_shared<Polar>();
-    const std::vector<double> p = named.list("pivot");
-    require(p.size() == 2, "tool.coordinates", "number of values in pivot", p.size(), "2: [x0,y0]");
-    return std::make_shared<Polar>(Vector<2>(p[0], p[1]));
-  }
-  static void refuse_pivot(const Named& named, const std::string& kind) {
-    if (named.has("pivot")) fail("tool.coordinates", "\"" + kind + "\" takes no pivot=, only \"polar\" does");
-  }
-  static Made cartesian(const Named& named) {
-    refuse_formulas(named, "cartesian", "no more parameters");
-    refuse_pivot(named, "cartesian");
-    return std::make_shared<Cartesian>();
-  }
-  static Made by_formula(const Named& named, const std::string& list, const ToolOf<2>& object) {
-    if (!named.has("x") && !named.has("y") && !named.has("angle"))
-      fail("tool.coordinates",
-           "unknown kind \"" + list +
-               "\", expected \"polar\", \"cartesian\", or names of coordinates with their formulas x= "
-               "and y=");
-    refuse_pivot(named, list);
-    for (const char* formula : {"x", "y"})
-      if (!named.has(formula))
-        fail("tool.coordinates", "coordinates \"" + list + "\" of tool \"" + object.tool->name() +
-                                     "\" lack the formula " + formula + "=");
-    const PlaneFormulas formulas{named.text("x", ""), named.text("y", ""), named.text("angle", "0")};
-    return std::make_shared<FormulaCoordinates<2>>(object.tool->name(), coordinate_names(list), formulas,
-                                                   object.tool->parameters());
-  }
 };
-basicAC_F0::name_and_type ChooseCoordinates::names[] = {{"pivot", &typeid(E_Array)},
-                                                        {"x", &typeid(string*)},
-                                                        {"y", &typeid(string*)},
-                                                        {"angle", &typeid(string*)}};
+std::vector<basicAC_F0::name_and_type> ChooseCoordinates::list = names_of(coordinate_parameters(), {});
+const int ChooseCoordinates::n = static_cast<int>(list.size());
+basicAC_F0::name_and_type* const ChooseCoordinates::names = list.data();
 
 struct ToolParameterTag {};
 double parameter(const Method<ToolHandle, ToolParameterTag>& m, string* const& name, const double& value) {

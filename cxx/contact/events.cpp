@@ -135,7 +135,7 @@ ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<D
   const bool support = std::find(supports.begin(), supports.end(), candidate) != supports.end();
   const auto a = forces(model, candidate, ends.poses0, n0, *step.R_start);
   const auto b = forces(model, candidate, ends.poses1, n1, *step.R_end);
-  const TangentialLaw<Dim>& law = model.law(candidate, n0.tool);
+  const TangentialLaw<Dim>& law = model.law(candidate, n0);
   const Surface<Dim>& surface = model.tools[n0.tool]->surface();
   double release = crossing(a.force.N, b.force.N, tolerance.force_of(n0.tool)), change = NEVER;
   EventKind kind = EventKind::STICK_TO_SLIP;

@@ -1,5 +1,6 @@
 #include "geometry/axis_frame.hpp"
 #include "base/error.hpp"
+#include <Eigen/Geometry>
 
 namespace burnish {
 
@@ -23,6 +24,17 @@ AxisFrame axis_frame(const char* where, const Vector<3>& point, const Vector<3>&
   int least = 0;
   direction.cwiseAbs().minCoeff(&least);
   return axis_frame(where, point, direction, Vector<3>::Unit(least));
+}
+
+AxisFrame turned_frame(const char* where, const Vector<3>& direction) {
+  constexpr double opposite = 1e-9;
+  AxisFrame frame = axis_frame(where, Vector<3>::Zero(), direction);
+  const Vector<3> axis = frame.base.col(2);
+  if (axis.head<2>().norm() > opposite || axis[2] > 0)
+    frame.base = Eigen::Quaterniond::FromTwoVectors(Vector<3>::UnitZ(), axis).toRotationMatrix();
+  else
+    frame.base = Vector<3>(1, -1, -1).asDiagonal();
+  return frame;
 }
 
 } // namespace burnish

@@ -20,5 +20,7 @@ AxisFrame axis_frame(const char* where, const Vector<3>& point, const Vector<3>&
                      const Vector<3>& across);
 /// The same with some e1, where it does not matter.
 AxisFrame axis_frame(const char* where, const Vector<3>& point, const Vector<3>& direction);
+/// The frame of the tool turned the shortest way from its z axis to the direction; from z to -z about x.
+AxisFrame turned_frame(const char* where, const Vector<3>& direction);
 
 } // namespace burnish

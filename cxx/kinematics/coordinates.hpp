@@ -39,6 +39,13 @@ public:
     translation.d = pose(q_to).origin - pose(q_from).origin;
     return translation;
   }
+  /// What the pose depends on besides q, where it is no function of q alone: a part of the accepted state, which a run
+  /// renews at the end of a step and puts back with a state. Empty: nothing.
+  virtual Eigen::VectorXd reference() const { return {}; }
+  /// The reference for what follows on q: the pose at q stays.
+  virtual Eigen::VectorXd reference_at(const Eigen::VectorXd&) const { return {}; }
+  /// Puts one of these in place. The object is shared, as its pose is; only a run does this.
+  virtual void refer_to(const Eigen::VectorXd&) const {}
 };
 
 /// Pose with R = I, the origin at zero and all derivatives zero, for `size` coordinates: a start to fill in.

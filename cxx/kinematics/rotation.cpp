@@ -112,7 +112,8 @@ RotationValue<3> QuaternionRotation::at(const Eigen::VectorXd& a) const {
   const Vector<4> Q = a;
   const double square = Q.squaredNorm();
   if (!std::isnormal(square)) // zero, underflow
-    throw FormulaDomainError(m_where + ": the quaternion has the length 0, expected a direction");
+    throw FormulaDomainError(m_where + ": the quaternion has the length 0, expected a direction; place " +
+                             "its first number at 1 for no rotation");
   // N = |Q|^2 R is quadratic: its second derivatives are constant
   std::array<std::array<Tensor<3>, 4>, 4> N_kl;
   N_kl[0][0] = 2 * Tensor<3>::Identity();

@@ -40,6 +40,9 @@ ContactRun<Dim>::ContactRun(std::shared_ptr<ContactSetup<Dim>> setup, IterationO
 // Where the script placed the tools; coordinates that follow are placed by what they follow.
 template <int Dim> void ContactRun<Dim>::take_places() {
   m_accepted.contact.q = m_setup->placed();
+  m_accepted.references.clear();
+  for (const auto& tool : m_setup->model().tools)
+    m_accepted.references.push_back(tool->coordinates().reference());
   follow(m_setup->model(), m_accepted.contact.q);
   if (!m_setup->model().couplings.empty()) update_tools();
 }
@@ -72,6 +75,7 @@ template <int Dim> void ContactRun<Dim>::set_state(const ContactRunState<Dim>& s
 
 template <int Dim> void ContactRun<Dim>::update_tools() {
   for (std::size_t t = 0; t < m_setup->tools().size(); ++t) {
+    m_setup->model().tools[t]->coordinates().refer_to(m_accepted.references[t]);
     m_setup->tools()[t]->q() = m_setup->model().tool_q(m_accepted.contact.q, static_cast<int>(t));
     m_setup->tools()[t]->generalized_force() =
         m_setup->model().tool_q(m_accepted.generalized_force, static_cast<int>(t));

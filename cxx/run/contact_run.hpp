@@ -19,7 +19,8 @@ struct JumpMemory {
 /// All that the contact needs to go on after an accepted step. A copy goes on to the same bits.
 template <int Dim> struct ContactRunState {
   ContactState<Dim> contact;
-  Eigen::VectorXd u, R; ///< displacement [length], nodal force out of balance with tools and supports [force]
+  std::vector<Eigen::VectorXd> references; ///< of the tools' coordinates, see Coordinates::reference
+  Eigen::VectorXd u, R;                    ///< displacement [length], nodal force out of balance with tools and supports [force]
   Eigen::VectorXd generalized_force; ///< on the tools, one per coordinate [force, force length]
   PrescribedValues prescribed;       ///< at the end of the last step
   StepHistory<Dim> history;

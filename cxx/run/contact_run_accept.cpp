@@ -87,6 +87,9 @@ void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& in
       m_accepted.jumps.work += 0.5 * (m_accepted.generalized_force[k] + force[k]) * m_accepted.history.dq[k];
   take_areas(state, u);
   m_accepted.contact = state;
+  for (int t = 0; t < static_cast<int>(m_accepted.references.size()); ++t)
+    m_accepted.references[t] =
+        m_setup->model().tools[t]->coordinates().reference_at(m_setup->model().tool_q(state.q, t));
   m_accepted.generalized_force = force;
   m_accepted.load = m_iteration.balance().memory();
   m_accepted.factor = m_corrector.memory();

@@ -11,7 +11,6 @@ namespace {
 constexpr int SAMPLES = 32; // of a closed tool's surface, to tell whether it lies in the body
 constexpr double INSIDE =
     1e-3; // penetration at the start that does not count, over the spacing of candidates
-constexpr double DEPENDENT = 1e-9;  // pivot of the QR of the motions, over the largest one
 
 template <int Dim> std::string coordinate(const DrivenTool<Dim>& tool, Eigen::Index k) {
   const std::string& name = tool.tool().coordinates().names()[static_cast<std::size_t>(k)];
@@ -120,44 +119,13 @@ std::vector<std::string> check_support(const ContactSetup<Dim>& setup, const Con
   return names;
 }
 
-template <int Dim>
-void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& state,
-                       const PrescribedValues& prescribed) {
-  const auto poses = setup.model().poses(state.q);
-  const double lever = setup.body().spacing;
-  for (std::size_t t = 0; t < setup.tools().size(); ++t) {
-    std::string names;
-    std::vector<Eigen::VectorXd> motions;
-    for (int k = 0; k < setup.tools()[t]->q().size(); ++k) {
-      const int at = setup.model().first[t] + k;
-      if (prescribed.is_motion[at] || prescribed.is_held(at) || setup.model().coupling_of(at)) continue;
-      Eigen::VectorXd motion(Dim + Dim * Dim);
-      motion << poses[t].origin_q[k],
-          lever * Eigen::Map<const Eigen::VectorXd>(poses[t].R_q[k].data(), Dim * Dim);
-      if (motion.norm() == 0) continue;
-      motions.push_back(motion.normalized());
-      names += (names.empty() ? "\"" : ", \"") + setup.tools()[t]->tool().coordinates().names()[k] + "\"";
-    }
-    Eigen::MatrixXd columns(Dim + Dim * Dim, motions.size());
-    for (std::size_t i = 0; i < motions.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = motions[i];
-    if (motions.size() < 2 ||
-        Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(columns).setThreshold(DEPENDENT).rank() == columns.cols())
-      continue;
-    fail("contact.begin", "coordinates " + names + " of tool \"" + setup.tools()[t]->name() +
-                              "\" are under force, but one of them moves the tool as the others do; give one "
-                              "of them a motion");
-  }
-}
-
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template PrescribedValues prescribed_values<Dim>(const ContactSetup<Dim>&, double);                        \
   template void check_not_placed<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&);                   \
   template void check_not_inside<Dim>(const ContactSetup<Dim>&, const MeshLocator<Dim>&,                     \
                                       const ContactState<Dim>&, const Eigen::VectorXd&);                     \
   template std::vector<std::string> check_support<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,   \
-                                                       const PrescribedValues&, bool);                       \
-  template void check_independent<Dim>(const ContactSetup<Dim>&, const ContactState<Dim>&,                   \
-                                       const PrescribedValues&);
+                                                       const PrescribedValues&, bool);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

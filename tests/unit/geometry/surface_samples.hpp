@@ -5,6 +5,7 @@
 #include "geometry/extruded.hpp"
 #include "geometry/plane_surface.hpp"
 #include "geometry/revolved.hpp"
+#include "geometry/rounded_prism.hpp"
 #include "geometry/segment.hpp"
 #include "geometry/simple_surfaces.hpp"
 #include <random>
@@ -25,6 +26,12 @@ inline std::shared_ptr<const ArcChain> punch() {
 inline std::shared_ptr<const ArcChain> cam(bool inside = false) {
   return std::make_shared<ArcChain>(std::vector<Vector<2>>{{1, 0}, {7, -1}, {8, 3}, {4.2, 2.2}, {2, 5}},
                                     std::vector<double>{0.5, 1.1, 0.6, 0.7, 0.9}, true, inside);
+}
+
+/// Of sides 4 and 3, about the origin.
+inline std::shared_ptr<const ArcChain> square(double fillet) {
+  return std::make_shared<ArcChain>(std::vector<Vector<2>>{{2, 1.5}, {-2, 1.5}, {-2, -1.5}, {2, -1.5}},
+                                    std::vector<double>(4, fillet), true);
 }
 
 inline AxisFrame skew_axis() {
@@ -50,7 +57,13 @@ inline std::vector<NamedSurface> surfaces(const AxisFrame& a) {
           {"roller", std::make_shared<Extruded>(std::make_shared<Circle>(2.), a, 5.)},
           {"hollow roller", std::make_shared<Extruded>(std::make_shared<Circle>(2., true), a, 5.)},
           {"plate", std::make_shared<Extruded>(chip, a, 4.)},
-          {"swept cam", std::make_shared<Extruded>(cam(), a, 3.)}};
+          {"swept cam", std::make_shared<Extruded>(cam(), a, 3.)},
+          {"endless roller", std::make_shared<Extruded>(std::make_shared<Circle>(2.), a)},
+          {"drum", std::make_shared<RoundedPrism>(std::make_shared<Circle>(1.5), a, 4., 0.4)},
+          {"hollow drum", std::make_shared<RoundedPrism>(std::make_shared<Circle>(1.5), a, 4., 0.4, true)},
+          {"box", std::make_shared<RoundedPrism>(square(0.4), a, 2.5, 0.4)},
+          {"prism", std::make_shared<RoundedPrism>(cam(), a, 3., 0.3)},
+          {"hollow prism", std::make_shared<RoundedPrism>(square(0.9), a, 2.5, 0.5, true)}};
 }
 
 /// The same numbers on every run.
