@@ -64,7 +64,7 @@ template <class Column> Array from_report(Stack stack, H* const& h) {
 // Along the tangent in the plane, the length in space.
 template <class Column> Array along_tangent(Stack stack, H* const& h) {
   return on(h, [&](auto& contact) {
-    const Eigen::MatrixXd& t = Column::of(report(contact));
+    const Eigen::MatrixXd t = Column::of(report(contact)); // a copy: the report ends here
     return new_array(stack,
                      t.rows() == 1 ? Eigen::VectorXd(t.row(0)) : Eigen::VectorXd(t.colwise().norm()));
   });

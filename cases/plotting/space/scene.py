@@ -12,6 +12,7 @@ from plotting.figure import ORANGE, new_figure
 from plotting.space import files
 from plotting.space.render import APART, BODY, STEEL, Scene
 from plotting.space.run import unit
+from plotting.units import plain
 
 # label with its unit; factor from the file's numbers; levels: None where all is zero
 Scale = namedtuple("Scale", "quantity label factor levels")
@@ -107,8 +108,9 @@ def label_edges(axes, run, frame, places):
 
 
 def key_of(run):
+    names = plain(", ".join(map(run.tool_name, run.tracks))) if len(run.tracks) < 4 else "tools"
     handles = [Patch(facecolor=BODY, edgecolor="black", label="workpiece, edges of its elements"),
-               Patch(facecolor=STEEL, alpha=0.6, label=f"rigid {', '.join(map(run.tool_name, run.tracks)) if len(run.tracks) < 4 else 'tools'}")]
+               Patch(facecolor=STEEL, alpha=0.6, label=f"rigid {names}")]
     moved = [p for p in run.tracks.values() if np.ptp(p, axis=0).max() > 0]
     if moved:
         handles.append(Line2D([], [], color=ORANGE, linewidth=4, label="track of the tool's origin"))
