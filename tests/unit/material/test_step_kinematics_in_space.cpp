@@ -87,7 +87,7 @@ TEST(StepKinematicsInSpace, RateIsTheLimitOfAVanishingStep) {
 }
 
 TEST(StepKinematicsInSpace, LogarithmicExcessAgainstItsDefinition) {
-  // in the axes of V: -d_ij L(x) with x = h_i - h_j, L = coth x - 1/x, h = ln V; (1.39)
+  // in the axes of V: -d_ij L(x) with x = h_i - h_j, L = coth x - 1/x, h = ln V; METHOD.md (1.39)
   const Tensor<3> Q = turn_about({1, 2, -1}, 0.7);
   for (const Vector<3>& h :
        {Vector<3>(0.7, -0.2, 0.1), Vector<3>(0.3, 0.3 + 1e-7, -0.6), Vector<3>(2, -1, -1)}) {

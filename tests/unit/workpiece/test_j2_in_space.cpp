@@ -150,7 +150,7 @@ TEST(J2InSpace, AUserDefinedLawByPiolaStress) {
   expect_invalid([&] { pair.user.given("give").piola(1, wrong); }, "P F' is not symmetric at point 0");
 }
 
-// d tau/dy by (1.32): the six strains and the three spins of the step.
+// d tau/dy as in METHOD.md (1.32): the six strains and the three spins of the step.
 TEST(J2InSpace, AUserDefinedLawByItsDerivativeByTheIncrements) {
   Pair pair(4);
   for (const double size : {0.01, 0.014}) {
