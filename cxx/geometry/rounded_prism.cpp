@@ -7,9 +7,9 @@
 namespace burnish {
 namespace {
 
-constexpr int OUTLINE = 257;      // places at which the section is looked at
+constexpr int SECTION_OUTLINE = 257;      // places at which the section is looked at
 constexpr double ROUNDING = 1e-9; // of the fillet
-constexpr int FIRST = 9;          // places of a mesh along the section before it is refined
+constexpr int FIRST_ON_SECTION = 9;          // places of a mesh along the section before it is refined
 
 double length_checked(double value, const char* name) {
   require(std::isfinite(value) && value > 0, "RoundedPrism", name, value, "a finite number > 0");
@@ -31,7 +31,7 @@ RoundedPrism::RoundedPrism(std::shared_ptr<const Profile<2>> section, const Axis
 
 // A circle of the fillet's radius rolls along the section from within and touches it at one place at a time.
 void RoundedPrism::check_fillet() const {
-  for (const auto& place : m_section.outline(OUTLINE)) {
+  for (const auto& place : m_section.outline(SECTION_OUTLINE)) {
     const Vector<2> inner = place.y - m_fillet * m_section.frame(place).n;
     const double gap = m_section.foot(inner, place.hint).gap;
     if (gap <= -m_fillet * (1 - ROUNDING)) continue;
@@ -99,7 +99,7 @@ int RoundedPrism::piece(const SurfacePlace<3>& place) const {
 }
 
 Vector<2> RoundedPrism::center() const {
-  const auto places = m_section.samples(OUTLINE);
+  const auto places = m_section.samples(SECTION_OUTLINE);
   Vector<2> sum = Vector<2>::Zero();
   for (const auto& place : places) sum += place.y;
   return sum / static_cast<double>(places.size());
@@ -142,7 +142,7 @@ void RoundedPrism::add_end(SurfaceMesh& mesh, const std::vector<SurfacePlace<2>>
 SurfaceMesh RoundedPrism::mesh(const Eigen::AlignedBox3d& window) const {
   const double sagitta = 0.5 * MESH_SAGITTA * window.sizes().maxCoeff();
   const auto allowed = [&](const Vector<2>&, const Vector<2>&) { return sagitta; };
-  const auto outline = refined_outline<2>(m_section, FIRST, allowed);
+  const auto outline = refined_outline<2>(m_section, FIRST_ON_SECTION, allowed);
   const double step = 2 * std::acos(std::max(1 - sagitta / m_fillet, 0.));
   const int count = static_cast<int>(std::ceil(std::clamp(M_PI_2 / step, 2., 360.)));
   std::vector<std::vector<SurfacePlace<3>>> rows;
