@@ -64,7 +64,7 @@ template <class Column> Array from_report(Stack stack, H* const& h) {
 // Along the tangent in the plane, the length in space.
 template <class Column> Array along_tangent(Stack stack, H* const& h) {
   return on(h, [&](auto& contact) {
-    const Eigen::MatrixXd& t = Column::of(report(contact));
+    const Eigen::MatrixXd t = Column::of(report(contact)); // a copy: the report ends here
     return new_array(stack,
                      t.rows() == 1 ? Eigen::VectorXd(t.row(0)) : Eigen::VectorXd(t.colwise().norm()));
   });
@@ -110,13 +110,13 @@ Array nodes(Stack stack, H* const& h) {
     return static_cast<double>(contact.setup->candidates()[i]);
   });
 }
-template <int Dim> void require_axis(int axis) {
+template <int Dim, int axis> void require_axis() {
   if (axis >= Dim) fail("contact", "z is a coordinate in space, the contact is of the plane");
 }
 template <int axis, bool reference> Array place(Stack stack, H* const& h) {
   return per_candidate(stack, h, [](auto& contact, std::size_t i) {
     constexpr int Dim = dim_of<decltype(contact)>;
-    require_axis<Dim>(axis);
+    require_axis<Dim, axis>();
     const int dof = Dim * contact.setup->candidates()[i] + axis;
     const double moved = reference || !contact.started() ? 0 : contact.run().accepted().u[dof];
     return contact.setup->mesh().X[dof] + moved;
@@ -227,8 +227,9 @@ string* event_tool(Stack stack, const Method<H, ToolTag>& m, const long& i) {
 }
 template <int axis> double event_place(const Method<H, PlaceTag<axis>>& m, const long& i) {
   return of_event(m.object, i, [](const auto& event, auto& contact) {
-    require_axis<dim_of<decltype(contact)>>(axis);
-    return event.x[axis];
+    constexpr int Dim = dim_of<decltype(contact)>;
+    require_axis<Dim, axis>();
+    return event.x[std::min(axis, Dim - 1)];
   });
 }
 long event_number(H* const& h) {

@@ -38,11 +38,10 @@ Array resultant_of(Stack stack, ContactHandle* handle, const char* where, const 
     constexpr int Dim = dim_of<decltype(contact)>;
     require(about.size() == Dim, where, "number of coordinates of the point of the moment", about.size(),
             Dim == 2 ? "2: x0, y0" : "3: x0, y0, z0");
+    Vector<Dim> place;
+    for (int i = 0; i < Dim; ++i) place[i] = about.at(static_cast<std::size_t>(i));
     Resultant<Dim> sum;
-    if (contact.started())
-      sum = called(where, [&] {
-        return f(ForceBalance<Dim>(contact.run(), Eigen::Map<const Vector<Dim>>(about.data())));
-      });
+    if (contact.started()) sum = called(where, [&] { return f(ForceBalance<Dim>(contact.run(), place)); });
     std::vector<double> values(sum.force.data(), sum.force.data() + sum.force.size());
     values.insert(values.end(), sum.moment.data(), sum.moment.data() + sum.moment.size());
     return new_array(stack, values);

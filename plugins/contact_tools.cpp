@@ -97,11 +97,12 @@ template <int axis> struct ForceTag {};
 template <int axis> double tool_force(const Method<H, ForceTag<axis>>& m, const long& i) {
   static constexpr const char* names[] = {"contact.toolforcex", "contact.toolforcey", "contact.toolforcez"};
   return on(m.object, [&](auto& contact) {
-    if (axis >= dim_of<decltype(contact)>) fail(names[axis], "z is in space, the contact is of the plane");
+    constexpr int Dim = dim_of<decltype(contact)>;
+    if (axis >= Dim) fail(names[axis], "z is in space, the contact is of the plane");
     const int tool = tool_index(*contact.setup, i, names[axis]);
     if (!contact.started()) return 0.;
     const auto& run = contact.run();
-    return tool_resultant(run.setup().model(), run.accepted().contact, run.accepted().R, tool)[axis];
+    return tool_resultant(run.setup().model(), run.accepted().contact, run.accepted().R, tool)[std::min(axis, Dim - 1)];
   });
 }
 template <int axis> struct OutlineTag {};

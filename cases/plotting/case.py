@@ -10,7 +10,8 @@ main(arguments, length="m", mu=None, columns=None, pictures=(), without=())
     columns   {column: (label, unit, factor)} of the history, None to leave it out; see plotting/units.py
     pictures  functions of the run that return a figure, drawn after the default ones into function-name.png
     without   names of default pictures not wanted
-Default pictures: scene, stress, plastic_strain, stress_error, sequence, history, pressure, expected (see DEFAULT below). A script without a
+Default pictures: scene, stress, plastic_strain, stress_error, sequence, history, pressure, expected (see DEFAULT below); of a run in space those
+of space/case.py. A script without a
 plot.py gets them from plotting/scene.py.
 """
 import os
@@ -97,16 +98,27 @@ def draw_all(run, pictures, folder, patient=False):
     return max([draw_one(run, picture, folder, patient) for picture in pictures], default=0)
 
 
-def make_movie(run, folder):
+def make_movie(run, folder, write=write_movie):
     """movie.html and movie.gif, whose paths are printed; 1 if they could not be made."""
     apply_style()
     try:
-        for path in write_movie(run, folder):
+        for path in write(run, folder):
             print(path, flush=True)
     except Exception as error:
         say(f"no movie: {type(error).__name__}: {error}")
         return 1
     return 0
+
+
+def as_in_space(run, pictures):
+    """The run as one in space, the default pictures of space in place of those of the plane, who writes the movie."""
+    try:
+        from plotting.space import case
+    except ImportError as error:
+        raise InputError(f"{error}; pictures of a run in space need the Debian packages python3-vtk9 and xvfb") from None
+    left_out = {p.__name__ for p in DEFAULT} - {p.__name__ for p in pictures}
+    chosen = [p for p in case.DEFAULT if p.__name__ not in left_out] + [p for p in pictures if p not in DEFAULT]
+    return case.space_run(run), chosen, case.write_movie
 
 
 def draw(arguments, read_run, pictures, patient=False, read_movie=None):
@@ -119,11 +131,13 @@ def draw(arguments, read_run, pictures, patient=False, read_movie=None):
         print(f"usage: {os.path.basename(sys.argv[0])} OUTDIR [movie]    (the folder of a run's results)", file=sys.stderr)
         return 2
     try:
-        run = (read_movie if movie and read_movie else read_run)(arguments[0])
+        run, write = (read_movie if movie and read_movie else read_run)(arguments[0]), write_movie
+        if isinstance(run, Run) and run.in_space:
+            run, pictures, write = as_in_space(run, pictures)
     except InputError as error:
         say(error)
         return 1
-    return make_movie(run, arguments[0]) if movie else draw_all(run, pictures, arguments[0], patient)
+    return make_movie(run, arguments[0], write) if movie else draw_all(run, pictures, arguments[0], patient)
 
 
 def read_case(folder, length, mu, columns):

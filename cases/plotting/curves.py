@@ -76,7 +76,7 @@ def label_panel(axes, run, columns, title, change, exponent):
 
 
 WITHOUT_MEANING = ("x", "angle")  # in axisymmetry a drive force along r or about the axis has no meaning
-RESULTANTS = ("_Fx", "_Fy", "_Mz")  # of supports and tools: the forces of the drives show the same
+RESULTANTS = ("_Fx", "_Fy", "_Fz", "_Mx", "_My", "_Mz")  # of supports and tools: the forces of the drives show the same
 
 
 def default_panels(run):

@@ -137,6 +137,14 @@ class Run:
             return None
 
     @cached_property
+    def in_space(self):
+        """Whether the point of the summary's moments has three numbers."""
+        try:
+            return len(self.summary["balance"]["moment_point"]) == 3
+        except (InputError, KeyError, TypeError):
+            return False
+
+    @cached_property
     def units(self):
         if self.system:
             return of_ring(SYSTEMS[self.system]) if self.axisymmetric else SYSTEMS[self.system]

@@ -1,7 +1,6 @@
 #include "cad/geo_mesh.hpp"
 #include "base/error.hpp"
 #include "cad/cad_text.hpp"
-#include "cad/gmsh_library.hpp"
 #include <filesystem>
 #include <fstream>
 
@@ -24,29 +23,44 @@ void check_text(const std::string& file, const GeoNumbers& numbers) {
   check_cad_text(file, numbers);
 }
 
-// In this format a line of $Elements is: number, type (1 edge, 2 triangle), how many tags, the first of which
-// is the physical group, nodes.
-void check_elements(const std::string& file, const std::string& mesh) {
-  bool inside = false, triangles = false, labels = false;
+// What a mesh must have: the elements and their faces, by gmsh's numbers of types and by name.
+struct Wanted {
+  long element, face;
+  const char *elements, *faces, *group, *label;
+};
+constexpr Wanted TRIANGLES{
+    2, 1, "triangles", "curves", "surface needs Physical Surface(1) = {1};", "Physical Curve(3) = {1, 2};"};
+constexpr Wanted TETRAHEDRA{4,
+                            2,
+                            "tetrahedra",
+                            "surfaces",
+                            "volume needs Physical Volume(1) = {1};",
+                            "Physical Surface(3) = {1, 2};"};
+
+// In this format a line of $Elements is: number, type (1 edge, 2 triangle, 4 tetrahedron), how many tags, the first of
+// which is the physical group, nodes.
+void check_elements(const std::string& file, const std::string& mesh, const Wanted& wanted) {
+  bool inside = false, elements = false, labels = false;
   std::ifstream stream(mesh);
   for (std::string line; std::getline(stream, line);) {
     if (line.rfind("$", 0) == 0) inside = line.rfind("$Elements", 0) == 0;
     long number = 0, type = 0, tags = 0, group = 0;
     if (!inside || !(std::istringstream(line) >> number >> type >> tags >> group)) continue;
-    triangles = triangles || type == 2;
-    labels = labels || (type == 1 && group > 0);
+    elements = elements || type == wanted.element;
+    labels = labels || (type == wanted.face && group > 0);
   }
-  if (!triangles)
-    fail(MESH_GEO, "no triangles in the mesh of \"" + file +
-                       "\"; with physical curves the surface needs Physical Surface(1) = {1};");
+  if (!elements)
+    fail(MESH_GEO, std::string("no ") + wanted.elements + " in the mesh of \"" + file + "\"; with physical " +
+                       wanted.faces + " the " + wanted.group);
   if (!labels)
     fail(MESH_GEO,
-         "\"" + file + "\" has no physical curves; they become the labels: Physical Curve(3) = {1, 2};");
+         "\"" + file + "\" has no physical " + wanted.faces + "; they become the labels: " + wanted.label);
 }
 
 } // namespace
 
-void mesh_geo(const std::string& file, const std::string& numbers, const std::string& result) {
+void mesh_geo(const std::string& file, const std::string& numbers, const std::string& result,
+              const GeoMeshing& meshing) {
   const GeoNumbers parsed = parse_numbers(MESH_GEO, numbers);
   check_text(file, parsed);
   make_folder_of(result);
@@ -54,11 +68,11 @@ void mesh_geo(const std::string& file, const std::string& numbers, const std::st
   std::error_code code;
   std::filesystem::remove(mesh, code);
   try {
-    const std::string said = gmsh_mesh(file, parsed, mesh, result + ".log");
+    const std::string said = gmsh_mesh(file, parsed, mesh, result + ".log", meshing);
     if (!said.empty())
       fail(MESH_GEO,
            "gmsh failed on \"" + file + "\"" + (said[0] == '\n' ? ", its last lines:" : ": ") + said);
-    check_elements(file, mesh);
+    check_elements(file, mesh, meshing.dimension == 3 ? TETRAHEDRA : TRIANGLES);
   } catch (...) {
     std::filesystem::remove(mesh, code);
     throw;

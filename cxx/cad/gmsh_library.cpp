@@ -81,13 +81,13 @@ std::string gmsh_curves(const std::string& file, const GeoNumbers& numbers, cons
 }
 
 std::string gmsh_mesh(const std::string& file, const GeoNumbers& numbers, const std::string& result,
-                      const std::string& log) {
+                      const std::string& log, const GeoMeshing& meshing) {
   const auto call = function<burnish_gmsh_mesh_call>("burnish_gmsh_mesh");
   const auto list = pointers_to(numbers);
   const TemporaryFolder folder;
   const auto make = [&]() -> std::string {
-    const char* error =
-        call(file.c_str(), list.data(), static_cast<int>(list.size()), folder.path().c_str(), result.c_str());
+    const char* error = call(file.c_str(), list.data(), static_cast<int>(list.size()), folder.path().c_str(),
+                             result.c_str(), meshing.dimension, meshing.sizes.c_str());
     return error ? error : "";
   };
   return told(run_in_child(make, log), log);

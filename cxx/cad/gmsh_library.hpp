@@ -19,9 +19,15 @@ GeoNumbers parse_numbers(const std::string& where, const std::string& text);
 std::string gmsh_curves(const std::string& file, const GeoNumbers& numbers, const std::string& folder,
                         double seconds);
 
+/// What of a .geo file is meshed, and how fine.
+struct GeoMeshing {
+  int dimension = 2;      ///< 2: surfaces, 3: volumes
+  std::string sizes = ""; ///< statements of .geo that set the lengths of edges; "": those of the file
+};
+
 /// The same of meshing it. @param result  the .msh file
 /// @param log  file for what gmsh prints on the way
 std::string gmsh_mesh(const std::string& file, const GeoNumbers& numbers, const std::string& result,
-                      const std::string& log);
+                      const std::string& log, const GeoMeshing& meshing);
 
 } // namespace burnish

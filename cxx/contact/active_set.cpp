@@ -5,6 +5,8 @@
 namespace burnish {
 namespace {
 
+// In space nodes may all slide, in different directions: a tool is supported by a node that sticks so often at most.
+constexpr int MAX_SUPPORTS = 8;
 constexpr int MAX_NEUTRAL_TRIALS = 4; // a neutral point is looked for that often (stick_at_neutral_point)
 
 } // namespace
@@ -16,13 +18,14 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   const WindowSolver<Dim> solver(problem);
   ContactState<Dim> trial = state;
   std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
-  int trials = 0;
+  int trials = 0, supports = 0;
   PassChoice<Dim> choice(model, *problem.window);
   std::vector<double> severity(state.nodes.size());
   WindowSolution<Dim> best;
   for (solution.passes = 1;; ++solution.passes) {
-    while (problem.adapt && stick_unsupported(model, *problem.prescribed, trial, refused, true) >= 0)
-      continue;
+    while (problem.adapt && (Dim == 2 || supports < MAX_SUPPORTS) &&
+           stick_unsupported(model, *problem.prescribed, trial, refused, true) >= 0)
+      ++supports;
     if (problem.adapt && problem.added_stiffness.size() > 0 && trials < MAX_NEUTRAL_TRIALS)
       trials += stick_at_neutral_point(model, trial, refused);
     follow_ends(model, trial);

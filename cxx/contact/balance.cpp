@@ -92,7 +92,7 @@ void contact_node(const BalancedState<Dim>& state, int candidate, const ContactP
   const Tolerances& tolerance = state.tolerance;
   const ContactNode<Dim>& node = state.contact.nodes[candidate];
   const Vector<Dim> x = state.body.position(state.u, model.candidates[candidate]);
-  const TangentialLaw<Dim>& law = model.law(candidate, node.tool);
+  const TangentialLaw<Dim>& law = model.law(candidate, node);
   const SurfaceForce<Dim>& force = deciding.force;
   const ContactTolerance limits = tolerance.of(node.tool);
   const bool off = offset_to(model, candidate, at.surface, x).norm() > tolerance.offset;
@@ -214,7 +214,8 @@ template <int Dim> Balance balance(const BalancedState<Dim>& state) {
       result.generalized_force[first + k] += at.surface.x_q.col(k).dot(force.F);
       lever[first + k] = std::max(lever[first + k], at.surface.x_q.col(k).norm());
     }
-    contact_node(state, candidate, at, force.part.N, deciding[i], result);
+    const double N = model.is_weightless(candidate) ? deciding[i].normal : force.part.N;
+    contact_node(state, candidate, at, N, deciding[i], result);
   }
   pass_on_forces(model, q, result.generalized_force);
   complete_levers(state, poses, lever);

@@ -85,9 +85,9 @@ template <int Dim> typename Condensation<Dim>::Map Condensation<Dim>::map_of(int
     part.W.template leftCols<Dim - 1>() = W;
     part.A.template leftCols<Dim - 1>() = A;
   };
-  if (map.node->sliding) add(node, map.node->W, map.node->point.E);
+  if (map.node->sliding) add(node, map.node->W, map.node->E);
   for (const TiedRow<Dim>& tied : map.node->ties)
-    add(m_model.candidates[tied.end], tied.W, 0.5 * map.node->point.E);
+    add(m_model.candidates[tied.end], tied.W, 0.5 * map.node->E);
   return map;
 }
 
@@ -257,10 +257,10 @@ typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::Vec
     Vector<Dim> du = m_known_increment.template segment<Dim>(dof);
     if (node.sliding) {
       result.slip.col(node.candidate) = z.template segment<Dim - 1>(dof);
-      du += node.point.E * z.template segment<Dim - 1>(dof);
+      du += node.E * z.template segment<Dim - 1>(dof);
     }
     for (const TiedRow<Dim>& tied : node.ties)
-      du += 0.5 * node.point.E * z.template segment<Dim - 1>(Dim * m_model.candidates[tied.end]);
+      du += 0.5 * node.E * z.template segment<Dim - 1>(Dim * m_model.candidates[tied.end]);
     for (Eigen::Index k = 0; k < node.x_q.cols(); ++k) {
       const int q = node.at[static_cast<std::size_t>(k)];
       if (!m_given[ndof + q]) du += node.x_q.col(k) * z[ndof + q];

@@ -41,8 +41,8 @@ template <int Dim> void Condensation<Dim>::set_given(const CondensedProblem<Dim>
   Eigen::VectorXd given = Eigen::VectorXd::Zero(m_full.n);
   for (int d = 0; d < ndof; ++d) m_given[d] = m_body.fixed[d];
   for (const auto& node : m_nodes)
-    for (int c = node.sliding ? Dim - 1 : 0; c < Dim; ++c)
-      m_given[Dim * m_model.candidates[node.candidate] + c] = 1;
+    for (int c = 0; c < Dim; ++c) // the slips of a guided node stand where its displacements would
+      m_given[Dim * m_model.candidates[node.candidate] + c] = c >= (node.sliding ? Dim - 1 : 0);
   for (int k = 0; k < m_model.num_coordinates(); ++k)
     if (m_model.coupling_of(k))
       m_given[ndof + k] = 1;

@@ -49,12 +49,12 @@ Columns<Dim> assemble_columns(const ContactModel<Dim>& model,
       continue;
     }
     if (node.sliding) {
-      c.A.template block<1, Dim - 1>(r, c.first[a]) = node.point.E.row(component);
+      c.A.template block<1, Dim - 1>(r, c.first[a]) = node.E.row(component);
       c.W.template block<1, Dim - 1>(r, c.first[a]) = node.W.row(component);
     }
     for (const TiedRow<Dim>& tied : node.ties) {
       const int end = c.of_candidate.at(tied.end);
-      c.A.template block<1, Dim - 1>(r, end) = 0.5 * node.point.E.row(component);
+      c.A.template block<1, Dim - 1>(r, end) = 0.5 * node.E.row(component);
       c.W.template block<1, Dim - 1>(r, end) = tied.W.row(component);
     }
     for (std::size_t k = 0; k < node.at.size(); ++k)

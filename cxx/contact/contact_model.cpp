@@ -75,9 +75,19 @@ template <int Dim> bool ContactModel<Dim>::may_touch(int candidate, int tool) co
   return reach.empty() || reach[tool].empty() || reach[tool][candidate];
 }
 
+template <int Dim> bool ContactModel<Dim>::can_slip(int candidate) const {
+  if (constrained.empty()) return true;
+  const auto& given = constrained[candidate];
+  return std::count(given.begin(), given.end(), true) < Dim - 1;
+}
+
 template <int Dim> const TangentialLaw<Dim>& ContactModel<Dim>::law(int candidate, int tool) const {
   static const TangentialLaw<Dim> none(std::make_shared<NoFriction>());
-  return is_constrained(candidate) ? none : laws[tool];
+  return can_slip(candidate) && !is_weightless(candidate) ? laws[tool] : none;
+}
+template <int Dim>
+const TangentialLaw<Dim>& ContactModel<Dim>::law(int candidate, const ContactNode<Dim>& node) const {
+  return node.bears && can_slip(candidate) ? laws[node.tool] : law(candidate, node.tool);
 }
 
 std::vector<int> candidate_of_node(const std::vector<int>& candidates, int num_nodes) {
@@ -126,14 +136,32 @@ NodalForce<Dim> nodal_force(const ContactModel<Dim>& model, int candidate, const
                             const Vector<Dim>& R) {
   if (!model.is_constrained(candidate)) return {R, {R.dot(p.n), p.E.transpose() * R}};
   const double N = R.dot(admissible_normal(model, candidate, p.n));
-  return {N * p.n, {N, Param<Dim>::Zero()}};
+  if (!model.can_slip(candidate)) return {N * p.n, {N, Param<Dim>::Zero()}};
+  const Param<Dim> T = slip_space(model, candidate, p) * (p.E.transpose() * R);
+  return {N * p.n + p.E * T, {N, T}};
+}
+
+template <int Dim>
+Curvature<Dim> slip_space(const ContactModel<Dim>& model, int candidate, const SurfacePoint<Dim>& p) {
+  if (!model.is_constrained(candidate)) return Curvature<Dim>::Identity();
+  Curvature<Dim> projector = Curvature<Dim>::Zero();
+  if (!model.can_slip(candidate)) return projector;
+  for (int c = 0; c < Dim; ++c)
+    if (model.constrained[candidate][c]) {
+      const Param<Dim> across = p.E.row(c).transpose();
+      if (!across.isZero(1e-12))
+        projector = Curvature<Dim>::Identity() - across * across.transpose() / across.squaredNorm();
+    }
+  return projector;
 }
 
 template <int Dim>
 Vector<Dim> offset_to(const ContactModel<Dim>& model, int candidate, const SurfacePoint<Dim>& p,
                       const Vector<Dim>& x) {
   if (!model.is_constrained(candidate)) return p.x - x;
-  return p.n.dot(p.x - x) * admissible_normal(model, candidate, p.n);
+  const Vector<Dim> d = p.x - x, along = p.n.dot(d) * admissible_normal(model, candidate, p.n);
+  if (!model.can_slip(candidate)) return along;
+  return along + p.E * (slip_space(model, candidate, p) * (p.E.transpose() * d));
 }
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
@@ -145,6 +173,7 @@ Vector<Dim> offset_to(const ContactModel<Dim>& model, int candidate, const Surfa
   template Vector<Dim> admissible_normal<Dim>(const ContactModel<Dim>&, int, const Vector<Dim>&);            \
   template NodalForce<Dim> nodal_force<Dim>(const ContactModel<Dim>&, int, const SurfacePoint<Dim>&,         \
                                             const Vector<Dim>&);                                             \
+  template Curvature<Dim> slip_space<Dim>(const ContactModel<Dim>&, int, const SurfacePoint<Dim>&);          \
   template Vector<Dim> offset_to<Dim>(const ContactModel<Dim>&, int, const SurfacePoint<Dim>&,               \
                                       const Vector<Dim>&);
 BURNISH_INSTANTIATE(2)

@@ -4,8 +4,9 @@
 
 namespace burnish {
 
-/// Components of the displacement of a candidate that are given (a node on a symmetry line). Contact acts along the
-/// free ones only, without friction (the support takes what is across it), and the node slides as it must.
+/// Components of the displacement of a candidate that are given (a node on a symmetry line or plane). Contact acts along
+/// the free ones only (the support takes what is across them). One free component: the node slides as it must, without
+/// friction. Two, in space: it sticks and slips along their plane, with friction (METHOD.md 3.7).
 template <int Dim> using ConstrainedComponents = std::array<bool, Dim>;
 
 /// A coordinate that follows others: q_dependent = formula(q), METHOD.md 2.6.
@@ -22,8 +23,11 @@ template <int Dim> struct ContactModel {
   std::vector<ConstrainedComponents<Dim>> constrained; ///< per candidate; empty: none is
   std::vector<std::vector<char>> reach; ///< per tool and candidate: may touch; empty: every candidate
 
-  /// Per candidate: the ends of the edge that it is the mid node of, or -1; empty: linear facets, or in space.
+  /// Per candidate: the ends of the edge that it is the mid node of, or -1; empty: linear facets.
   std::vector<std::array<int, 2>> edge_ends;
+  /// Per candidate: vertex of quadratic triangles, whose shape function has no area. It has no friction unless it bears
+  /// (ContactNode), and is released by shared forces (METHOD.md 3.19). Empty: none is.
+  std::vector<char> weightless;
 
   std::vector<std::vector<int>>
       neighbors;                   ///< per candidate: those next to it along the surface; empty: nobody asks
@@ -37,9 +41,14 @@ template <int Dim> struct ContactModel {
   bool is_middle(int candidate) const { return !edge_ends.empty() && edge_ends[candidate][0] >= 0; }
   int tool_of(int k) const; ///< tool that entry k of q belongs to
   bool is_constrained(int candidate) const;
+  bool is_weightless(int candidate) const { return !weightless.empty() && weightless[candidate]; }
+  /// Whether its supports leave it a direction along the tool.
+  bool can_slip(int candidate) const;
   bool may_touch(int candidate, int tool) const;
-  /// Law between a candidate and a tool: without friction where the candidate is constrained.
+  /// Law between a candidate that touches and a tool: without friction where it cannot slip, and of weightless ones.
   const TangentialLaw<Dim>& law(int candidate, int tool) const;
+  /// The same of its present state.
+  const TangentialLaw<Dim>& law(int candidate, const ContactNode<Dim>& node) const;
   int num_coordinates() const { return first.empty() ? 0 : first.back(); }
   Eigen::VectorXd tool_q(const Eigen::VectorXd& q, int tool) const {
     return q.segment(first[tool], first[tool + 1] - first[tool]);
@@ -89,7 +98,7 @@ template <int Dim> struct NodalForce {
   SurfaceForce<Dim> part;
 };
 /// @param R internal minus external nodal force of the candidate; of a constrained one only the free components
-/// count: F = N n with the N that they need
+/// count: F = N n + T with the N and the T along slip_space that they need
 template <int Dim>
 NodalForce<Dim> nodal_force(const ContactModel<Dim>& model, int candidate, const SurfacePoint<Dim>& p,
                             const Vector<Dim>& R);
@@ -98,8 +107,12 @@ NodalForce<Dim> nodal_force(const ContactModel<Dim>& model, int candidate, const
 /// components of n over their squared length, so that n . admissible = 1; zero where n is across the free ones.
 template <int Dim>
 Vector<Dim> admissible_normal(const ContactModel<Dim>& model, int candidate, const Vector<Dim>& n);
+/// Projector onto the directions along the tool that a candidate's supports leave it, in the tangents E at p: the
+/// identity, or of a node on a symmetry plane that of one direction; zero where it cannot slip.
+template <int Dim>
+Curvature<Dim> slip_space(const ContactModel<Dim>& model, int candidate, const SurfacePoint<Dim>& p);
 /// What brings a candidate at x onto the tool at p: the difference, or for a constrained candidate the gap along its
-/// admissible normal.
+/// admissible normal and the part along its slip_space.
 template <int Dim>
 Vector<Dim> offset_to(const ContactModel<Dim>& model, int candidate, const SurfacePoint<Dim>& p,
                       const Vector<Dim>& x);

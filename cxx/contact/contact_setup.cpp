@@ -17,18 +17,37 @@ std::vector<std::array<int, 2>> ends_of_edges(const std::vector<Facet<Dim>>& sur
                                               const std::vector<int>& candidate) {
   std::vector<std::array<int, 2>> ends;
   for (const Facet<Dim>& facet : surface) {
-    if (Dim != 2 || facet.middle[0] < 0) continue;
-    const int a = candidate[facet.vertex[0]], b = candidate[facet.vertex[1]], m = candidate[facet.middle[0]];
+    if (facet.middle[0] < 0) continue;
     if (ends.empty())
       ends.assign(static_cast<std::size_t>(
                       std::count_if(candidate.begin(), candidate.end(), [](int i) { return i >= 0; })),
                   {-1, -1});
-    if (a >= 0 && b >= 0 && m >= 0) ends[m] = {a, b};
+    for (std::size_t e = 0; e < facet.middle.size(); ++e) {
+      const auto& end = SimplexEdges<Dim - 1>::ends[e];
+      const int a = candidate[facet.vertex[end[0]]], b = candidate[facet.vertex[end[1]]],
+                m = candidate[facet.middle[e]];
+      if (a >= 0 && b >= 0 && m >= 0) ends[m] = {a, b};
+    }
   }
   return ends;
 }
 
-// See ContactModel::neighbors. Vertices of quadratic facets have their mid nodes between them.
+// See ContactModel::weightless.
+template <int Dim>
+std::vector<char> weightless_vertices(const std::vector<Facet<Dim>>& surface,
+                                      const std::vector<int>& candidate, std::size_t candidates) {
+  std::vector<char> weightless;
+  for (const Facet<Dim>& facet : surface) {
+    if (Dim == 2 || facet.middle[0] < 0) continue;
+    weightless.resize(candidates, 0);
+    for (const int vertex : facet.vertex)
+      if (candidate[vertex] >= 0) weightless[static_cast<std::size_t>(candidate[vertex])] = 1;
+  }
+  return weightless;
+}
+
+// See ContactModel::neighbors. Vertices of quadratic facets have their mid nodes between them; those of a triangle are
+// neighbors of one another.
 template <int Dim>
 std::vector<std::vector<int>> neighbors_along(const std::vector<Facet<Dim>>& surface,
                                               const std::vector<int>& candidate, std::size_t candidates) {
@@ -48,6 +67,8 @@ std::vector<std::vector<int>> neighbors_along(const std::vector<Facet<Dim>>& sur
       } else {
         join(a, middle);
         join(middle, b);
+        if (e > 0) join(facet.middle[e - 1], middle);
+        if (e > 1) join(facet.middle[0], middle);
       }
     }
   return neighbors;
@@ -79,6 +100,7 @@ ContactSetup<Dim>::ContactSetup(Mesh<Dim> mesh, std::vector<Facet<Dim>> surface,
   const std::vector<int> candidate = candidate_of_node(m_model.candidates, m_mesh.num_nodes);
   m_model.neighbors = neighbors_along(m_surface, candidate, m_model.candidates.size());
   m_model.edge_ends = ends_of_edges(m_surface, candidate);
+  m_model.weightless = weightless_vertices(m_surface, candidate, m_model.candidates.size());
   m_body.X = places_on_curve(m_mesh, m_surface);
   m_body.fixed = std::move(fixed);
   m_body.measure = std::move(measure);

@@ -25,6 +25,7 @@ template <int Dim> struct ContactNode {
   Vector<Dim> slip_direction =
       Vector<Dim>::Zero(); ///< of a node that slides against friction: unit tangent; else zero
   bool tied = false;    ///< mid node that follows the slips of the ends of its edge (contact/tied_edges.hpp)
+  bool bears = false;   ///< a weightless vertex with friction all the same (ContactModel::weightless)
   double slip_rate = 0; ///< slip of the last step along it over the time [length/time]
   double tributary_area = 1; ///< METHOD.md (3.13), at the start of the step [length or area]
 };
@@ -47,7 +48,7 @@ template <int Dim> void make_slide(ContactNode<Dim>& node, const Vector<Dim>& di
 }
 template <int Dim> void make_free(ContactNode<Dim>& node) {
   node.state = NodeState::FREE;
-  node.tied = false;
+  node.tied = node.bears = false;
   node.slip_direction.setZero();
 }
 
@@ -55,6 +56,8 @@ template <int Dim> void make_free(ContactNode<Dim>& node) {
 template <int Dim> struct ContactState {
   std::vector<ContactNode<Dim>> nodes; ///< one per candidate
   Eigen::VectorXd q;                   ///< coordinates of all tools, one after another
+  double slip_stiffness =
+      0; ///< c of METHOD.md (3.14), in space [force/length]; 0: directions of slip stay as they are
 };
 
 /// What the program prescribes at an instant, one value per coordinate of all tools.

@@ -135,9 +135,12 @@ ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<D
   const bool support = std::find(supports.begin(), supports.end(), candidate) != supports.end();
   const auto a = forces(model, candidate, ends.poses0, n0, *step.R_start);
   const auto b = forces(model, candidate, ends.poses1, n1, *step.R_end);
-  const TangentialLaw<Dim>& law = model.law(candidate, n0.tool);
+  const TangentialLaw<Dim>& law = model.law(candidate, n0);
   const Surface<Dim>& surface = model.tools[n0.tool]->surface();
-  double release = crossing(a.force.N, b.force.N, tolerance.force_of(n0.tool)), change = NEVER;
+  const bool weightless = model.is_weightless(candidate);
+  const double N0 = weightless ? ends.deciding0[i].normal : a.force.N,
+               N1 = weightless ? ends.deciding1[i].normal : b.force.N;
+  double release = crossing(N0, N1, tolerance.force_of(n0.tool)), change = NEVER;
   EventKind kind = EventKind::STICK_TO_SLIP;
   const auto reserve = [&](const DecidingForce<Dim>& at) { return law.reserve(at.force, at.area); };
   if (n1.tied) {

@@ -7,7 +7,7 @@ namespace {
 template <int Dim>
 TiedRow<Dim> tied_row(const SurfacePoint<Dim>& p, const Vector<Dim>& F,
                       const typename NodeCones<Dim>::End& end, GeometricTerms terms) {
-  const SlidingRows<Dim> rows = TangentialLaw<Dim>::rows(p, F, end.m, end.cone);
+  const SlidingRows<Dim> rows = TangentialLaw<Dim>::rows(p, F, end.m, end.cone, end.turn);
   TiedRow<Dim> tied{end.candidate, 0.5 * rows.W, Curvature<Dim>::Zero(), {}, {}};
   tied.geo_sq = tied.geo_qs = Eigen::MatrixXd::Zero(Dim - 1, p.x_q.cols());
   if (terms != GeometricTerms::NONE) {
@@ -17,6 +17,15 @@ TiedRow<Dim> tied_row(const SurfacePoint<Dim>& p, const Vector<Dim>& F,
   for (Eigen::Index a = 0; terms == GeometricTerms::COMPLETE && a < Dim - 1; ++a)
     tied.geo_qs.row(a) = 0.5 * F.transpose() * p.E_q[static_cast<std::size_t>(a)];
   return tied;
+}
+
+// The slip across the free direction of a guided node is zero: its row has `diagonal` alone.
+template <int Dim> void guide(const Curvature<Dim>& free, double diagonal, NodeLinearization<Dim>& node) {
+  node.geo_ss = free * node.geo_ss * free + diagonal * (Curvature<Dim>::Identity() - free);
+  node.geo_sq = (free * node.geo_sq).eval();
+  node.geo_qs = (free * node.geo_qs).eval();
+  node.W = (node.W * free).eval();
+  node.constant = (free * node.constant).eval();
 }
 
 } // namespace
@@ -30,29 +39,39 @@ NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const Cont
   result.candidate = candidate;
   result.tool = node.tool;
   const bool tied = cones && cones->tied;
-  result.sliding = node.state == NodeState::SLIDING && !model.is_constrained(candidate) && !tied;
+  const bool constrained = model.is_constrained(candidate);
+  result.sliding = node.state == NodeState::SLIDING && model.can_slip(candidate) && !tied;
   const ContactPoint<Dim> at = contact_point(model, poses, node);
-  const SurfacePoint<Dim>& p = result.point = at.surface;
-  result.x_q = p.x_q;
-  if (model.is_constrained(candidate))
-    result.x_q = admissible_normal(model, candidate, p.n) * (p.n.transpose() * result.x_q);
+  SurfacePoint<Dim> p = result.point = at.surface;
   const Vector<Dim> F = result.F = nodal_force(model, candidate, p, R).F;
+  const Curvature<Dim> free = constrained ? slip_space(model, candidate, p) : Curvature<Dim>::Identity();
+  result.x_q = p.x_q;
+  if (constrained) {
+    const Vector<Dim> n = admissible_normal(model, candidate, p.n);
+    const Tangents<Dim> E = p.E * free;
+    result.x_q = n * (p.n.transpose() * p.x_q) + E * (E.transpose() * p.x_q);
+    p.n = n;
+    p.E = E;
+  }
+  result.E = p.E;
   const Eigen::Index nq = p.x_q.cols();
   for (int k = 0; k < nq; ++k) result.at.push_back(model.first[node.tool] + k);
   result.geo_sq = result.geo_qs = Eigen::MatrixXd::Zero(Dim - 1, nq);
   result.geo_qq = Eigen::MatrixXd::Zero(nq, nq);
   if (result.sliding) {
-    const TangentialLaw<Dim>& law = model.law(candidate, node.tool);
+    const TangentialLaw<Dim>& law = model.law(candidate, node);
     const SlidingRows<Dim> rows =
-        cones ? law.rows(p, F, at.m, cones->own) : law.rows(p, F, at.m, node.tributary_area);
+        cones ? law.rows(p, F, at.m, cones->own, cones->turn) : law.rows(p, F, at.m, node.tributary_area);
     result.W = rows.W;
     result.constant = rows.constant;
+    if (cones) result.geo_ss = cones->turn.cHD;
     if (terms != GeometricTerms::NONE) {
-      result.geo_ss = rows.by_slip;
+      result.geo_ss += rows.by_slip;
       result.geo_sq = rows.by_q;
     }
     for (Eigen::Index a = 0; terms == GeometricTerms::COMPLETE && a < Dim - 1; ++a)
       result.geo_qs.row(a) = F.transpose() * p.E_q[static_cast<std::size_t>(a)];
+    if (constrained) guide(free, std::max(1., F.norm()), result);
   }
   for (std::size_t e = 0; tied && e < cones->ends.size(); ++e)
     result.ties.push_back(tied_row(p, F, cones->ends[e], terms));

@@ -26,7 +26,8 @@ template <int Dim> struct NodeLinearization {
   bool in_contact = true; ///< false: its displacement is unknown, no force acts on it (ContactBlockInput)
   bool sliding = false;   ///< has unknown slips, Dim-1 of them
   SurfacePoint<Dim> point;
-  Vector<Dim> F = Vector<Dim>::Zero(); ///< force of the tool on it at the linearization point [force]
+  Tangents<Dim> E = Tangents<Dim>::Zero(); ///< columns of its slip: point.E, less what the supports hold
+  Vector<Dim> F = Vector<Dim>::Zero();     ///< force of the tool on it at the linearization point [force]
   std::vector<int> at; ///< coordinates that the columns of x_q and the geometric terms belong to: places in q
   PerCoordinate<Dim>
       x_q; ///< displacement per coordinate: X_,k, or along the admissible normal of a constrained node
@@ -43,10 +44,12 @@ template <int Dim> struct NodeLinearization {
 template <int Dim> struct NodeCones {
   bool tied = false;
   ConeTangent own;
+  SlipTurn<Dim> turn; ///< of its own slip
   struct End {
     int candidate;
     Param<Dim> m; ///< direction of its slip
     ConeTangent cone;
+    SlipTurn<Dim> turn;
   };
   std::vector<End> ends; ///< of a tied node: those that slide
 };

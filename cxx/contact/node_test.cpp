@@ -11,9 +11,10 @@ constexpr double ENTRY_SLIP =
 template <int Dim>
 bool NodeTest<Dim>::test_contact(int candidate, const ContactNode<Dim>& solved, const Vector<Dim>& F,
                                  const DecidingForce<Dim>& deciding, ContactNode<Dim>& node) const {
-  const TangentialLaw<Dim>& law = m_model.law(candidate, node.tool);
+  const TangentialLaw<Dim>& law = m_model.law(candidate, node);
   const ContactPoint<Dim> at = contact_point(m_model, m_poses, solved);
-  const double N = nodal_force(m_model, candidate, at.surface, F).part.N;
+  const double N = m_model.is_weightless(candidate) ? deciding.normal
+                                                    : nodal_force(m_model, candidate, at.surface, F).part.N;
   const ContactTolerance tolerance = m_tolerances.of(node.tool);
   if (node.tied) {
     if (N < -tolerance.force) make_free(node);
@@ -54,16 +55,16 @@ template <int Dim>
 void NodeTest<Dim>::enter(int candidate, const SurfaceFoot<Dim>& foot, ContactNode<Dim>& node) const {
   const ContactNode<Dim>& entry = m_entry.nodes[candidate];
   const int releases = m_entry.releases[candidate];
-  const TangentialLaw<Dim>& law = m_model.law(candidate, node.tool);
+  const TangentialLaw<Dim>& law = m_model.law(candidate, node);
   const bool sticks_always = law.friction().sticks_always(), known = entry.tool == node.tool;
   node.slip_origin = known && !(releases > 1 && sticks_always) ? entry.slip_origin : foot.place;
   node.place = foot.place;
   if (law.frictionless()) return make_slide<Dim>(node, Vector<Dim>::Zero());
   if (!sticks_always && releases > 0 && !entry.slip_direction.isZero())
     return make_slide(node, entry.slip_direction);
-  const Param<Dim> slip = slip_of(m_model, node);
+  const auto point = m_model.tools[node.tool]->point(m_poses[node.tool], foot.place);
+  const Param<Dim> slip = slip_space(m_model, candidate, point) * slip_of(m_model, node);
   if (!sticks_always && known && slip.norm() > ENTRY_SLIP * m_tolerances.gap) {
-    const auto point = m_model.tools[node.tool]->point(m_poses[node.tool], foot.place);
     return make_slide(node, in_tool_frame(m_poses[node.tool], point, Param<Dim>(slip.normalized())));
   }
   make_stick(node);

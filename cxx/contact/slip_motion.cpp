@@ -62,8 +62,10 @@ ContactWay contact_way(const ContactModel<3>& model, const ContactState<3>& stat
                        const Eigen::VectorXd& q_old, int tool) {
   ContactWay way;
   const auto pose = model.tools[tool]->coordinates().pose(model.tool_q(state.q, tool));
-  const auto back =
-      model.tools[tool]->coordinates().carrier(model.tool_q(q_old, tool), model.tool_q(state.q, tool)).inverse();
+  const auto back = model.tools[tool]
+                        ->coordinates()
+                        .carrier(model.tool_q(q_old, tool), model.tool_q(state.q, tool))
+                        .inverse();
   for (const auto& node : state.nodes) {
     if (!in_contact(node.state) || node.tool != tool) continue;
     const auto p = model.tools[tool]->point(pose, node.place);

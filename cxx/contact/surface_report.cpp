@@ -7,8 +7,10 @@ namespace {
 // See SHEAR_COMPONENTS.
 template <int Dim>
 Eigen::Matrix<double, SHEAR_COMPONENTS<Dim>, 1> shear_of(const Tangents<Dim>& E, const Param<Dim>& T) {
-  if constexpr (Dim == 2) return T;
-  else return E * T;
+  if constexpr (Dim == 2)
+    return T;
+  else
+    return E * T;
 }
 
 template <int Dim>

@@ -13,10 +13,10 @@ template <int Dim> inline constexpr int SHEAR_COMPONENTS = Dim == 2 ? 1 : 3;
 
 /// State of the candidates, one entry each, in the present configuration.
 template <int Dim> struct SurfaceReport {
-  Eigen::VectorXd gap;          ///< positive = open, zero in contact [length]
-  Eigen::VectorXd normal_force; ///< N >= 0 [force]
+  Eigen::VectorXd gap;              ///< positive = open, zero in contact [length]
+  Eigen::VectorXd normal_force;     ///< N >= 0 [force]
   Eigen::MatrixXd tangential_force; ///< of the tool on the body, SHEAR_COMPONENTS x candidates [force]
-  Eigen::VectorXd area; ///< tributary area [length, in space and axisymmetric: area]
+  Eigen::VectorXd area;             ///< tributary area [length, in space and axisymmetric: area]
   /// Pressure and traction on the body, linear on every facet, of forces shared to the corners (CornerShares): without the
   /// alternation of quadratic elements, nowhere negative where no nodal force is, within the cone at every corner, and with
   /// the sum of the nodal forces. A free node next to a corner has a part of its value. Linear facets: the nodal ones.
@@ -32,9 +32,12 @@ template <int Dim> struct SurfaceReport {
 
 /// Tangential force or traction of a report as a vector. @param E the tool's tangents; in space not used
 template <int Dim>
-Vector<Dim> shear_vector(const Tangents<Dim>& E, const Eigen::Matrix<double, SHEAR_COMPONENTS<Dim>, 1>& shear) {
-  if constexpr (Dim == 2) return E * shear;
-  else return shear;
+Vector<Dim> shear_vector(const Tangents<Dim>& E,
+                         const Eigen::Matrix<double, SHEAR_COMPONENTS<Dim>, 1>& shear) {
+  if constexpr (Dim == 2)
+    return E * shear;
+  else
+    return shear;
 }
 
 /// @param R internal minus external nodal force [force]; @param u displacement

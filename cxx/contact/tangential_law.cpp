@@ -54,17 +54,39 @@ template <int Dim> ConeTangent TangentialLaw<Dim>::cone(double N, double area) c
 
 template <int Dim>
 SlidingRows<Dim> TangentialLaw<Dim>::rows(const SurfacePoint<Dim>& p, const Vector<Dim>& F,
-                                          const Param<Dim>& m, const ConeTangent& cone) {
+                                          const Param<Dim>& m, const ConeTangent& cone,
+                                          const SlipTurn<Dim>& turn) {
   const double N = F.dot(p.n), slope = cone.slope;
   const Param<Dim> T = p.E.transpose() * F;
+  const Curvature<Dim> kept = Curvature<Dim>::Identity() - turn.H;
   SlidingRows<Dim> rows;
-  rows.W = p.E + slope * p.n * m.transpose();
-  rows.constant = cone.constant * m;
-  rows.by_slip = -N * p.B + slope * m * (p.B * T).transpose();
+  rows.W = p.E * kept + slope * p.n * m.transpose();
+  rows.constant = cone.constant * m + turn.held;
+  rows.by_slip = -N * (kept * p.B) + slope * m * (p.B * T).transpose();
   rows.by_q.resize(Dim - 1, p.x_q.cols());
   for (Eigen::Index a = 0; a < rows.by_q.rows(); ++a)
-    rows.by_q.row(a) = F.transpose() * (p.E_q[static_cast<std::size_t>(a)] + slope * m[a] * p.n_q);
+    rows.by_q.row(a) = F.transpose() * p.E_q[static_cast<std::size_t>(a)];
+  rows.by_q = (kept * rows.by_q).eval();
+  rows.by_q += m * (slope * F.transpose() * p.n_q);
   return rows;
+}
+
+template <int Dim>
+SlipTurn<Dim> TangentialLaw<Dim>::turn(const DecidingForce<Dim>& deciding, const Param<Dim>& m,
+                                       const Param<Dim>& slip, const Curvature<Dim>& slip_by_eta,
+                                       double c) const {
+  constexpr double aligned = 1e-6; // of unit vectors
+  SlipTurn<Dim> turn;
+  const Param<Dim> tau = deciding.force.T - c * slip;
+  const double size = tau.norm();
+  if (Dim == 2 || !(c > 0) || !(size > 0) || frictionless()) return turn;
+  if ((tau + size * m).norm() > aligned * size)
+    return turn; // it begins to slide, that way: (3.14) has not been taken
+  const double part = std::min(1., capacity(deciding.force.N, deciding.area) / size);
+  turn.H = part * (Curvature<Dim>::Identity() - m * m.transpose());
+  turn.held = c * turn.H * slip; // H (T - c D) = 0
+  turn.cHD = c * turn.H * slip_by_eta;
+  return turn;
 }
 
 template class TangentialLaw<2>;

@@ -18,6 +18,8 @@ template <int Dim> struct SurfaceForce {
 template <int Dim> struct DecidingForce {
   SurfaceForce<Dim> force; ///< [force]
   double area = 1;         ///< [length or area]
+  double normal =
+      0; ///< by which it is released: its own N, of a weightless vertex with the shares of all mid nodes [force]
 };
 
 /// What a node in contact is found to do next.
@@ -34,6 +36,13 @@ struct ConeTangent {
   double slope = 0, constant = 0; ///< [-], [force]
 };
 
+/// How the direction of slip turns, METHOD.md (3.14) to (3.16): dm = -H (dT - c dD)/g. Zero in the plane.
+template <int Dim> struct SlipTurn {
+  Curvature<Dim> H = Curvature<Dim>::Zero();   ///< g/|tau| (I - m m') [-]
+  Param<Dim> held = Param<Dim>::Zero();        ///< c H D [force]
+  Curvature<Dim> cHD = Curvature<Dim>::Zero(); ///< c H dD/d(eta) of the node's own slip [force/length]
+};
+
 /// Rows of a sliding node and their geometric terms, see NodeLinearization.
 template <int Dim> struct SlidingRows {
   Tangents<Dim> W;        ///< rows W'F + constant = 0
@@ -46,7 +55,7 @@ template <int Dim> struct SlidingRows {
 /// zero without friction; slip and traction are vectors of Dim-1 numbers.
 ///   sticks   |T| <= g(N)      slides   T = -m g(N), m along the slip
 /// g goes on below N = 0 as the friction law says; a node there is released or slides before that matters.
-/// In space m turns with the slip: its derivative (METHOD.md 3.12) belongs into rows(), and nowhere else.
+/// In space m turns with slip and force: the derivative (METHOD.md 3.12) is in rows(), and nowhere else.
 template <int Dim> class TangentialLaw {
 public:
   /// @throws std::invalid_argument for a null law
@@ -81,9 +90,13 @@ public:
                         double area) const {
     return rows(point, F, m, cone(F.dot(point.n), area));
   }
-  /// The same with the cone of a node that other nodes hand their forces to.
+  /// The same with the cone of a node that other nodes hand their forces to, and the turn of its slip. cHD stays out: it
+  /// counts once where several nodes share a row.
   static SlidingRows<Dim> rows(const SurfacePoint<Dim>& point, const Vector<Dim>& F, const Param<Dim>& m,
-                               const ConeTangent& cone);
+                               const ConeTangent& cone, const SlipTurn<Dim>& turn = {});
+  /// @param slip D, and its derivative by the node's own eta; @param c of METHOD.md (3.14), 0: it does not turn [force/length]
+  SlipTurn<Dim> turn(const DecidingForce<Dim>& deciding, const Param<Dim>& m, const Param<Dim>& slip,
+                     const Curvature<Dim>& slip_by_eta, double c) const;
   ConeTangent cone(double N, double area) const;
 
 private:

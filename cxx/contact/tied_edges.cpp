@@ -49,6 +49,34 @@ bool begins_smoothly(const ContactModel<Dim>& model, const ContactState<Dim>& st
   return sticking_end;
 }
 
+// A weightless vertex is released by its force with the shares of all mid nodes on its tool, tied or not.
+template <int Dim>
+void add_shares_of_all(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                       const std::vector<SurfaceForce<Dim>>& own, std::vector<DecidingForce<Dim>>& deciding) {
+  for (std::size_t i = 0; i < own.size() && !model.weightless.empty(); ++i) {
+    const ContactNode<Dim>& node = state.nodes[i];
+    if (!model.is_middle(static_cast<int>(i)) || !in_contact(node.state)) continue;
+    for (const int end : model.edge_ends[i])
+      if (model.is_weightless(end) && in_contact(state.nodes[end].state) &&
+          state.nodes[end].tool == node.tool)
+        deciding[end].normal += 0.5 * own[i].N;
+  }
+}
+
+// How the slip of a sliding node turns: not that of a guided one, nor in a tangent that leaves friction out.
+template <int Dim>
+SlipTurn<Dim> turn_of(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                      const ContactPoint<Dim>& at, int i, const DecidingForce<Dim>& deciding,
+                      FrictionTangent tangent) {
+  if (Dim == 2 || tangent != FrictionTangent::CONSISTENT || model.is_constrained(i)) return {};
+  const ContactNode<Dim>& node = state.nodes[i];
+  const Surface<Dim>& surface = model.tools[node.tool]->surface();
+  const SurfaceFrame<Dim> frame = surface.frame(node.place);
+  const double lift = frame.n.dot(node.place.y - node.slip_origin.y);
+  const Curvature<Dim> by_eta = Curvature<Dim>::Identity() - lift * frame.B;
+  return model.law(i, node).turn(deciding, at.m, slip_of(model, node), by_eta, state.slip_stiffness);
+}
+
 } // namespace
 
 template <int Dim> void tie_edges(const ContactModel<Dim>& model, ContactState<Dim>& state) {
@@ -96,7 +124,8 @@ std::vector<DecidingForce<Dim>> deciding_forces(const ContactModel<Dim>& model,
                                                 const std::vector<SurfaceForce<Dim>>& own) {
   std::vector<DecidingForce<Dim>> result(own.size());
   for (std::size_t i = 0; i < own.size(); ++i)
-    if (in_contact(state.nodes[i].state)) result[i] = {own[i], state.nodes[i].tributary_area};
+    if (in_contact(state.nodes[i].state)) result[i] = {own[i], state.nodes[i].tributary_area, own[i].N};
+  add_shares_of_all(model, state, own, result);
   for (int i = 0; i < static_cast<int>(own.size()); ++i) {
     if (!is_tied(model, state, i)) continue;
     for (const int end : model.edge_ends[i]) {
@@ -127,19 +156,24 @@ template <int Dim>
 NodeCones<Dim> cones_of(const ContactModel<Dim>& model, const ContactState<Dim>& state,
                         const std::vector<Pose<Dim>>& poses, const std::vector<DecidingForce<Dim>>& deciding,
                         int candidate, FrictionTangent tangent) {
-  const auto cone = [&](int i) {
+  const auto end_of = [&](int i) {
     const double N = deciding[i].force.N;
-    return seen_by(tangent, model.law(i, state.nodes[i].tool).cone(N, deciding[i].area), N);
+    const ContactPoint<Dim> at = contact_point(model, poses, state.nodes[i]);
+    return typename NodeCones<Dim>::End{
+        i, at.m, seen_by(tangent, model.law(i, state.nodes[i]).cone(N, deciding[i].area), N),
+        turn_of(model, state, at, i, deciding[i], tangent)};
   };
   NodeCones<Dim> cones;
   cones.tied = is_tied(model, state, candidate);
   if (!cones.tied) {
-    if (state.nodes[candidate].state == NodeState::SLIDING) cones.own = cone(candidate);
+    if (state.nodes[candidate].state != NodeState::SLIDING) return cones;
+    const auto own = end_of(candidate);
+    cones.own = own.cone;
+    cones.turn = own.turn;
     return cones;
   }
   for (const int end : model.edge_ends[candidate])
-    if (state.nodes[end].state == NodeState::SLIDING)
-      cones.ends.push_back({end, contact_point(model, poses, state.nodes[end]).m, cone(end)});
+    if (state.nodes[end].state == NodeState::SLIDING) cones.ends.push_back(end_of(end));
   return cones;
 }
 

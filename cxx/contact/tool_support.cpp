@@ -1,7 +1,7 @@
 #include "contact/tool_support.hpp"
 #include "contact/driving_force.hpp"
 #include <algorithm>
-#include <utility>
+#include <tuple>
 
 namespace burnish {
 namespace {
@@ -20,10 +20,10 @@ template <int Dim>
 ToolContact contact_of(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses,
                        const ContactState<Dim>& state, int tool, const std::vector<char>& refused) {
   ToolContact result;
-  std::pair<bool, double> smallest; // refused nodes come last
+  std::tuple<bool, bool, double> smallest;
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const auto& node = state.nodes[i];
-    if (!in_contact(node.state) || node.tool != tool || model.is_constrained(static_cast<int>(i))) continue;
+    if (!in_contact(node.state) || node.tool != tool || !model.can_slip(static_cast<int>(i))) continue;
     result.sticks = result.sticks || sticks(node.state);
     const auto p = model.tools[tool]->point(poses[tool], node.place);
     const Eigen::VectorXd normal = (p.x_q.transpose() * p.n).cwiseAbs(), size = p.x_q.colwise().norm();
@@ -31,7 +31,10 @@ ToolContact contact_of(const ContactModel<Dim>& model, const std::vector<Pose<Di
     result.size = result.any ? Eigen::VectorXd(result.size.cwiseMax(size)) : size;
     result.any = true;
     if (node.tied) continue; // its ends decide
-    const std::pair<bool, double> slip(!refused.empty() && refused[i], slip_of(model, node).norm());
+    // weightless vertices come last, then refused nodes
+    const bool weightless = model.law(static_cast<int>(i), node).frictionless();
+    const std::tuple<bool, bool, double> slip(weightless, !refused.empty() && refused[i],
+                                              slip_of(model, node).norm());
     if (result.least_slip >= 0 && slip >= smallest) continue;
     result.least_slip = static_cast<int>(i);
     smallest = slip;
@@ -77,7 +80,9 @@ int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& pr
       if (contact.normal[k] > ALONG * contact.size[k] || !under_force(model, prescribed, q)) continue;
       const bool shared = model.coupling_of(q) || resisted_through_followers(model, poses, state, q);
       if (shared && (!geared || refused[contact.least_slip])) continue;
-      make_stick(state.nodes[contact.least_slip]);
+      ContactNode<Dim>& support = state.nodes[contact.least_slip];
+      support.bears = model.is_weightless(contact.least_slip);
+      make_stick(support);
       return contact.least_slip;
     }
   }
@@ -95,7 +100,8 @@ bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& s
                                      Vector<Dim>::Zero()); // of a tool's first sliding node
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const auto& node = state.nodes[i];
-    if (!in_contact(node.state) || model.is_constrained(static_cast<int>(i))) continue;
+    if (!in_contact(node.state) || !model.can_slip(static_cast<int>(i))) continue;
+    if (model.is_weightless(static_cast<int>(i)) && !node.bears) continue;
     if (sticks(node.state) || model.laws[node.tool].frictionless()) return false;
     const Vector<Dim> here = poses[node.tool].R * node.slip_direction;
     if (direction[node.tool].isZero()) direction[node.tool] = here;

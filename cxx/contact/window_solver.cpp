@@ -159,7 +159,7 @@ int WindowSolver<Dim>::test(const WindowSolution<Dim>& solution, ContactState<Di
       const Vector<Dim> n = m_model.tools[solved.tool]->point(poses[solved.tool], solved.place).n;
       const auto at = Eigen::Index{Dim} * static_cast<Eigen::Index>(w);
       const double own = n.dot(m_problem.flexibility->matrix().template block<Dim, Dim>(at, at) * n);
-      severity[i] = -F.dot(n) * own;
+      severity[i] = -(m_model.is_weightless(i) ? deciding[i].normal : F.dot(n)) * own;
     } else
       severity[i] = -nearest_tool(m_model, poses, x, m_problem.entry->nodes[i], i).foot.gap;
     changes += test(i, solved, F, deciding[i], x, trial.nodes[i]);

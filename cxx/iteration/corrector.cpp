@@ -1,6 +1,7 @@
 #include "iteration/corrector.hpp"
 #include "base/cpu_time.hpp"
 #include "base/error.hpp"
+#include "contact/slip_direction.hpp"
 #include "iteration/contact_window.hpp"
 #include "solver/cholmod_solver.hpp"
 #include "solver/column_factor.hpp"
@@ -102,6 +103,7 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
   if (m_window.empty() || !std::includes(m_window.begin(), m_window.end(), needed.begin(), needed.end()))
     m_window = near_contact(it.model(), it.body(), it.state(), u, 1, it.options());
   it.balance().memory().rounding = rounding_of_forces(K, it.body().X);
+  it.state().slip_stiffness = slip_stiffness(it.model(), K);
   m_age = 0;
   forget_mixing();
   make_tangent(K.num_nodes);

@@ -1,6 +1,7 @@
 #include "iteration/iteration.hpp"
 #include "base/error.hpp"
 #include "contact/coupling.hpp"
+#include "contact/slip_direction.hpp"
 #include "iteration/not_converged.hpp"
 #include <algorithm>
 #include <cmath>
@@ -51,6 +52,7 @@ template <int Dim> StepStatus Iteration<Dim>::check(Eigen::VectorXd& u, const Ei
   require(R.size() == m_body.X.size(), "contact.check", "size of the force array", R.size(),
           "number of dofs");
   if (!R.allFinite()) fail("contact.check", "the force array contains NaN or Inf");
+  turn_slips(m_model, R, m_state);
   m_balance.look(m_state, m_prescribed, u, R);
   const double residual = m_balance.last().residual, allowed = m_balance.allowed();
   if (!std::isfinite(residual)) return give_up(Cause::INFINITE);

@@ -44,12 +44,11 @@ Failure wedged_node(const ContactModel<Dim>& model, const ContactState<Dim>& sta
   const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, state, poses, R);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const ContactNode<Dim>& node = state.nodes[i];
-    if (!in_contact(node.state) || node.tied || model.law(static_cast<int>(i), node.tool).frictionless())
-      continue;
+    if (!in_contact(node.state) || node.tied || model.law(static_cast<int>(i), node).frictionless()) continue;
     const int candidate = static_cast<int>(i), mesh_node = model.candidates[i];
     const ContactPoint<Dim> at = contact_point(model, poses, node);
     const SurfaceForce<Dim>& part = deciding[i].force;
-    const double reserve = model.law(candidate, node.tool).reserve(part, deciding[i].area);
+    const double reserve = model.law(candidate, node).reserve(part, deciding[i].area);
     const bool wedged =
         sticks(node.state) ? reserve < -tolerance : part.N > 0 && slip_of(model, node).dot(at.m) < 0;
     if (!wedged) continue;

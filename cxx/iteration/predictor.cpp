@@ -40,7 +40,9 @@ Tensor<2> mean_rotation(const Tensor<2>& a, const Tensor<2>& b) {
   for (int c = 0; c < 2; ++c) mean.col(c).normalize();
   return mean;
 }
-Tensor<3> mean_rotation(const Tensor<3>& a, const Tensor<3>& b) { return part_of_rotation(Tensor<3>(a + b), 1); }
+Tensor<3> mean_rotation(const Tensor<3>& a, const Tensor<3>& b) {
+  return part_of_rotation(Tensor<3>(a + b), 1);
+}
 
 // Per node the mean of its elements: deformation gradient, and that of the last increment, both of straight edges.
 template <int Dim> struct NodalGradients { std::vector<Tensor<Dim>> F, step; };
@@ -199,7 +201,7 @@ void Predictor<Dim>::place_contact_node(const std::vector<Pose<Dim>>& poses, int
     const Vector<Dim> x = m_body.position(u, m_model.candidates[candidate]);
     node.place = m_model.tools[node.tool]->foot(poses[node.tool], x, node.slip_origin.hint).place;
     const Param<Dim> m = contact_point(m_model, poses, node).m;
-    if (may_stick && !m_model.law(candidate, node.tool).frictionless() &&
+    if (may_stick && !m_model.law(candidate, node).frictionless() &&
         TangentialLaw<Dim>::slips_back(slip_of(m_model, node), m, 0))
       node.state = NodeState::STICKING;
   }

@@ -26,4 +26,10 @@ Pose<3> Screw::pose(const Eigen::VectorXd& q) const {
   return pose;
 }
 
+RigidMotion<3> Screw::carrier(const Eigen::VectorXd& q_from, const Eigen::VectorXd& q_to) const {
+  require_coordinates("Screw::carrier", names(), q_from);
+  require_coordinates("Screw::carrier", names(), q_to);
+  return {Tensor<3>::Identity(), (q_to[0] - q_from[0]) * m_advance};
+}
+
 } // namespace burnish

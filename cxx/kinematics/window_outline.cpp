@@ -5,9 +5,9 @@
 namespace burnish {
 namespace {
 
-constexpr double ROOM = 0.5;        // round the places, of their larger side
-constexpr double SEEN = 2e-4;       // sagitta over that side: a fifth of a pixel in a picture of a thousand
-constexpr int FIRST = 65;           // places at first, before the joints
+constexpr double ROOM = 0.5;  // round the places, of their larger side
+constexpr double SEEN = 2e-4; // sagitta over that side: a fifth of a pixel in a picture of a thousand
+constexpr int FIRST = 65;     // places at first, before the joints
 
 // Whether some of the curve that is as long as the chord may lie within the window.
 template <int Dim> bool seen(const PictureWindow<Dim>& window, const Vector<Dim>& a, const Vector<Dim>& b) {

@@ -6,9 +6,7 @@ namespace burnish {
 namespace {
 
 using Svd = Eigen::JacobiSVD<Tensor<3>>;
-Svd svd_of(const Gradient<3>& F) {
-  return Svd(mesh_part<3>(F), Eigen::ComputeFullU | Eigen::ComputeFullV);
-}
+Svd svd_of(const Gradient<3>& F) { return Svd(mesh_part<3>(F), Eigen::ComputeFullU | Eigen::ComputeFullV); }
 
 // -(coth x - 1/x) with x = (ln a - ln b)/2, and its derivative by a.
 struct SpinFactor {
@@ -53,7 +51,8 @@ public:
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         for (int m = 0; m < 3; ++m)
-          T(i, j) += m_difference[i](m, j) * dB(i, m) * m_d(m, j) - m_difference[j](m, i) * m_d(i, m) * dB(m, j);
+          T(i, j) +=
+              m_difference[i](m, j) * dB(i, m) * m_d(m, j) - m_difference[j](m, i) * m_d(i, m) * dB(m, j);
     return out(T);
   }
 
@@ -107,8 +106,8 @@ Tensor<3> rotation_vector_tangent(const Vector<3>& v) {
   const bool small = t < 0.01;
   const double first = small ? 0.5 - t / 24 + t * t / 720 - t * t * t / 40320
                              : 2 * std::sin(half) * std::sin(half) / t; // (1 - cos)/angle^2
-  const double second = small ? 1. / 6 - t / 120 + t * t / 5040 - t * t * t / 362880
-                              : (angle - std::sin(angle)) / (t * angle);
+  const double second =
+      small ? 1. / 6 - t / 120 + t * t / 5040 - t * t * t / 362880 : (angle - std::sin(angle)) / (t * angle);
   const Tensor<3> H = cross_matrix(v);
   return Tensor<3>::Identity() + first * H + second * H * H;
 }

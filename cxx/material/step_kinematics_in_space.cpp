@@ -53,7 +53,8 @@ SpinByF turn_by_F(const StepKinematics<3>& kin, const IncrementByF<3>& by_F) {
   const Tensor<3> E =
       angle > 0 ? Eigen::AngleAxisd(angle, kin.excess / angle).toRotationMatrix() : Tensor<3>(I);
   const StrainByF3 strain_by = by_F.topRows<6>();
-  const SpinByF excess_by = logarithmic_excess_by_F(kin.F_mid, stress_of(mesh_part<3>(kin.G)), strain_by, 0.5);
+  const SpinByF excess_by =
+      logarithmic_excess_by_F(kin.F_mid, stress_of(mesh_part<3>(kin.G)), strain_by, 0.5);
   return (I + H * E) * (I + H).inverse() * jaumann + H * rotation_vector_tangent(kin.excess) * excess_by;
 }
 

@@ -7,15 +7,16 @@ namespace burnish {
 template <> struct StepKinematics<3> {
   StrainFrame frame = StrainFrame::MIDPOINT;
   CorotationalRate rate = CorotationalRate::JAUMANN;
-  Gradient<3> G;                                ///< midpoint gradient dF F_mid^-1 [-]
-  Gradient<3> F_mid_inverse;                    ///< inverse of F_mid = (F_old + F)/2 [-]
-  double det_mid = 0;                           ///< determinant(F_mid); the rest is set only if it is > 0
-  Stress<3> strain;                             ///< dd = sym G, in its frame [-]
-  Vector<3> spin = Vector<3>::Zero();           ///< axial vector of the skew part of G [-]
-  Tensor<3> R = Tensor<3>::Identity();          ///< rotation of the rate
-  Tensor<3> R_half = Tensor<3>::Identity();     ///< by half its angle about the same axis
-  Vector<3> excess = Vector<3>::Zero();         ///< LOGARITHMIC only: rotation vector of METHOD.md (1.39)
-  Gradient<3> F = Gradient<3>::Zero(), F_mid = F; ///< end and middle of the step; not set for SMALL_STRAIN [-]
+  Gradient<3> G;                            ///< midpoint gradient dF F_mid^-1 [-]
+  Gradient<3> F_mid_inverse;                ///< inverse of F_mid = (F_old + F)/2 [-]
+  double det_mid = 0;                       ///< determinant(F_mid); the rest is set only if it is > 0
+  Stress<3> strain;                         ///< dd = sym G, in its frame [-]
+  Vector<3> spin = Vector<3>::Zero();       ///< axial vector of the skew part of G [-]
+  Tensor<3> R = Tensor<3>::Identity();      ///< rotation of the rate
+  Tensor<3> R_half = Tensor<3>::Identity(); ///< by half its angle about the same axis
+  Vector<3> excess = Vector<3>::Zero();     ///< LOGARITHMIC only: rotation vector of METHOD.md (1.39)
+  Gradient<3> F = Gradient<3>::Zero(),
+              F_mid = F; ///< end and middle of the step; not set for SMALL_STRAIN [-]
 };
 
 /// R t R' with the rotation of the step.

@@ -33,8 +33,8 @@ PiolaTangent<Dim> UserLaw<Dim>::tangent(TangentKind, const PointStep<Dim>&, cons
 
 template <int Dim> StepIncrements<Dim> UserLaw<Dim>::increments(const PointStep<Dim>& step) const {
   return increments_of(
-        step_kinematics(step.old.F, step.F, step.options.strain_frame,
-                        m_small_strain ? CorotationalRate::SMALL_STRAIN : CorotationalRate::JAUMANN));
+      step_kinematics(step.old.F, step.F, step.options.strain_frame,
+                      m_small_strain ? CorotationalRate::SMALL_STRAIN : CorotationalRate::JAUMANN));
 }
 
 std::vector<std::string> internal_names(const std::string& list) {

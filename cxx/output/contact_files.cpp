@@ -47,8 +47,7 @@ template <int Dim> CellList facets_of(const ContactRun<Dim>& run) {
 }
 
 /// Pressure and tangential traction along the normal and tangents of the tool, of free nodes the nearest one [stress].
-template <int Dim>
-Numbers traction_vectors(const ContactRun<Dim>& run, const SurfaceReport<Dim>& report) {
+template <int Dim> Numbers traction_vectors(const ContactRun<Dim>& run, const SurfaceReport<Dim>& report) {
   const auto& state = run.accepted().contact;
   const auto& model = run.setup().model();
   const auto poses = model.poses(state.q);
@@ -129,30 +128,20 @@ DrawnTools drawn_tools(const ContactSetup<2>& setup, const Eigen::VectorXd& u) {
   return drawn;
 }
 
-/// The box in the frame of the tool that holds a window.
-Eigen::AlignedBox3d in_frame(const Pose<3>& pose, const PictureWindow<3>& window) {
-  const Eigen::AlignedBox3d box(window.low, window.high);
-  Eigen::AlignedBox3d turned;
-  for (int corner = 0; corner < 8; ++corner)
-    turned.extend(
-        pose.R.transpose() *
-        (box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - pose.origin));
-  return turned;
-}
-
 DrawnTools drawn_tools(const ContactSetup<3>& setup, const Eigen::VectorXd& u) {
   const PictureWindow<3> window = picture_window<3>(present_places(setup, u));
   DrawnTools drawn;
   for (std::size_t i = 0; i < setup.tools().size(); ++i) {
     const Tool<3>& tool = setup.tools()[i]->tool();
-    const Pose<3> pose = tool.coordinates().pose(setup.tools()[i]->q());
-    const SurfaceMesh mesh = surface_mesh(tool.surface(), in_frame(pose, window));
+    const Eigen::VectorXd& q = setup.tools()[i]->q();
+    const Vector<3> origin = tool.coordinates().pose(q).origin;
+    const SurfaceMesh mesh = surface_mesh(tool, q, Eigen::AlignedBox3d(window.low, window.high));
     const int first = static_cast<int>(drawn.places.size() / 3);
-    for (const Vector<3>& y : mesh.points) append<3>(pose.origin + pose.R * y, drawn.places);
+    for (const Vector<3>& x : mesh.points) append(x, drawn.places);
     for (const auto& t : mesh.triangles) {
       drawn.cells.push_back({first + t[0], first + t[1], first + t[2]});
       drawn.tool.push_back(static_cast<std::int64_t>(i));
-      append(pose.origin, drawn.origin);
+      append(origin, drawn.origin);
     }
   }
   return drawn;

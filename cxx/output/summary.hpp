@@ -19,7 +19,7 @@ template <int Dim> struct SummarizedRun {
   const CondensedSystem* condensed;      ///< the last one; null: none
   std::string warnings;                  ///< of the material's numbers, a line each
   bool has_damage;                       ///< some event damages
-  Vector<Dim> about;                      ///< point of the moments [length]
+  Vector<Dim> about;                     ///< point of the moments [length]
   std::map<std::string, double> seconds; ///< CPU by phase [s]
 };
 

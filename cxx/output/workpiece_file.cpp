@@ -133,7 +133,8 @@ void save_displacement(const Discretization<Dim>& mesh, const Eigen::VectorXd& u
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template void save_fields<Dim>(const Workpiece<Dim>&, const std::string&);                                 \
-  template void save_displacement<Dim>(const Discretization<Dim>&, const Eigen::VectorXd&, const std::string&);
+  template void save_displacement<Dim>(const Discretization<Dim>&, const Eigen::VectorXd&,                   \
+                                       const std::string&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

@@ -7,8 +7,9 @@
 namespace burnish::test {
 
 /// Change of the displacement, -K_ff^-1 residual_f at the degrees of freedom that are not held, else 0.
-inline Eigen::VectorXd correction(const NodeBlockMatrix<2>& K, const Eigen::VectorXd& residual,
-                                  const std::vector<char>& held) {
+template <int Dim>
+Eigen::VectorXd correction(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& residual,
+                           const std::vector<char>& held) {
   std::vector<int> number(held.size(), -1);
   int free = 0;
   for (std::size_t k = 0; k < held.size(); ++k)
@@ -16,8 +17,8 @@ inline Eigen::VectorXd correction(const NodeBlockMatrix<2>& K, const Eigen::Vect
   std::vector<Eigen::Triplet<double>> entries;
   for (int a = 0; a < K.num_nodes; ++a)
     for (int slot = K.row_start[a]; slot < K.row_start[a + 1]; ++slot)
-      for (int c = 0; c < 4; ++c) {
-        const int i = number[2 * a + c / 2], j = number[2 * K.col[slot] + c % 2];
+      for (int c = 0; c < Dim * Dim; ++c) {
+        const int i = number[Dim * a + c / Dim], j = number[Dim * K.col[slot] + c % Dim];
         if (i >= 0 && j >= 0) entries.emplace_back(i, j, K.block(slot)[c]);
       }
   Eigen::SparseMatrix<double> matrix(free, free);
@@ -34,9 +35,9 @@ inline Eigen::VectorXd correction(const NodeBlockMatrix<2>& K, const Eigen::Vect
 
 /// One step to equilibrium without outer forces by Newton's method.
 /// @param u start of the iteration, with the given values in place; equilibrium on return
-inline void equilibrate(Workpiece<2>& body, const std::vector<char>& held, Eigen::VectorXd& u,
-                        double dt = 1) {
-  NodeBlockMatrix<2> K = body.pattern();
+template <int Dim>
+void equilibrate(Workpiece<Dim>& body, const std::vector<char>& held, Eigen::VectorXd& u, double dt = 1) {
+  NodeBlockMatrix<Dim> K = body.pattern();
   double before = 0;
   for (int it = 0; it < 40; ++it) {
     ASSERT_EQ(body.update(u, dt, it).status, UpdateStatus::OK) << "iteration " << it;

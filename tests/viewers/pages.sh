@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The pages of a sweep and of a movie in Chromium, from files: what stands there after loading, and after a slider is moved.
 set -u
-failures=0
+failures=0 TOP=$PWD
 fail() { echo "FAILED: $1"; failures=$((failures + 1)); }
 work=$SCRATCH/top # links to the cases, so that out/ is our own
 mkdir -p "$work" && ln -s "$PWD/cases" "$work" && cd "$work" || exit 1
@@ -52,6 +52,21 @@ sed 's#</body>#<script>document.getElementById("play").click();</script></body>#
 dom "$top/played.html" "#0" >page
 holds played 't = 1</output>'
 holds played '>Play</button>'
+
+# that of a run in space is drawn by WebGL: its colors are there, and other frames look different
+"$PYTHON" "$TOP/tests/support/space_run.py" "$SCRATCH/space" && "$PYTHON" cases/plotting/scene.py "$SCRATCH/space" movie >log || fail "no page of a run in space"
+for frame in 0 3; do
+  timeout 60 chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$SCRATCH/browser" \
+    --virtual-time-budget=3000 --window-size=900,800 --screenshot="$PWD/space-$frame.png" "file://$SCRATCH/space/movie.html#$frame" 2>/dev/null
+done
+"$PYTHON" - <<'END' || fail "space: what the page shows"
+import numpy as np
+from PIL import Image
+start, end = (np.asarray(Image.open(f"space-{k}.png").convert("RGB")).astype(int)[:560, :640] for k in (0, 3))
+vivid = lambda image: ((image.max(axis=2) - image.min(axis=2)) > 60).mean()
+assert vivid(start) < 0.001, "the undeformed workpiece has colors"
+assert vivid(end) > 0.01, "the strained one has none"
+END
 
 echo "$failures failed"
 [ "$failures" = 0 ]

@@ -196,13 +196,18 @@ const char* burnish_gmsh_curves(const char* file, const burnish_gmsh_number* num
 }
 
 const char* burnish_gmsh_mesh(const char* file, const burnish_gmsh_number* numbers, int count,
-                              const char* folder, const char* result) {
+                              const char* folder, const char* result, int dimension, const char* sizes) {
   return without_exceptions([&]() -> std::string {
     start(true);
     if (!merge(file, Numbers(numbers, numbers + count), folder).empty()) return last_lines();
     const std::string wrong = not_finite();
     if (!wrong.empty()) return wrong;
-    gmsh::model::mesh::generate(2);
+    if (*sizes) {
+      const std::string last = std::string(folder) + "/sizes.geo";
+      std::ofstream(last) << sizes;
+      gmsh::merge(last);
+    }
+    gmsh::model::mesh::generate(dimension);
     if (!first_error().empty()) return last_lines();
     gmsh::option::setNumber("Mesh.MshFileVersion", 2.2);
     gmsh::option::setNumber("Mesh.Binary", 0);

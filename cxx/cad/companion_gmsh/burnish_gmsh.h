@@ -32,13 +32,14 @@ typedef const char* (*burnish_gmsh_curves_call)(const char*, const burnish_gmsh_
 #define BURNISH_GMSH_PLACES 5
 static const double burnish_gmsh_place[BURNISH_GMSH_PLACES] = {0, 0.23, 0.5, 0.81, 1};
 
-/* Meshes the surfaces of a .geo file with triangles and writes a file of format MSH 2.2, text. folder: for
-   temporary files. gmsh prints what it does on the standard output.
+/* Meshes the surfaces of a .geo file with triangles (dimension 2) or its volumes with tetrahedra (3) and writes a
+   file of format MSH 2.2, text. folder: for temporary files. sizes: statements of .geo that are read last, or "".
+   gmsh prints what it does on the standard output.
    Returns NULL, or the last lines of what gmsh says, errors and warnings if there are any. */
 const char* burnish_gmsh_mesh(const char* file, const burnish_gmsh_number* numbers, int count,
-                              const char* folder, const char* result);
+                              const char* folder, const char* result, int dimension, const char* sizes);
 typedef const char* (*burnish_gmsh_mesh_call)(const char*, const burnish_gmsh_number*, int, const char*,
-                                              const char*);
+                                              const char*, int, const char*);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,43 @@
 
 namespace burnish {
 
+namespace {
+
+using Ends = std::pair<int, int>;
+using Face = std::array<int, 3>;
+
+// Faces of one element, seen from outside counter-clockwise.
+std::vector<Face> boundary_faces(const Mesh<3>& mesh) {
+  constexpr int face_of[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}; // opposite the vertices 0 to 3
+  std::map<Face, std::pair<int, Face>> faces;                                 // by sorted vertices: how often
+  for (int e = 0; e < mesh.num_elements; ++e)
+    for (const auto& of : face_of) {
+      const int* node = mesh.element(e);
+      const Face face{node[of[0]], node[of[1]], node[of[2]]};
+      Face sorted = face;
+      std::sort(sorted.begin(), sorted.end());
+      auto& entry = faces[sorted];
+      ++entry.first;
+      entry.second = face;
+    }
+  std::vector<Face> list;
+  for (const auto& [sorted, entry] : faces)
+    if (entry.first == 1) list.push_back(entry.second);
+  return list;
+}
+
+std::map<Ends, int> mid_nodes(const Mesh<3>& mesh) {
+  std::map<Ends, int> middle;
+  for (int e = 0; mesh.nodes_per_element == 10 && e < mesh.num_elements; ++e)
+    for (std::size_t k = 0; k < SimplexEdges<3>::ends.size(); ++k) {
+      const int* node = mesh.element(e);
+      middle[std::minmax(node[SimplexEdges<3>::ends[k][0]], node[SimplexEdges<3>::ends[k][1]])] = node[4 + k];
+    }
+  return middle;
+}
+
+} // namespace
+
 std::vector<BoundaryEdge<2>> boundary_edges(const Mesh<2>& mesh) {
   std::map<std::pair<int, int>, int> sharing;
   const auto for_edges = [&](const auto& f) {
@@ -30,36 +67,16 @@ std::vector<BoundaryEdge<2>> boundary_edges(const Mesh<2>& mesh) {
 }
 
 std::vector<BoundaryEdge<3>> boundary_edges(const Mesh<3>& mesh) {
-  using Face = std::array<int, 3>;
-  // of a positive tetrahedron, seen from outside counter-clockwise; opposite its vertices 0 to 3
-  constexpr int face_of[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-  std::map<Face, std::pair<int, Face>> faces; // sorted: how many elements have it, its vertices
-  std::map<std::pair<int, int>, int> middle;
-  for (int e = 0; e < mesh.num_elements; ++e) {
-    const int* node = mesh.element(e);
-    for (const auto& of : face_of) {
-      const Face face{node[of[0]], node[of[1]], node[of[2]]};
-      Face sorted = face;
-      std::sort(sorted.begin(), sorted.end());
-      auto& entry = faces[sorted];
-      ++entry.first;
-      entry.second = face;
-    }
-    if (mesh.nodes_per_element == 10)
-      for (std::size_t k = 0; k < 6; ++k)
-        middle[std::minmax(node[SimplexEdges<3>::ends[k][0]], node[SimplexEdges<3>::ends[k][1]])] = node[4 + k];
-  }
-  std::map<std::pair<int, int>, BoundaryEdge<3>> edges; // by their vertices
-  for (const auto& [sorted, entry] : faces) {
-    if (entry.first != 1) continue;
+  std::map<Ends, BoundaryEdge<3>> edges;
+  for (const auto& face : boundary_faces(mesh))
     for (int k = 0; k < 3; ++k) {
-      const int a = entry.second[k], b = entry.second[(k + 1) % 3];
+      const int a = face[k], b = face[(k + 1) % 3];
       BoundaryEdge<3>& edge = edges[std::minmax(a, b)];
-      edge.faces[edge.a < 0 ? 0 : 1] = entry.second;
+      edge.faces[edge.a < 0 ? 0 : 1] = face;
       edge.a = a;
       edge.b = b;
     }
-  }
+  const std::map<Ends, int> middle = mid_nodes(mesh);
   std::vector<BoundaryEdge<3>> list;
   for (const auto& [ends, edge] : edges) {
     const auto found = middle.find(ends);

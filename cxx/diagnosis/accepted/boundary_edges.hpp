@@ -12,7 +12,8 @@ template <> struct BoundaryEdge<2> {
 };
 template <> struct BoundaryEdge<3> {
   int a = -1, b = -1;
-  std::array<std::array<int, 3>, 2> faces{}; ///< vertices of both boundary faces there, seen from outside counter-clockwise
+  std::array<std::array<int, 3>, 2>
+      faces{}; ///< vertices of both boundary faces there, seen from outside counter-clockwise
 };
 
 /// All of them: edges of faces that belong to one element.

@@ -119,7 +119,7 @@ void OverlapCheck<Dim>::look_at_tool(const AcceptedStep<Dim>& step, FindingList&
     const double length = (b - a).norm();
     if (std::min(distance(step, tool, edge.a), distance(step, tool, edge.b)) > length) continue;
     const ToolDepth<Dim> depth = tool_depth(*step.model().tools[tool], step.poses[tool], a, b,
-                                       m_tools[tool].distance[m_place[edge.a]].hint);
+                                            m_tools[tool].distance[m_place[edge.a]].hint);
     const Vector<Dim> out = outward(step.body(), step.u, edge);
     // a face of the body behind an open tool, or beyond its end, is no overlap
     if (!(depth.depth > 0) || depth.on_end || depth.n.dot(out) >= 0) continue;

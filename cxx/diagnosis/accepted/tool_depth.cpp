@@ -3,8 +3,8 @@
 namespace burnish {
 
 template <int Dim>
-ToolDepth<Dim> tool_depth(const Tool<Dim>& tool, const Pose<Dim>& pose, const Vector<Dim>& a, const Vector<Dim>& b,
-                     const Param<Dim>& hint) {
+ToolDepth<Dim> tool_depth(const Tool<Dim>& tool, const Pose<Dim>& pose, const Vector<Dim>& a,
+                          const Vector<Dim>& b, const Param<Dim>& hint) {
   constexpr int secants = 3; // of the slope, which is nearly linear along an edge
   const Vector<Dim> along = b - a;
   ToolDepth<Dim> worst;

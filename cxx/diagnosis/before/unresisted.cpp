@@ -7,8 +7,9 @@ namespace burnish {
 namespace {
 
 constexpr double UNRESISTED = 1e-9; // motion along the normal over the motion: below, nothing resists
-constexpr double RANK = 1e-8;       // the same of a combination of coordinates, over the largest one
-constexpr double NO_WORK = 1e-7;    // of the forces in a motion over the sum of their amounts: rounding
+constexpr double RANK =
+    1e-8; // the same of a combination of coordinates, and its least part of one that counts
+constexpr double NO_WORK = 1e-7; // of the forces in a motion over the sum of their amounts: rounding
 
 // Motions of a tool's surface by its coordinates where the body is near: n.X_k in rows, largest |X_k|.
 struct NormalMotions {
@@ -16,7 +17,8 @@ struct NormalMotions {
   Eigen::VectorXd size;
 };
 
-template <int Dim> NormalMotions motions_of(const std::vector<SurfacePoint<Dim>>& points, Eigen::Index coordinates) {
+template <int Dim>
+NormalMotions motions_of(const std::vector<SurfacePoint<Dim>>& points, Eigen::Index coordinates) {
   NormalMotions motions{Eigen::MatrixXd(points.size(), coordinates), Eigen::VectorXd::Zero(coordinates)};
   for (std::size_t i = 0; i < points.size(); ++i) {
     motions.normal.row(static_cast<Eigen::Index>(i)) = points[i].n.transpose() * points[i].x_q;
@@ -107,37 +109,42 @@ std::vector<Unresisted> unresisted(const ContactSetup<3>&, const NormalMotions& 
   for (Eigen::Index j = rank; j < n; ++j) {
     Eigen::VectorXd motion = Eigen::VectorXd::Zero(motions.size.size());
     motion[free[order[j]]] = 1 / size[order[j]];
-    const Eigen::VectorXd others = R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(
-        R.col(j).head(rank));
-    for (Eigen::Index i = 0; i < rank; ++i) motion[free[order[i]]] = -others[i] / size[order[i]];
+    const Eigen::VectorXd others =
+        R.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(R.col(j).head(rank));
+    for (Eigen::Index i = 0; i < rank; ++i)
+      if (std::abs(others[i]) > RANK) motion[free[order[i]]] = -others[i] / size[order[i]];
     found.push_back({free[order[j]], motion});
   }
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.coordinate < b.coordinate; });
+  std::sort(found.begin(), found.end(),
+            [](const auto& a, const auto& b) { return a.coordinate < b.coordinate; });
   return found;
 }
 
 // Coordinates of a tool that forces alone decide.
 template <int Dim>
-std::vector<int> free_coordinates(const ContactModel<Dim>& model, const PrescribedValues& prescribed, int tool) {
+std::vector<int> free_coordinates(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                                  int tool) {
   std::vector<int> free;
   for (int q = model.first[tool]; q < model.first[tool + 1]; ++q)
-    if (!prescribed.is_motion[q] && !prescribed.is_held(q) && !model.coupling_of(q) && model.followers(q).empty())
+    if (!prescribed.is_motion[q] && !prescribed.is_held(q) && !model.coupling_of(q) &&
+        model.followers(q).empty())
       free.push_back(q - model.first[tool]);
   return free;
 }
 
 template <int Dim>
-void check_no_work(const ContactModel<Dim>& model, int tool, const Unresisted& dead, const Eigen::VectorXd& drive) {
+void check_no_work(const ContactModel<Dim>& model, int tool, const Unresisted& dead,
+                   const Eigen::VectorXd& drive) {
   const Eigen::VectorXd work = dead.motion.cwiseProduct(drive.segment(model.first[tool], dead.motion.size()));
   if (std::abs(work.sum()) <= NO_WORK * work.cwiseAbs().sum()) return;
   std::string with;
-  const double least = RANK * dead.motion.cwiseAbs().maxCoeff();
   for (int k = 0; k < dead.motion.size(); ++k)
-    if (k != dead.coordinate && std::abs(dead.motion[k]) > least)
+    if (k != dead.coordinate && dead.motion[k] != 0)
       with += (with.empty() ? ", moved together with \"" : ", \"") +
-              model.tools[tool]->coordinates().names()[static_cast<std::size_t>(k)] + "\",";
-  fail("contact.begin", model.coordinate(model.first[tool] + dead.coordinate) + with +
-                            " has a force but without friction nothing resists it; give it a motion or friction");
+              model.tools[tool]->coordinates().names()[static_cast<std::size_t>(k)] + "\"";
+  fail("contact.begin",
+       model.coordinate(model.first[tool] + dead.coordinate) + with + (with.empty() ? "" : ",") +
+           " has a force but without friction nothing resists it; give it a motion or friction");
 }
 
 } // namespace

@@ -2,7 +2,9 @@
 #include "contact/corner_shares.hpp"
 #include "contact/surface_report.hpp"
 #include "geometry/segment.hpp"
+#include "geometry/simple_surfaces.hpp"
 #include "kinematics/cartesian.hpp"
+#include "kinematics/formula_coordinates.hpp"
 #include "support/profile_tool.hpp"
 #include "unit/finite_difference.hpp"
 
@@ -150,4 +152,58 @@ TEST(SurfaceReport, FreeNodesHaveGapsAndNoForce) {
   EXPECT_EQ(report.gap[1], 0);
   EXPECT_NEAR(report.pressure[2], 5, 1e-13);
   EXPECT_EQ((report.pressure - report.nodal_pressure).norm(), 0) << "linear edges";
+}
+
+// Quadratic triangles about the pole of a large ball, where tangents of neighboring nodes point into all directions: the
+// uniform traction whose nodal forces are given, at vertices none, at mid nodes a third of every area, comes back in x, y, z.
+TEST(SurfaceReport, ShearOfSpaceDoesNotHangOnTangents) {
+  constexpr double radius = 1e6;
+  const Vector<3> pull(0.2, 0.1, -1);
+  Mesh<3> mesh;
+  mesh.X = {0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0};
+  for (const auto& [x, y] : {std::pair{0.5, 0.},
+                             {0., 0.5},
+                             {-0.5, 0.},
+                             {0., -0.5},
+                             {0.5, 0.5},
+                             {-0.5, 0.5},
+                             {-0.5, -0.5},
+                             {0.5, -0.5}})
+    mesh.X.insert(mesh.X.end(), {x, y, 0});
+  BodyView<3> body;
+  body.X = Eigen::Map<const Eigen::VectorXd>(mesh.X.data(), 39);
+  body.fixed.assign(39, 0);
+  body.measure = std::make_shared<FaceMeasure>();
+  Eigen::VectorXd R = Eigen::VectorXd::Zero(39);
+  std::vector<Facet<3>> facets;
+  for (int k = 0; k < 4; ++k) {
+    facets.push_back({{0, 1 + k, 1 + (k + 1) % 4}, {9 + k, 5 + (k + 1) % 4, 5 + k}, -1, 0});
+    for (const int middle : facets.back().middle) R.segment<3>(3 * middle) += 0.5 / 3 * pull;
+  }
+  ContactModel<3> model;
+  model.tools = {
+      std::make_shared<Tool<3>>("ball", sphere(radius),
+                                std::make_shared<FormulaCoordinates<3>>("ball", std::vector<std::string>{"z"},
+                                                                        SpaceFormulas{"0", "0", "z"}))};
+  model.laws.emplace_back(make_coulomb(0.3));
+  model.first = {0, 1};
+  ContactState<3> state;
+  state.q = Eigen::VectorXd::Constant(1, radius);
+  state.nodes.resize(13);
+  const auto poses = model.poses(state.q);
+  for (int a = 0; a < 13; ++a) {
+    model.candidates.push_back(a);
+    state.nodes[a].state = NodeState::STICKING;
+    state.nodes[a].tool = 0;
+    place_at(state.nodes[a],
+             model.tools[0]->foot(poses[0], Vector<3>(body.X.segment<3>(3 * a)), {0, 0}).place);
+  }
+  const auto report =
+      surface_report(model, body, state, facets, Eigen::VectorXd(Eigen::VectorXd::Zero(39)), R);
+  ASSERT_EQ(report.traction_tangential.rows(), 3);
+  for (int a = 0; a < 13; ++a) {
+    EXPECT_NEAR(report.pressure[a], 1, 1e-5) << a;
+    EXPECT_LE((report.traction_tangential.col(a) - Vector<3>(0.2, 0.1, 0)).norm(), 1e-5) << a;
+  }
+  EXPECT_EQ(report.stick_share, 1) << "0.22 of 0.3";
 }

@@ -98,7 +98,7 @@ TEST(BoundaryEdges, GoRoundTheBodyWithTheBodyOnTheLeft) {
   double area = 0;
   const auto edges = boundary_edges(mesh.space);
   EXPECT_EQ(edges.size(), 2u * (3 + 2 + 3 + 2));
-  for (const BoundaryEdge& edge : edges) {
+  for (const BoundaryEdge<2>& edge : edges) {
     const Vector<2> a = mesh.space.node(edge.a), b = mesh.space.node(edge.b);
     area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
   }

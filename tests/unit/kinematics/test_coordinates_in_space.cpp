@@ -153,6 +153,9 @@ TEST(CoordinatesInSpace, AScrewKeepsItsAxis) {
 }
 
 TEST(CoordinatesInSpace, Carriers) {
+  const RigidMotion<3> advance = Screw(skew_axis(), 2.5).carrier(vector_of({0.3}), vector_of({0.3 + M_PI}));
+  expect_close(advance.R, Tensor<3>::Identity(), 1, 0, "a screw's carrier does not turn");
+  expect_close(advance.d, Vector<3>(1.25 * skew_axis().base.col(2)), 1, 1e-15, "it goes along the axis");
   const PolarInSpace polar(skew_axis());
   const Eigen::VectorXd from = vector_of({1.5, 0.4, -2, 3}), to = vector_of({1.5, 0.9, -1.6, 8});
   const RigidMotion<3> carrier = polar.carrier(from, to);

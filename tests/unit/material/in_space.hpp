@@ -13,7 +13,9 @@ inline Gradient<3> gradient_of(const Tensor<3>& T) {
   mesh_part<3>(F) = T;
   return F;
 }
-inline Gradient<3> turned(const Tensor<3>& R, const Gradient<3>& F) { return gradient_of(R * mesh_part<3>(F)); }
+inline Gradient<3> turned(const Tensor<3>& R, const Gradient<3>& F) {
+  return gradient_of(R * mesh_part<3>(F));
+}
 
 /// Q F Q' and Q t Q' of what belongs to the plane x, y.
 inline Gradient<3> in_space(const Gradient<2>& F, const Tensor<3>& Q) {

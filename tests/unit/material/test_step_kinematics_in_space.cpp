@@ -57,7 +57,8 @@ TEST(StepKinematicsInSpace, InAPlaneItIsThatOfThePlane) {
 
 TEST(StepKinematicsInSpace, LinearizationAgainstFiniteDifferences) {
   const Gradient<3> F_old = gradient_in_space(0.3);
-  const Gradient<3> ends[] = {F_old, gradient_in_space(0.33), turned(turn_about({1, -2, 0.5}, 0.8), gradient_in_space(0.5)),
+  const Gradient<3> ends[] = {F_old, gradient_in_space(0.33),
+                              turned(turn_about({1, -2, 0.5}, 0.8), gradient_in_space(0.5)),
                               turned(turn_about({0.3, 1, 1}, -1.2), gradient_in_space(-0.4)),
                               in_space(gradient(tensor(1.3, 0.2, 0.2, 1.3), 0.8), Tensor<3>::Identity())};
   for (CorotationalRate rate : RATES)
@@ -70,8 +71,8 @@ TEST(StepKinematicsInSpace, LinearizationAgainstFiniteDifferences) {
             return step_kinematics(F_old, F + t * Gradient<3>::Unit(c), frame, rate);
           };
           measured.col(c).head<6>() = finite_difference([&](double t) { return at(t).strain; }, 0, 1e-3);
-          measured.col(c).tail<3>() = axial_vector(
-              finite_difference([&](double t) { return at(t).R; }, 0, 1e-3) * now.R.transpose());
+          measured.col(c).tail<3>() =
+              axial_vector(finite_difference([&](double t) { return at(t).R; }, 0, 1e-3) * now.R.transpose());
         }
         expect_close(finite_increment_by_F(now), measured, 1, 2e-9, "dy/dF");
       }
@@ -86,9 +87,10 @@ TEST(StepKinematicsInSpace, RateIsTheLimitOfAVanishingStep) {
 }
 
 TEST(StepKinematicsInSpace, LogarithmicExcessAgainstItsDefinition) {
-  // in the axes of V: -d_ij L(x) with x = h_i - h_j, L = coth x - 1/x, h = ln V; (1.39)
+  // in the axes of V: -d_ij L(x) with x = h_i - h_j, L = coth x - 1/x, h = ln V; METHOD.md (1.39)
   const Tensor<3> Q = turn_about({1, 2, -1}, 0.7);
-  for (const Vector<3>& h : {Vector<3>(0.7, -0.2, 0.1), Vector<3>(0.3, 0.3 + 1e-7, -0.6), Vector<3>(2, -1, -1)}) {
+  for (const Vector<3>& h :
+       {Vector<3>(0.7, -0.2, 0.1), Vector<3>(0.3, 0.3 + 1e-7, -0.6), Vector<3>(2, -1, -1)}) {
     const Tensor<3> V = Q * h.array().exp().matrix().asDiagonal() * Q.transpose();
     const Tensor<3> d = Q.transpose() * matrix_of<3>(SAMPLE) * Q;
     Tensor<3> excess = Tensor<3>::Zero();

@@ -52,3 +52,20 @@ TEST(MeshInSpace, ElementOfAPlace) {
   }
   EXPECT_EQ(locator.find(Vector<3>(-9, 0, 0), 0), -1);
 }
+
+// Linear parts of a quadratic triangle and segment: each as large as the others, none turned over, all of it together.
+TEST(Simplex, LinearPartsFillTheQuadraticOne) {
+  Eigen::Matrix<double, 6, 3> nodes = Eigen::Matrix<double, 6, 3>::Zero();
+  nodes.topRows<3>().setIdentity();
+  for (int e = 0; e < 3; ++e)
+    for (const int end : SimplexEdges<2>::ends[e]) nodes(3 + e, end) += 0.5;
+  ASSERT_EQ(linear_parts<2>(6).size(), 4u);
+  for (const auto& [a, b, c] : linear_parts<2>(6)) {
+    Eigen::Matrix3d corners;
+    corners << nodes.row(a), nodes.row(b), nodes.row(c);
+    EXPECT_NEAR(corners.determinant(), 0.25, 1e-15) << a << b << c;
+  }
+  EXPECT_EQ(linear_parts<2>(3), (std::vector<std::array<int, 3>>{{0, 1, 2}}));
+  EXPECT_EQ(linear_parts<1>(3), (std::vector<std::array<int, 2>>{{0, 2}, {2, 1}}));
+  EXPECT_EQ(linear_parts<1>(2), (std::vector<std::array<int, 2>>{{0, 1}}));
+}

@@ -1,5 +1,4 @@
-// A workpiece in space: what is there (state, assembly, events, fields) with a law of the test; the step
-// kinematics and J2 of space are leaves to come.
+// A workpiece in space with a law of the test: state, assembly, events, fields.
 #include "support/kirchhoff_law.hpp"
 #include "support/tetrahedra.hpp"
 #include "unit/finite_difference.hpp"

@@ -107,8 +107,8 @@ TEST(LawInSpace, RateTangentIsTheLimitOfTheConsistentOne) {
 }
 
 TEST(LawInSpace, InAPlaneOfSpaceItIsThatOfThePlane) {
-  const Tensor<3> planes[] = {Tensor<3>::Identity(), turn_about({1, 0, 0}, M_PI / 2), turn_about({1, 2, -1}, 1.1),
-                              turn_about({-0.3, 0.2, 0.9}, 2.7)};
+  const Tensor<3> planes[] = {Tensor<3>::Identity(), turn_about({1, 0, 0}, M_PI / 2),
+                              turn_about({1, 2, -1}, 1.1), turn_about({-0.3, 0.2, 0.9}, 2.7)};
   double worst = 0;
   for (const Variant& variant : variants())
     for (StressUpdate update : UPDATES)
@@ -170,7 +170,8 @@ TEST(LawInSpace, YieldFractionAndLoadingAreThoseOfThePlane) {
     flat.advance(F);
     point.advance(in_space(F, Q));
     const Gradient<2> back = gradient(tensor(1.008, 0.003, 0, 0.99));
-    const PointLoading a = flat.law->loading(flat.step(back)), b = point.law->loading(point.step(in_space(back, Q)));
+    const PointLoading a = flat.law->loading(flat.step(back)),
+                       b = point.law->loading(point.step(in_space(back, Q)));
     EXPECT_LT(a.now, 0);
     EXPECT_NEAR(b.now / a.now, 1, 1e-11);
     EXPECT_NEAR(b.elastic_distance, a.elastic_distance, 1e-11);

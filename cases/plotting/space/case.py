@@ -1,0 +1,40 @@
+"""The pictures of a run in space: scene, sequence, pressure, section, history, expected; see plotting/case.py."""
+from plotting import curves
+from plotting.space import maps
+from plotting.space import scene as scenes
+from plotting.space.movie import write_movie  # noqa: F401
+from plotting.space.run import SpaceRun
+
+
+def scene(run):
+    return scenes.scene_figure(run)
+
+
+def sequence(run):
+    return scenes.sequence_figure(run)
+
+
+def pressure(run):
+    return maps.pressure_figure(run)
+
+
+def section(run):
+    return maps.section_figure(run)
+
+
+def history(run):
+    return curves.history_figure(run)
+
+
+def expected(run):
+    return curves.expected_figure(run)
+
+
+DEFAULT = (scene, sequence, pressure, section, history, expected)
+
+
+def space_run(run):
+    """The same run, read as one in space."""
+    other = SpaceRun(run.folder, run.system, None, run.given)
+    other.mu = run.mu
+    return other

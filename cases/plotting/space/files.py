@@ -1,0 +1,100 @@
+"""The files of a run in space as arrays: workpiece, contact surface and tools of a frame. VTK reads them (python3-vtk9)."""
+import os
+from collections import namedtuple
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLogger
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
+
+from plotting.inputs import InputError, MissingInput
+
+vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # what is wrong with a file, `read` says
+
+# Faces of a tetrahedron: corners, then the nodes between them, in the order of VTK
+FACES = np.array([[0, 1, 3, 4, 8, 7], [1, 2, 3, 5, 9, 8], [2, 0, 3, 6, 7, 9], [0, 2, 1, 6, 5, 4]])
+PARTS = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])  # triangles of a quadratic face
+IN_CONTACT = (1, 2, 3)                                          # states: touched, sliding, sticking
+
+# points: present places n x 3; triangles; data: {name: n or n x components}; cells: {name: of the triangles}; vtk: as it was read
+Surface = namedtuple("Surface", "points triangles data cells vtk")
+# faces: outer ones, m x 3 or m x 6; vtk: the undeformed grid, in the file's unit
+Body = namedtuple("Body", "points faces data vtk")
+Frame = namedtuple("Frame", "t body surface tools")
+
+
+def read(path, reader):
+    """What VTK reads of a file that must be whole."""
+    if not os.path.isfile(path):
+        raise MissingInput(f"{path}: missing")
+    complaints = []
+    for part in (reader, reader.GetExecutive()):  # instead of a text of VTK
+        part.AddObserver("ErrorEvent", lambda *_: complaints.append(path))
+    reader.SetFileName(path)
+    reader.Update()
+    if complaints or reader.GetOutput().GetNumberOfPoints() == 0:
+        raise InputError(f"{path}: not a whole file of VTK")
+    return reader.GetOutput()
+
+
+def arrays(attributes):
+    return {attributes.GetArrayName(k): vtk_to_numpy(attributes.GetArray(k)) for k in range(attributes.GetNumberOfArrays())}
+
+
+def outer_faces(cells):
+    """Faces that belong to one tetrahedron only. cells: m x 4 or m x 10"""
+    faces = cells[:, FACES[:, :3 if cells.shape[1] == 4 else 6]].reshape(-1, 3 if cells.shape[1] == 4 else 6)
+    _, first, count = np.unique(np.sort(faces[:, :3], axis=1), axis=0, return_index=True, return_counts=True)
+    return faces[np.sort(first[count == 1])]
+
+
+def read_body(path, scale):
+    """scale: from the file's unit of length to that of the picture."""
+    grid = read(path, vtkXMLUnstructuredGridReader())
+    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(grid.GetNumberOfCells(), -1)
+    if cells.shape[1] not in (4, 10):
+        raise InputError(f"{path}: elements of {cells.shape[1]} nodes, expected tetrahedra of 4 or 10")
+    data = arrays(grid.GetPointData())
+    if "displacement" not in data:
+        raise MissingInput(f"{path}: no nodal data displacement")
+    points = scale * (vtk_to_numpy(grid.GetPoints().GetData()) + data["displacement"])
+    return Body(points, outer_faces(cells), data, grid)
+
+
+def read_surface(path, scale):
+    """Triangles where they are: of the contact surface or the tools."""
+    surface = read(path, vtkXMLPolyDataReader())
+    data = arrays(surface.GetPointData())
+    points = scale * (vtk_to_numpy(surface.GetPoints().GetData()) + data["displacement"])
+    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    return Surface(points, triangles, data, arrays(surface.GetCellData()), surface)
+
+
+def read_frame(t, parts, scale):
+    """parts: {"workpiece": path, "tools": path, "contact surface": path}; a part that is not there is None."""
+    some = {name: read_surface(parts[name], scale) if name in parts else None for name in ("contact surface", "tools")}
+    return Frame(t, read_body(parts["workpiece"], scale), some["contact surface"], some["tools"])
+
+
+def triangles_of(faces):
+    return faces if faces.shape[1] == 3 else faces[:, PARTS].reshape(-1, 3)
+
+
+def edges_of(faces):
+    """Pairs of neighboring nodes on the edges of the elements."""
+    ring = (0, 1, 2, 0) if faces.shape[1] == 3 else (0, 3, 1, 4, 2, 5, 0)
+    return np.unique(np.sort(np.vstack([faces[:, [a, b]] for a, b in zip(ring, ring[1:])]), axis=1), axis=0)
+
+
+def touching(surface):
+    return np.isin(surface.data["state"], IN_CONTACT)
+
+
+def tool_parts(tools):
+    """(number, points, triangles, origin of its frame in the file's unit) of every tool."""
+    parts = []
+    for number in np.unique(tools.cells["tool"]) if tools else ():
+        mine = tools.cells["tool"] == number
+        nodes, triangles = np.unique(tools.triangles[mine], return_inverse=True)
+        parts.append((int(number), tools.points[nodes], triangles.reshape(-1, 3), tools.cells["origin"][mine][0]))
+    return parts

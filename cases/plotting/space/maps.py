@@ -1,0 +1,200 @@
+"""Maps of a run in space in a plane: the contact surface seen along its normal, sections through the contact."""
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.lines import Line2D
+from matplotlib.tri import Triangulation
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersCore import vtkCutter
+from vtkmodules.vtkFiltersGeneral import vtkWarpVector
+
+from plotting import fields, maps
+from plotting.figure import BLUE, GRAY, GREEN, ORANGE, RED, key_under_labels, new_figure, say_empty
+from plotting.space import files
+from plotting.space.render import poly
+from plotting.space.run import AXES
+from plotting.space.scene import scale_of
+from plotting.units import amount
+
+ARROWS = 18                      # along the longer side of the contact, at most
+LEAST_SHEAR = 0.02               # of the largest, below which no arrow is drawn
+STATES = {3: ("sticking", GREEN, "^"), 2: ("sliding", RED, "o"), 1: ("touched", BLUE, "s")}
+BARE = 1e-3                      # of the first level of the pressure, below which the surface stays white
+
+
+def axes_of(run, normal):
+    """Numbers of the two axes across the one along `normal`, the one along the tools' way first."""
+    first = int(np.argmax(np.abs(run.along)))
+    return first, ({0, 1, 2} - {first, int(np.argmax(np.abs(normal)))}).pop()
+
+
+def contact_box(points, margin=0.35):
+    low, high = points.min(axis=0), points.max(axis=0)
+    room = margin * (high - low).max()
+    return low[0] - room, high[0] + room, low[1] - room, high[1] + room
+
+
+def show_way(axes, run, tool, box, first, second):
+    """An arrow below the upper edge along the way that the tool has gone, if it has."""
+    track = run.tracks.get(int(tool), np.zeros((1, 3)))
+    way = (track[-1] - track[0])[[first, second]]
+    if not np.hypot(*way) > 1e-3 * (box[1] - box[0]):
+        return
+    way = 0.07 * (box[1] - box[0]) * way / np.hypot(*way)
+    start = np.array([0.5 * (box[0] + box[1]), box[3] - 0.07 * (box[3] - box[2])])
+    axes.annotate("", start + way, start - way, arrowprops={"arrowstyle": "-|>", "color": ORANGE, "linewidth": 2, "mutation_scale": 18})
+    axes.annotate("way of the tool", start, (0, 9), textcoords="offset points", ha="center", color=ORANGE)
+
+
+def draw_arrows(axes, points, shear, spread):
+    """Shear at nodes that lie apart; spread: their least distance. Returns whether there is any."""
+    size = np.hypot(*shear.T)
+    if not size.max(initial=0) > 0:
+        return 0.0
+    order, taken = np.argsort(-size), np.empty((0, 2))
+    chosen = []
+    for k in order[size[order] > LEAST_SHEAR * size.max()]:
+        if not len(taken) or np.hypot(*(taken - points[k]).T).min() >= spread:
+            taken, chosen = np.vstack([taken, points[k]]), chosen + [k]
+    axes.quiver(*points[chosen].T, *(shear[chosen] / size.max()).T, angles="xy", scale_units="xy", scale=0.6 / spread, color="black",
+                width=0.003, zorder=5)
+    return size.max()
+
+
+def pressure_panel(figure, axes, run, surface, tool):
+    """Bands of the pressure, arrows of the shear, nodes by their state."""
+    first, second = axes_of(run, run.up)
+    mine = files.touching(surface) & (surface.data["tool"] == tool)
+    places, unit = surface.points[:, [first, second]], run.units.length_unit
+    values = run.units.stress * np.maximum(surface.data["pressure"], 0)
+    shear = run.units.stress * surface.data["traction_tangential"][:, [first, second]]
+    levels = fields.levels_to(values[mine].max())
+    box = contact_box(places[mine])
+    maps.set_view(axes, box, unit)
+    axes.set_xlabel(f"{AXES[first]} [{unit}]")
+    axes.set_ylabel(f"{AXES[second]} [{unit}]")
+    axes.grid(False)
+    mesh = Triangulation(*places.T, surface.triangles)
+    if levels is not None:
+        bands = maps.draw_bands(axes, mesh, values, np.r_[BARE * levels[1], levels[1:]], "viridis_r")
+        figure.colorbar(bands, ax=axes, label=f"contact pressure [{run.units.stress_unit}]", ticks=levels[1:], format="%.4g", shrink=0.9)
+    axes.triplot(mesh, color="black", linewidth=0.2, alpha=0.35, zorder=1.5)
+    largest = draw_arrows(axes, places[mine], shear[mine], max(box[1] - box[0], box[3] - box[2]) / ARROWS)
+    show_way(axes, run, tool, box, first, second)
+    keys = []
+    for state, (name, color, marker) in STATES.items():
+        chosen = mine & (surface.data["state"] == state)
+        if chosen.any():
+            keys += axes.plot(*places[chosen].T, linestyle="none", marker=marker, color=color, markersize=5, markeredgecolor="white",
+                              markeredgewidth=0.4, zorder=4, label=f"{name} node")
+    if largest:
+        keys.append(Line2D([], [], color="black", marker=r"$\rightarrow$", markersize=12, linestyle="none",
+                           label=f"friction on the workpiece, longest {amount(largest, run.units.stress_unit)}"))
+    key_under_labels(axes, keys, 2)
+
+
+def pressure_figure(run):
+    """Under each tool at the end, at most four; None without contact."""
+    surface = run.last.surface
+    if surface is None or not files.touching(surface).any():
+        return None
+    tools = np.unique(surface.data["tool"][files.touching(surface)])[:4]
+    columns = min(2, len(tools))
+    rows = -(-len(tools) // columns)
+    figure, panels = new_figure(8.5 if columns == 1 else 13.0, 6.5 * rows if columns == 1 else 5.4 * rows, nrows=rows, ncols=columns,
+                                squeeze=False)
+    for axes, tool in zip(panels.flat, tools):
+        pressure_panel(figure, axes, run, surface, tool)
+        axes.set_title(f"Pressure and friction under {run.tool_name(tool)} at t = {run.last.t:.4g}, "
+                       f"seen along {AXES[int(np.argmax(np.abs(run.up)))]}")
+    for axes in list(panels.flat)[len(tools):]:
+        axes.set_visible(False)
+    return figure
+
+
+def cut(data, point, normal):
+    cutter, plane = vtkCutter(), vtkPlane()
+    plane.SetOrigin(*point)
+    plane.SetNormal(*normal)
+    cutter.SetCutFunction(plane)
+    cutter.SetInputData(data)
+    cutter.GenerateTrianglesOn()
+    cutter.Update()
+    return cutter.GetOutput()
+
+
+def cut_body(run, body, name, point, normal):
+    """(places, triangles, values) of the section of the deformed workpiece; point in the unit of the picture."""
+    warp = vtkWarpVector()
+    warp.SetInputData(body.vtk)
+    warp.SetInputArrayToProcess(0, 0, 0, 0, "displacement")
+    warp.Update()
+    grid = warp.GetOutput()
+    grid.GetPointData().SetActiveScalars(name)
+    section = cut(grid, point / run.units.length, normal)
+    cells = vtk_to_numpy(section.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    return (run.units.length * vtk_to_numpy(section.GetPoints().GetData()), cells,
+            vtk_to_numpy(section.GetPointData().GetArray(name)))
+
+
+def cut_tools(frame, point, normal):
+    """Ends of the edges in which the plane meets the tools, k x 2 x 3."""
+    edges = [np.empty((0, 2, 3))]
+    for _, points, triangles, _ in files.tool_parts(frame.tools):
+        section = cut(poly(points, triangles), point, normal)
+        if section.GetNumberOfLines():
+            places = vtk_to_numpy(section.GetPoints().GetData())
+            edges.append(places[vtk_to_numpy(section.GetLines().GetConnectivityArray()).reshape(-1, 2)])
+    return np.vstack(edges)
+
+
+def section_panel(axes, run, scale, point, across, title):
+    """The plane through the point whose normal is the axis `across`; returns the bands."""
+    normal = np.eye(3)[across]
+    shown = [k for k in range(3) if k != across]
+    if abs(run.up[shown[0]]) > 0.5:
+        shown.reverse()                          # the tools' side is above
+    places, cells, values = cut_body(run, run.last.body, scale.quantity.name, point, normal)
+    mesh = Triangulation(*places[:, shown].T, cells)
+    edges = cut_tools(run.last, point, normal)[:, :, shown]
+    box = fields.mesh_box(mesh)
+    height = box[3] - box[2]
+    box = (*box[:2], box[2], box[3] + 0.35 * height) if run.up.sum() > 0 else (*box[:2], box[2] - 0.35 * height, box[3])
+    maps.set_view(axes, box, run.units.length_unit)
+    axes.set_xlabel(f"{AXES[shown[0]]} [{run.units.length_unit}]")
+    axes.set_ylabel(f"{AXES[shown[1]]} [{run.units.length_unit}]")
+    axes.grid(False)
+    bands = None
+    if scale.levels is not None:
+        bands = maps.draw_bands(axes, mesh, np.maximum(scale.factor * values, 0), scale.levels, scale.quantity.colors)
+    maps.draw_outline(axes, mesh)
+    axes.add_collection(LineCollection(edges, colors=GRAY, linewidths=1.6, zorder=3.5))
+    step = 10.0 ** np.floor(np.log10(1e-2 * (box[1] - box[0])))
+    place = round(round(point[across] / step) * step, 12) + 0.0
+    axes.set_title(f"{title}section {AXES[across]} = {place:.4g} [{run.units.length_unit}]", fontsize=11)
+    return bands
+
+
+def section_figure(run):
+    """Two sections through the middle of the contact at the end, along the way of the tools and across it."""
+    surface = run.last.surface
+    if surface is None or not files.touching(surface).any():
+        return None
+    scale = scale_of(run, [run.last])
+    quantity = scale.quantity
+    weight = np.maximum(surface.data["pressure"], 0)
+    point = weight @ surface.points / weight.sum() if weight.sum() > 0 else surface.points[files.touching(surface)].mean(axis=0)
+    first, second = axes_of(run, run.up)
+    size = np.ptp(run.last.body.points, axis=0)
+    height = size[int(np.argmax(np.abs(run.up)))]
+    figure, panels = new_figure(12.0, float(np.clip(1.6 + 5.0 * 1.45 * height / max(size[first], size[second]), 3.4, 7)), ncols=2,
+                                width_ratios=(size[first], size[second]))
+    title = f"{quantity.label[0].upper() + quantity.label[1:]} through the middle of the contact at t = {run.last.t:.4g}"
+    bands = [section_panel(axes, run, scale, point, across, words) for axes, across, words in
+             zip(panels, (second, first), (title + "\n", ""))]
+    if bands[0] is None:
+        say_empty(panels[0], f"no {quantity.label}")
+    else:
+        fields.add_scale(figure, bands[0], list(panels), scale.label, 0.7)
+    key_under_labels(panels[0], [Line2D([], [], color=GRAY, linewidth=1.6, label="rigid tool")], 1)
+    return figure

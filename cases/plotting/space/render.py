@@ -1,0 +1,171 @@
+"""Pictures of bodies in space by VTK, which draws into a display of its own (Xvfb): nothing of it is seen."""
+import atexit
+import os
+import subprocess
+from functools import cache
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTubeFilter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+
+from plotting.figure import ORANGE
+from plotting.inputs import InputError
+from plotting.space import files
+
+STEEL, BODY, EDGE = (0.55, 0.60, 0.68), (0.93, 0.91, 0.86), (0.35, 0.35, 0.35)
+
+APART = 2e-3  # how far lines lie before faces and tools behind them, over the size of the workpiece
+
+
+@cache
+def start_display():
+    """DISPLAY of an Xvfb of our own, which ends with the program."""
+    get, put = os.pipe()
+    try:
+        server = subprocess.Popen(["Xvfb", "-displayfd", str(put), "-screen", "0", "64x64x24", "-nolisten", "tcp", "-noreset"],
+                                  pass_fds=[put], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    except OSError:
+        raise InputError("Xvfb cannot be started; the Debian package xvfb is needed for pictures in space") from None
+    os.close(put)
+    atexit.register(server.terminate)
+    with os.fdopen(get) as answer:
+        number = answer.readline().strip()
+    if not number:
+        raise InputError("Xvfb does not start")
+    os.environ["DISPLAY"] = ":" + number
+
+
+def poly(points, cells, kind="polys"):
+    """vtkPolyData of cells of equal size."""
+    data, places = vtkPolyData(), vtkPoints()
+    places.SetData(numpy_to_vtk(np.ascontiguousarray(points, float), deep=True))
+    data.SetPoints(places)
+    array = vtkCellArray()
+    offsets = np.arange(0, cells.size + 1, cells.shape[1], dtype=np.int64)
+    array.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
+                  numpy_to_vtkIdTypeArray(np.ascontiguousarray(cells, np.int64).ravel(), deep=True))
+    (data.SetPolys if kind == "polys" else data.SetLines)(array)
+    return data
+
+
+def smoothed(data):
+    """With normals for the light, which keep edges that are sharper than 35 degrees."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(data)
+    normals.SetFeatureAngle(35)
+    normals.Update()
+    return normals.GetOutput()
+
+
+def lookup(colors):
+    """colors: n x 4, 0..1"""
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(len(colors))
+    for k, color in enumerate(colors):
+        table.SetTableValue(k, *color)
+    return table
+
+
+class Scene:
+    """Bodies that are added, drawn once by `image`."""
+
+    def __init__(self, size=(1300, 1000)):
+        start_display()
+        self.renderer, self.window = vtkRenderer(), vtkRenderWindow()
+        self.renderer.SetBackground(1, 1, 1)
+        self.renderer.SetUseDepthPeeling(True)
+        self.renderer.SetMaximumNumberOfPeels(4)
+        self.window.SetAlphaBitPlanes(True)
+        self.window.SetMultiSamples(0)
+        self.renderer.SetUseFXAA(True)
+        self.window.SetOffScreenRendering(True)
+        self.window.SetSize(*size)
+        self.window.AddRenderer(self.renderer)
+
+    def add(self, data, color=None, opacity=1.0, width=None, bands=None):
+        """width: of lines, which have no light and shade; bands: (table of colors, limits of the scalars)"""
+        mapper, actor = vtkPolyDataMapper(), vtkActor()
+        mapper.SetInputData(data)
+        mapper.SetScalarVisibility(bands is not None)
+        if bands is not None:
+            mapper.SetLookupTable(bands[0])
+            mapper.SetScalarRange(*bands[1])
+            mapper.SetInterpolateScalarsBeforeMapping(True)
+        actor.SetMapper(mapper)
+        look = actor.GetProperty()
+        if color:
+            look.SetColor(*color)
+        look.SetOpacity(opacity)
+        look.SetAmbient(0.35)
+        look.SetDiffuse(0.7)
+        if width:
+            look.SetLineWidth(width)
+            look.SetLighting(False)
+        self.renderer.AddActor(actor)
+
+    def add_body(self, body, eye, values=None, colors=None, limits=None):
+        """Outer faces with the edges of the elements, these a little toward the eye; values at the nodes by colors (n x 4) between the limits."""
+        data = poly(body.points, files.triangles_of(body.faces))
+        if values is not None:
+            data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(values, float), deep=True))
+        self.add(smoothed(data), BODY, bands=None if values is None else (lookup(colors), limits))
+        shift = APART * np.ptp(body.points, axis=0).max() * eye
+        self.add(poly(body.points + shift, files.edges_of(body.faces), "lines"), EDGE, width=1.0)
+
+    def add_tools(self, tools, shift, opacity=0.4):
+        """With the lines of their triangles, which show how they turn; moved by a shift that nobody sees, so that the contact is
+        that of the workpiece."""
+        for _, points, triangles, _ in files.tool_parts(tools):
+            points = points + shift
+            self.add(smoothed(poly(points, triangles)), STEEL, opacity)
+            self.add(poly(points, files.edges_of(triangles), "lines"), STEEL, 0.5 * opacity, 1.0)
+
+    def add_track(self, places, radius, color=ORANGE):
+        """A tube through the places with a ball at its end."""
+        rgb = tuple(int(color[k:k + 2], 16) / 255 for k in (1, 3, 5))
+        tube = vtkTubeFilter()
+        tube.SetInputData(poly(places, np.arange(len(places))[None], "lines"))
+        tube.SetRadius(radius)
+        tube.SetNumberOfSides(12)
+        tube.CappingOn()
+        tube.Update()
+        self.add(tube.GetOutput(), rgb)
+
+    def image(self, eye, up, box):
+        """Numbers h x w x 3. box: low and high corner of what is to be seen."""
+        camera, middle = self.renderer.GetActiveCamera(), 0.5 * (box[0] + box[1])
+        camera.SetFocalPoint(*middle)
+        camera.SetPosition(*(middle + eye))
+        camera.SetViewUp(*up)
+        camera.SetViewAngle(18)
+        self.renderer.ResetCamera(*np.column_stack(box).ravel())
+        self.renderer.ResetCameraClippingRange()
+        for direction, strength in ((eye, 0.55), (up + 0.4 * eye, 0.6)):
+            light = vtkLight()
+            light.SetPosition(*(middle + direction))
+            light.SetFocalPoint(*middle)
+            light.SetIntensity(strength)
+            self.renderer.AddLight(light)
+        self.window.Render()
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(self.window)
+        grab.ReadFrontBufferOff()
+        grab.Update()
+        picture = grab.GetOutput()
+        width, height, _ = picture.GetDimensions()
+        pixels = vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3].copy()
+        self.size = width, height
+        self.window.Finalize()  # before the display goes
+        return pixels
+
+    def pixels(self, points):
+        """Places of points in the image, x to the right and y downward."""
+        width, height = self.size
+        matrix = self.renderer.GetActiveCamera().GetCompositeProjectionTransformMatrix(width / height, -1, 1)
+        m = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+        clip = np.column_stack([points, np.ones(len(points))]) @ m.T
+        return (0.5 + 0.5 * clip[:, :2] / clip[:, 3:] * (1, -1)) * (width, height)

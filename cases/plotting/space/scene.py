@@ -1,0 +1,171 @@
+"""The scene in space: workpiece, tools and their tracks at the start, on the way and at the end."""
+from collections import namedtuple
+
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import BoundaryNorm
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from plotting import fields
+from plotting.figure import ORANGE, new_figure
+from plotting.space import files
+from plotting.space.render import APART, BODY, STEEL, Scene
+from plotting.space.run import unit
+from plotting.units import plain
+
+# label with its unit; factor from the file's numbers; levels: None where all is zero
+Scale = namedtuple("Scale", "quantity label factor levels")
+View = namedtuple("View", "eye up box length")  # directions; what is seen, low and high corner; unit of length
+TOOL_ROOM = 0.35   # how far a tool is shown beyond the workpiece, over the workpiece's largest side
+ASIDE, ABOVE = 0.55, 0.42  # of the view: sideways and upward, over straight from the front
+FLOWING = 1e-6     # plastic strain from which it is shown
+TRACK = 0.008      # radius of a track over the largest side
+
+
+def scale_of(run, frames):
+    """The plastic strain at the end if there is some, else the stress, with levels for all these frames."""
+    strain = run.last.body.data.get("plastic_strain_eq", np.zeros(1))
+    quantity = fields.STRAIN if strain.max() > FLOWING else fields.STRESS
+    most = max(np.nanmax(frame.body.data[quantity.name], initial=0.0) for frame in frames)
+    exponent = fields.power_of_ten(most, 1e-3)
+    unit_name = run.units.stress_unit if quantity.stress else fields.in_powers(exponent, "-")
+    factor = run.units.stress if quantity.stress else 10.0**-exponent
+    return Scale(quantity, f"{quantity.label} [{unit_name}]", factor, fields.levels_to(factor * most, quantity=quantity))
+
+
+def values_of(frame, scale):
+    return np.maximum(scale.factor * np.nan_to_num(frame.body.data[scale.quantity.name]), 0)
+
+
+def box_of(frames):
+    """Workpieces of the frames and their tools near them: low and high corner."""
+    bodies = np.vstack([frame.body.points for frame in frames])
+    low, high = bodies.min(axis=0), bodies.max(axis=0)
+    room = TOOL_ROOM * (high - low).max()
+    for frame in frames:
+        for _, points, _, _ in files.tool_parts(frame.tools):
+            low, high = np.minimum(low, np.maximum(points.min(axis=0), low - room)), \
+                np.maximum(high, np.minimum(points.max(axis=0), high + room))
+    return low, high
+
+
+def eye_of(run):
+    """Direction to the viewer: the tools go to the right, and their side is above."""
+    right, up = run.along, run.up
+    front = np.cross(right, up)
+    return unit(front + ASIDE * right + ABOVE * up)
+
+
+def bands(scale):
+    """Colors of the bands, with that of the workpiece below the first level if it is above zero, and the ends of their range."""
+    levels = scale.levels
+    colors = [fields.band_colors(scale.quantity, levels)(k) for k in range(len(levels) - 1)]
+    if levels[0] == 0:
+        return colors, (levels[0], levels[-1])
+    return [BODY + (1.0,)] + colors, (levels[0] - levels[1], levels[-1] + levels[0])
+
+
+def picture(run, frame, box, scale, size=(1100, 900)):
+    """(image, places in it of the corners of the workpiece's box)"""
+    scene, eye = Scene(size), eye_of(run)
+    if scale.levels is None:
+        scene.add_body(frame.body, eye)
+    else:
+        scene.add_body(frame.body, eye, values_of(frame, scale), *bands(scale))
+    side = np.ptp(run.last.body.points, axis=0).max()
+    scene.add_tools(frame.tools, -APART * side * eye)
+    for places in run.tracks.values():
+        if len(places) > 1 and np.ptp(places, axis=0).max() > 1e-6 * side:
+            scene.add_track(places, TRACK * side)
+    image = scene.image(eye, run.up, box)
+    return image, scene.pixels(corners(frame.body.points))
+
+
+def corners(points):
+    """Of their box, 8 x 3: bit a of the number is the end along axis a."""
+    ends = np.array([points.min(axis=0), points.max(axis=0)])
+    return np.array([[ends[k >> axis & 1, axis] for axis in range(3)] for k in range(8)])
+
+
+def label_edges(axes, run, frame, places):
+    """What the edges of the box measure, in words, at those below and at the left."""
+    ends = corners(frame.body.points)
+    nearest = int(np.argmax(ends @ (1e-2 * eye_of(run) - run.up)))  # of the corners below
+    for axis in range(3):
+        first = nearest
+        if abs(run.up[axis]) > 0.5:                 # the edge upward: the outermost one at the left
+            first = int(np.argmin(places[:, 0] + 1e-3 * places[:, 1]))
+        a, b = places[first], places[first ^ 1 << axis]
+        a, b = (a, b) if a[0] <= b[0] else (b, a)
+        out = 0.5 * (a + b) - places.mean(axis=0)
+        way = np.array([-(b - a)[1], (b - a)[0]]) / np.hypot(*(b - a))
+        way *= np.sign(way @ out)
+        turn = -np.degrees(np.arctan2(*(b - a)[::-1]))
+        low, high = ends[:, axis].min(), ends[:, axis].max()
+        axes.annotate(f"{'xyz'[axis]}: {low:.3g} to {high:.3g} [{run.units.length_unit}]", 0.5 * (a + b), way * (14, -14),
+                      textcoords="offset points", ha="center", va="center", rotation=turn, rotation_mode="anchor", fontsize=9)
+
+
+def key_of(run):
+    names = plain(", ".join(map(run.tool_name, run.tracks))) if len(run.tracks) < 4 else "tools"
+    handles = [Patch(facecolor=BODY, edgecolor="black", label="workpiece, edges of its elements"),
+               Patch(facecolor=STEEL, alpha=0.6, label=f"rigid {names}")]
+    moved = [p for p in run.tracks.values() if np.ptp(p, axis=0).max() > 0]
+    if moved:
+        handles.append(Line2D([], [], color=ORANGE, linewidth=4, label="track of the tool's origin"))
+    return handles
+
+
+def window_of(images, room=45):
+    """What of the images is not white, in all of them: slices."""
+    drawn = np.logical_or.reduce([(image < 250).any(axis=2) for image in images])
+    spans = []
+    for axis in (1, 0):
+        found = np.flatnonzero(drawn.any(axis=axis))
+        spans.append((max(0, found[0] - room), found[-1] + room))
+    return spans
+
+
+def add_scale(figure, axes, scale):
+    levels = scale.levels
+    drawn = ScalarMappable(BoundaryNorm(levels, len(levels) - 1), fields.band_colors(scale.quantity, levels))
+    label = scale.label + ("\nlight: elastic" if levels[0] > 0 else "")
+    first = 0 if levels[0] == 0 else 1
+    figure.colorbar(drawn, ax=axes, label=label, ticks=levels[first::2], format="%.4g", shrink=0.8, pad=0.01)
+
+
+def row_figure(run, frames, titles, columns=2, width=12.5):
+    """Images of the frames with one scale."""
+    scale, box = scale_of(run, frames), box_of(frames)
+    drawn = [picture(run, frame, box, scale) for frame in frames]
+    (top, bottom), (left, right) = window_of([image for image, _ in drawn])
+    rows = -(-len(frames) // columns)
+    height = rows * ((width - 1.3) / columns * (bottom - top) / (right - left) + 0.3) + 0.5
+    figure, panels = new_figure(width, height, nrows=rows, ncols=columns, squeeze=False)
+    for axes, frame, title, (image, places) in zip(panels.flat, frames, titles, drawn):
+        axes.imshow(image)
+        axes.set_xlim(left, right)
+        axes.set_ylim(bottom, top)
+        axes.set_axis_off()
+        axes.set_title(title)
+        label_edges(axes, run, frame, places)
+    for axes in list(panels.flat)[len(frames):]:
+        axes.set_visible(False)
+    figure.legend(handles=key_of(run), loc="upper center", ncol=3, bbox_to_anchor=(0.5, 0.0), frameon=False)
+    if scale.levels is not None:
+        add_scale(figure, list(panels.flat), scale)
+    figure.shaded = True
+    return figure
+
+
+def scene_figure(run):
+    return row_figure(run, [run.first, run.last], [f"Start, t = {run.first.t:.4g}", f"End, t = {run.last.t:.4g}"])
+
+
+def sequence_figure(run, number=4):
+    chosen = np.unique(np.linspace(0, len(run.frames) - 1, number + 1).round().astype(int))[1:]
+    if len(chosen) < 3:
+        return None
+    frames = [run.frame(k) for k in chosen]
+    return row_figure(run, frames, [f"t = {frame.t:.4g}" for frame in frames])

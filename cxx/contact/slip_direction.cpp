@@ -1,0 +1,56 @@
+#include "contact/slip_direction.hpp"
+#include <algorithm>
+
+namespace burnish {
+namespace {
+
+constexpr double SLIP_STIFFNESS = 0.05; // of the median diagonal entry of the tangent at the candidates
+
+} // namespace
+
+template <int Dim> double slip_stiffness(const ContactModel<Dim>& model, const NodeBlockMatrix<Dim>& K) {
+  if (Dim == 2) return 0;
+  std::vector<double> own;
+  for (const int node : model.candidates) {
+    const double* block = K.block(K.find(node, node));
+    double trace = 0;
+    for (int c = 0; c < Dim; ++c) trace += block[c * Dim + c];
+    own.push_back(trace / Dim);
+  }
+  const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
+  std::nth_element(own.begin(), middle, own.end());
+  return SLIP_STIFFNESS * std::max(*middle, 0.);
+}
+
+template <int Dim>
+void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, ContactState<Dim>& state) {
+  if (Dim == 2) return;
+  const auto poses = model.poses(state.q);
+  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, state, poses, R);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    ContactNode<Dim>& node = state.nodes[i];
+    const int candidate = static_cast<int>(i);
+    if (node.state != NodeState::SLIDING || node.tied || model.law(candidate, node).frictionless()) continue;
+    const ContactPoint<Dim> at = contact_point(model, poses, node);
+    const Param<Dim> slip = slip_of(model, node);
+    Param<Dim> way = state.slip_stiffness * slip - deciding[i].force.T;
+    if (model.is_constrained(candidate)) {
+      const Curvature<Dim> free = slip_space(model, candidate, at.surface);
+      const Param<Dim> kept = free * at.m;
+      way = kept.norm() > 0.1 ? kept
+                              : Param<Dim>(free * way); // carried from a node without a direction, or across
+    } else if (!(state.slip_stiffness > 0) || TangentialLaw<Dim>::slips_back(slip, at.m, 0))
+      continue;
+    if (!(way.norm() > 0)) continue;
+    node.slip_direction = in_tool_frame(poses[node.tool], at.surface, Param<Dim>(way.normalized()));
+  }
+  follow_ends(model, state);
+}
+
+#define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template double slip_stiffness<Dim>(const ContactModel<Dim>&, const NodeBlockMatrix<Dim>&);                \
+  template void turn_slips<Dim>(const ContactModel<Dim>&, const Eigen::VectorXd&, ContactState<Dim>&);
+BURNISH_INSTANTIATE(2)
+BURNISH_INSTANTIATE(3)
+
+} // namespace burnish

@@ -1,0 +1,18 @@
+#pragma once
+// The direction of slip in space, which turns with slip and force: the cone form of METHOD.md 3.12.
+#include "contact/tied_edges.hpp"
+#include "solver/node_block_matrix.hpp"
+
+namespace burnish {
+
+/// Number c of METHOD.md (3.14) for a tangent K: a part of the median of the candidates' own stiffness; 0 in the plane,
+/// where nothing turns [force/length].
+template <int Dim> double slip_stiffness(const ContactModel<Dim>& model, const NodeBlockMatrix<Dim>& K);
+
+/// Directions of the nodes that slide by (3.14), from their slips and the forces on them: m along c D - T. Guided nodes keep
+/// the part that their supports leave, those that have slipped against their direction keep it; in the plane all do.
+/// @param R internal minus external nodal force, num_dofs [force]
+template <int Dim>
+void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, ContactState<Dim>& state);
+
+} // namespace burnish

@@ -1,0 +1,112 @@
+"""Unit tests of the pictures of a run in space:  space_pictures.py FOLDER  makes the files there."""
+import base64
+import contextlib
+import io
+import json
+import re
+import sys
+import unittest
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(TOP / "cases"), str(TOP / "tests/support")]
+import numpy as np
+from picture import faults
+from plotting import case
+from plotting.inputs import InputError
+from plotting.run import Run
+from plotting.space import files, maps, scene
+from plotting.space.run import SpaceRun
+from space_run import DEPTH, FRAMES, write_run
+
+FOLDER = Path(sys.argv.pop(1))
+for kind in ("P1", "P2"):
+    write_run(FOLDER / kind, kind == "P2")
+
+
+class Files(unittest.TestCase):
+    def test_outer_faces_of_a_cube(self):
+        """12 triangles with 18 edges, each in two halves on P2; their area in the deformed state."""
+        for kind, nodes in (("P1", 3), ("P2", 6)):
+            body = files.read_body(str(FOLDER / kind / "final.vtu"), 1.0)
+            self.assertEqual(body.faces.shape, (12, nodes))
+            self.assertEqual(len(files.edges_of(body.faces)), 18 * nodes // 3)
+            a, b, c = (body.points[column] for column in files.triangles_of(body.faces).T)
+            area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()
+            self.assertAlmostEqual(area, 2 + 4 * (1 - DEPTH), delta=1e-12)
+
+    def test_broken_file(self):
+        path = FOLDER / "broken.vtu"
+        path.write_text((FOLDER / "P1/final.vtu").read_text()[:900])
+        with self.assertRaisesRegex(InputError, "broken.vtu: not a whole file"):
+            files.read_body(str(path), 1.0)
+
+
+class Views(unittest.TestCase):
+    run_ = SpaceRun(str(FOLDER / "P2"))
+
+    def test_known_as_one_in_space(self):
+        self.assertTrue(Run(str(FOLDER / "P2")).in_space)
+        self.assertFalse(Run(str(FOLDER)).in_space)
+
+    def test_directions_and_track(self):
+        np.testing.assert_array_equal(self.run_.up, [0, 0, 1])
+        np.testing.assert_array_equal(self.run_.along, [1, 0, 0])
+        track = self.run_.tracks[0]
+        self.assertEqual(len(track), FRAMES)
+        np.testing.assert_allclose(track[-1] - track[0], [0.3, 0, -DEPTH], atol=1e-12)
+
+    def test_units_are_not_per_thickness(self):
+        self.assertEqual(self.run_.columns["Q_z"].unit, "force")
+        self.assertEqual(SpaceRun(str(FOLDER / "P2"), "mm").columns["Q_z"].unit, "N")
+
+    def test_section(self):
+        """Of the deformed cube at x = 0.3: 1 x 0.9, where stress_eq = x."""
+        for kind in ("P1", "P2"):
+            run = SpaceRun(str(FOLDER / kind))
+            places, cells, values = maps.cut_body(run, run.last.body, "stress_eq", np.array([0.3, 0.5, 0.5]), [1, 0, 0])
+            a, b, c = (places[column] for column in cells.T)
+            self.assertAlmostEqual(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum(), 1 - DEPTH, delta=1e-12)
+            np.testing.assert_allclose(values, 0.3, atol=1e-12)
+        edges = maps.cut_tools(self.run_.last, np.array([0.3, 0.5, 0.5]), [1, 0, 0])
+        self.assertAlmostEqual(np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1).sum(), 3, delta=1e-12)
+
+    def test_bands_have_equal_widths(self):
+        """A value in a band of the map has its color, one below the first level that of the workpiece."""
+        scale = scene.scale_of(self.run_, [self.run_.last])
+        levels, (colors, (low, high)) = scale.levels, scene.bands(scale)
+        self.assertEqual(scale.quantity, scene.fields.STRAIN)
+        self.assertEqual(len(colors), len(levels))
+        self.assertAlmostEqual((high - low) / len(colors), levels[2] - levels[1], delta=1e-15)
+        self.assertLess(0, low + (high - low) / len(colors))
+        self.assertEqual(colors[0][:3], scene.BODY)
+
+
+class Pictures(unittest.TestCase):
+    def drawn(self, *words):
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            code = case.draw([str(FOLDER / "P2"), *words], Run, case.DEFAULT, patient=True)
+        return code, out.getvalue().split(), err.getvalue()
+
+    def test_default_pictures(self):
+        code, paths, said = self.drawn()
+        self.assertEqual((code, [Path(p).stem for p in paths], said), (0, ["scene", "sequence", "pressure", "section", "history"], ""))
+        for path in paths:
+            self.assertEqual(faults(Path(path)), [])
+
+    def test_page(self):
+        code, paths, said = self.drawn("movie")
+        self.assertEqual((code, said), (0, ""))
+        page = Path(paths[0]).read_text()
+        self.assertNotRegex(page, "(src|href)=|https?://|@import")
+        data = json.loads(re.search('<script id="data"[^>]*>(.*?)</script>', page, re.S).group(1))
+        self.assertEqual(len(data["frames"]), FRAMES)
+        numbers = lambda text, kind: np.frombuffer(base64.b64decode(text), kind)
+        self.assertEqual(len(numbers(data["cells"], "<u4")), 3 * 4 * 12)
+        z = [numbers(data["frames"][k]["points"], "<f4").reshape(-1, 3)[:, 2] for k in (0, -1)]
+        self.assertAlmostEqual(np.ptp(z[1]) / np.ptp(z[0]), 1 - DEPTH, delta=1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2, warnings="ignore")

@@ -1,0 +1,111 @@
+// Vertices of quadratic triangles: no weight of their own, released by shared forces, no friction; the report by shares.
+#include "contact/corner_shares.hpp"
+#include "contact/surface_report.hpp"
+#include "contact/tied_edges.hpp"
+#include "geometry/plane_surface.hpp"
+#include "support/pressed_body.hpp"
+#include "unit/finite_difference.hpp"
+
+using namespace burnish;
+using namespace burnish::test;
+
+namespace {
+
+/// Top of a block under a plane that lies on it, all nodes in contact.
+struct PlaneOnBlock {
+  Discretization<3> mesh;
+  ContactSetup<3> setup;
+  ContactState<3> state;
+  Eigen::VectorXd u, R;
+
+  explicit PlaneOnBlock(int nodes_per_element)
+      : mesh(tetrahedra(block_of_tetrahedra({0, 0.7, 1.5, 2}, {0, 1, 1.6}, {-1, 0}, nodes_per_element))),
+        setup(mesh, mesh.facets, std::vector<char>(static_cast<std::size_t>(mesh.num_dofs()), 0),
+              std::make_shared<FaceMeasure>()),
+        u(Eigen::VectorXd::Zero(mesh.num_dofs())), R(u) {
+    auto tool = std::make_shared<DrivenTool<3>>(
+        "plane", std::make_shared<PlaneSurface>(Vector<3>(0, 0, 0), Vector<3>(0, 0, -1), 1));
+    tool->set_coordinates(std::make_shared<FormulaCoordinates<3>>(
+        "plane", std::vector<std::string>{"x", "y", "z"}, SpaceFormulas{"x", "y", "z"}));
+    setup.add_tool(tool, make_coulomb(0.3));
+    setup.close();
+    state.q = Vector<3>::Zero();
+    state.nodes.resize(setup.candidates().size());
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+      state.nodes[i].state = NodeState::STICKING;
+      state.nodes[i].tool = 0;
+      SurfacePlace<3> place;
+      place.y = mesh.node(setup.candidates()[i]);
+      place_at(state.nodes[i], place);
+    }
+  }
+  /// Forces of the pressure p(x), linear on every triangle, and shares of the vertices by hand.
+  Eigen::VectorXd load(const std::function<double(const Vector<3>&)>& p) {
+    const std::vector<int> candidate = candidate_of_node(setup.candidates(), mesh.num_nodes);
+    Eigen::VectorXd expected = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(state.nodes.size()));
+    for (const Facet<3>& facet : mesh.facets) {
+      Vector<3> at;
+      for (int v = 0; v < 3; ++v) at[v] = p(mesh.node(facet.vertex[v]));
+      const Eigen::VectorXd N = FaceMeasure().masses(places_of(setup.body(), facet, u)) * at;
+      const std::vector<int> nodes = nodes_of(facet);
+      for (std::size_t i = 0; i < nodes.size(); ++i) R[3 * nodes[i] + 2] -= N[static_cast<Eigen::Index>(i)];
+      const Vector<3> a = mesh.node(facet.vertex[1]) - mesh.node(facet.vertex[0]),
+                      b = mesh.node(facet.vertex[2]) - mesh.node(facet.vertex[0]);
+      const double area = 0.5 * a.cross(b).norm();
+      for (int v = 0; v < 3; ++v) expected[candidate[facet.vertex[v]]] += area / 12 * (at.sum() + at[v]);
+    }
+    return expected;
+  }
+};
+
+} // namespace
+
+TEST(WeightlessVertices, SharedForcesOfLinearPressure) {
+  for (const bool uniform : {true, false}) {
+    PlaneOnBlock s(10);
+    const auto& model = s.setup.model();
+    const Eigen::VectorXd expected =
+        s.load([&](const Vector<3>& x) { return uniform ? 2. : 1 + 0.7 * x[0] + 0.2 * x[1]; });
+    const auto deciding = deciding_forces(model, s.state, model.poses(s.state.q), s.R);
+    const SurfaceReport<3> report = surface_report(model, s.setup.body(), s.state, s.mesh.facets, s.u, s.R);
+    const CornerShares<3> shares(model, s.setup.body(), s.state, s.mesh.facets, s.u, report.area);
+    const Eigen::VectorXd shared = shares.shared(report.normal_force);
+    int corners = 0;
+    for (int i = 0; i < static_cast<int>(s.state.nodes.size()); ++i) {
+      if (!model.is_weightless(i)) continue;
+      ++corners;
+      EXPECT_NEAR(deciding[i].normal, expected[i], 1e-14);
+      EXPECT_GT(deciding[i].normal, 0);
+      if (!uniform) continue;
+      EXPECT_NEAR(deciding[i].force.N, 0, 1e-14) << "its own";
+      EXPECT_NEAR(report.pressure[i], 2, 1e-13);
+    }
+    EXPECT_EQ(corners, 12);
+    ASSERT_EQ(shared.size(), 12);
+    for (Eigen::Index c = 0; c < 12; ++c) EXPECT_NEAR(shared[c], expected[shares.corners()[c]], 1e-14);
+    EXPECT_NEAR(shares.areas().sum(), 3.2, 1e-14);
+  }
+}
+
+TEST(WeightlessVertices, LinearTrianglesHaveNone) {
+  PlaneOnBlock s(4);
+  EXPECT_TRUE(s.setup.model().weightless.empty());
+  EXPECT_TRUE(s.setup.model().edge_ends.empty());
+  s.load([](const Vector<3>&) { return 1.; });
+  const auto deciding = deciding_forces(s.setup.model(), s.state, s.setup.model().poses(s.state.q), s.R);
+  for (const auto& own : deciding) EXPECT_DOUBLE_EQ(own.normal, own.force.N);
+}
+
+// Mid nodes of triangles know their ends, and are neighbors of one another.
+TEST(WeightlessVertices, EdgesAndNeighbors) {
+  const PlaneOnBlock s(10);
+  const auto& model = s.setup.model();
+  for (int i = 0; i < static_cast<int>(s.state.nodes.size()); ++i) {
+    EXPECT_NE(model.is_weightless(i), model.is_middle(i));
+    if (!model.is_middle(i)) continue;
+    const auto x = [&](int k) { return s.mesh.node(model.candidates[k]); };
+    const auto [a, b] = model.edge_ends[i];
+    EXPECT_LE((x(i) - 0.5 * (x(a) + x(b))).norm(), 1e-15);
+    EXPECT_TRUE(model.neighbors[i].size() == 4 || model.neighbors[i].size() == 6);
+  }
+}

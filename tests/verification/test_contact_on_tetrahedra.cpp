@@ -1,0 +1,92 @@
+// Rollers and balls on P1 and P2 tetrahedra: pressed, rolled, dragged, taken off, by the whole machinery of a run. The
+// meshes are coarse; the numbers of finer ones are in METHOD.md 3.19.
+#include "contact/tied_edges.hpp"
+#include "support/rolled_tetrahedra.hpp"
+
+using namespace burnish;
+using namespace burnish::test;
+
+namespace {
+
+/// Every node in contact obeys its rules: N' >= 0, |T| <= mu N of what has friction, T = 0 of what has none; sliding nodes pull
+/// against their slip.
+void expect_rules(RolledTetrahedra& scene, double mu) {
+  const auto& model = scene.contact->setup().model();
+  const auto& state = scene.contact->accepted().contact;
+  const auto poses = model.poses(state.q);
+  const auto deciding = deciding_forces(model, state, poses, scene.contact->accepted().R);
+  const double small = 2e-4 * scene.load;
+  for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) {
+    const ContactNode<3>& node = state.nodes[i];
+    if (!in_contact(node.state)) continue;
+    const SurfaceForce<3>& force = deciding[i].force;
+    EXPECT_GE(deciding[i].normal, -small);
+    const bool rough = !model.law(i, node).frictionless();
+    const double limit = rough ? mu * std::max(force.N, 0.) : 0;
+    EXPECT_LE(force.T.norm(), limit + small);
+    if (node.state == NodeState::SLIDING) {
+      EXPECT_GE(force.T.norm(), limit - small);
+    }
+    const Param<3> slip = slip_of(model, node);
+    if (rough && node.state == NodeState::SLIDING && slip.norm() > 1e-4) {
+      EXPECT_LE(force.T.dot(slip), -0.95 * force.T.norm() * slip.norm() + small * slip.norm());
+    }
+  }
+}
+
+} // namespace
+
+TEST(ContactOnTetrahedra, DraggedSlab) {
+  const auto scene = slab(0.04, 0.04, 0.06);
+  ASSERT_EQ(scene->press(6), Task::FINISHED);
+  ASSERT_EQ(scene->drag(6, 0.06), Task::FINISHED);
+  EXPECT_LE(scene->rejected, 2) << scene->reasons(); // measured: up to 2 on these meshes
+  expect_rules(*scene, 0.2);
+  EXPECT_GE(scene->tool->generalized_force()[0] / scene->load, 0.25)
+      << "friction of all nodes and what it plows";
+}
+
+TEST(ContactOnTetrahedra, RolledSlab) {
+  for (const int nodes : {4, 10}) {
+    SCOPED_TRACE(nodes);
+    const auto scene = slab(0.05, 0.05, 0.04, 0.2, nodes);
+    ASSERT_EQ(scene->press(5), Task::FINISHED);
+    expect_rules(*scene, 0.2);
+    ASSERT_EQ(scene->roll(4, 0.04, 0.6 * 0.2 * scene->load, 0.02), Task::FINISHED);
+    expect_rules(*scene, 0.2);
+    EXPECT_LE(scene->rejected, 2) << scene->reasons(); // measured: up to 2 on these meshes
+    EXPECT_NEAR(scene->tool->generalized_force()[1], -scene->load, 2e-3 * scene->load);
+  }
+}
+
+// Nodes on the plane of symmetry slip in it, with friction: half of a ball is half of the whole one.
+TEST(ContactOnTetrahedra, HalfOfABall) {
+  IterationOptions options;
+  options.tolerance = 1e-9;
+  options.offset_tolerance = 1e-8;
+  options.gap_tolerance = 1e-8;
+  options.max_iterations = 60;
+  BallOnBlock block{0.06, 0.03, 0.2, 0.05, 0.12};
+  const auto half = block.scene(options);
+  block.whole = true;
+  const auto whole = block.scene(options);
+  for (RolledTetrahedra* scene : {half.get(), whole.get()}) {
+    ASSERT_EQ(scene->press(2), Task::FINISHED);
+    ASSERT_EQ(scene->roll(2, 0.03, 0.6 * 0.2 * scene->load, 0.02), Task::FINISHED);
+    expect_rules(*scene, 0.2);
+  }
+  EXPECT_NEAR(half->depth(), whole->depth(), 1e-6 * whole->depth());
+  EXPECT_NEAR(half->theta(), whole->theta(), 1e-6 * whole->theta());
+  const double force = whole->tool->generalized_force()[0];
+  EXPECT_NEAR(2 * half->tool->generalized_force()[0], force, 1e-5 * std::abs(force));
+  EXPECT_GE(std::abs(force), 0.02 * whole->load) << "it is driven";
+}
+
+// A ball with little friction comes off again down to a thousandth of its load: the last nodes in contact are vertices
+// without weight. Steps are rejected on the way.
+TEST(ContactOnTetrahedra, BallComesOff) {
+  const auto scene = BallOnBlock{0.05, 0.02, 0.05}.scene();
+  ASSERT_EQ(scene->press(3), Task::FINISHED);
+  ASSERT_EQ(scene->unload(5), Task::FINISHED);
+  expect_rules(*scene, 0.05);
+}
