@@ -70,7 +70,6 @@ std::vector<SurfacePlace<3>> Extruded::outline(int n) const {
 }
 
 SurfaceMesh Extruded::mesh(const Eigen::AlignedBox3d& window) const {
-  constexpr int first = 9; // places along the profile before it is refined
   const auto allowed = [&](const Vector<2>&, const Vector<2>&) {
     return MESH_SAGITTA * window.sizes().maxCoeff();
   };
@@ -81,7 +80,7 @@ SurfaceMesh Extruded::mesh(const Eigen::AlignedBox3d& window) const {
     end = begin + 2 * reach;
   }
   std::vector<std::vector<SurfacePlace<3>>> rows;
-  for (const auto& place : refined_outline<2>(m_section, first, allowed))
+  for (const auto& place : refined_outline<2>(m_section, MESH_PLACES, allowed))
     rows.push_back({swept(place, begin), swept(place, end)});
   SurfaceMesh mesh;
   add_rows(mesh, *this, rows);

@@ -9,7 +9,6 @@ namespace burnish {
 namespace {
 
 constexpr int OUTLINE = 257;           // places at which the profile is looked at
-constexpr int FIRST = 9;               // places of a mesh along the profile before it is refined
 constexpr double LEAST_ANGLES = 12, MOST_ANGLES = 1440; // of a mesh
 constexpr double ON_AXIS = 1e-6;       // of the largest distance from the axis: n_r/r is 0/0 there
 constexpr double ALONG_AXIS = 1e-6;    // radial part of a normal at a pole: what a file's digits can cost
@@ -144,7 +143,7 @@ SurfaceMesh Revolved::mesh(const Eigen::AlignedBox3d& window) const {
   const int count = static_cast<int>(std::ceil(std::clamp(2 * M_PI / step, LEAST_ANGLES, MOST_ANGLES)));
   std::vector<std::vector<SurfacePlace<3>>> rows;
   const auto allowed = [&](const Vector<2>&, const Vector<2>&) { return sagitta; };
-  for (const auto& place : refined_outline<2>(m_meridian, FIRST, allowed)) {
+  for (const auto& place : refined_outline<2>(m_meridian, MESH_PLACES, allowed)) {
     if (distance(place) < -ON_AXIS * m_largest) continue; // the mirror image
     rows.emplace_back();
     for (int i = 0; i <= count; ++i) rows.back().push_back(turned(place, 2 * M_PI * i / count));

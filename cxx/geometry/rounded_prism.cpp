@@ -7,9 +7,8 @@
 namespace burnish {
 namespace {
 
-constexpr int SECTION_OUTLINE = 257;      // places at which the section is looked at
-constexpr double ROUNDING = 1e-9; // of the fillet
-constexpr int FIRST_ON_SECTION = 9;          // places of a mesh along the section before it is refined
+constexpr int SECTION_PLACES = 257;     // places at which the section is looked at
+constexpr double FILLET_ROUNDING = 1e-9; // of the fillet
 
 double length_checked(double value, const char* name) {
   require(std::isfinite(value) && value > 0, "RoundedPrism", name, value, "a finite number > 0");
@@ -23,7 +22,7 @@ RoundedPrism::RoundedPrism(std::shared_ptr<const Profile<2>> section, const Axis
     : m_section(std::move(section)), m_frame(frame), m_fillet(length_checked(fillet, "fillet")),
       m_inner(length_checked(length, "length") / 2 - fillet), m_side(inside ? -1 : 1) {
   if (!m_section.closed()) fail("RoundedPrism", "the section is open, expected a closed one");
-  if (m_inner < -ROUNDING * fillet)
+  if (m_inner < -FILLET_ROUNDING * fillet)
     require(false, "RoundedPrism", "fillet", fillet, "up to half the length");
   m_inner = std::max(m_inner, 0.);
   check_fillet();
@@ -31,10 +30,10 @@ RoundedPrism::RoundedPrism(std::shared_ptr<const Profile<2>> section, const Axis
 
 // A circle of the fillet's radius rolls along the section from within and touches it at one place at a time.
 void RoundedPrism::check_fillet() const {
-  for (const auto& place : m_section.outline(SECTION_OUTLINE)) {
+  for (const auto& place : m_section.outline(SECTION_PLACES)) {
     const Vector<2> inner = place.y - m_fillet * m_section.frame(place).n;
     const double gap = m_section.foot(inner, place.hint).gap;
-    if (gap <= -m_fillet * (1 - ROUNDING)) continue;
+    if (gap <= -m_fillet * (1 - FILLET_ROUNDING)) continue;
     std::ostringstream what;
     what << "a fillet of radius " << m_fillet << " does not fit into the section at (" << place.y[0] << ", "
          << place.y[1] << ")";
@@ -87,7 +86,7 @@ SurfaceFrame<3> RoundedPrism::frame(const SurfacePlace<3>& place) const {
   frame.E.col(1) = frame.n.cross(frame.E.col(0));
   // the section's curvature about the inner prism, whose own may be a corner
   const double k = section.B(0), flat = 1 - k * m_fillet;
-  const double around = std::abs(flat) <= ROUNDING ? k : across * k / (flat + k * m_fillet * across);
+  const double around = std::abs(flat) <= FILLET_ROUNDING ? k : across * k / (flat + k * m_fillet * across);
   frame.B << m_side * around, 0, 0, m_side * (edge ? 1 / m_fillet : 0);
   return frame;
 }
@@ -99,7 +98,7 @@ int RoundedPrism::piece(const SurfacePlace<3>& place) const {
 }
 
 Vector<2> RoundedPrism::center() const {
-  const auto places = m_section.samples(SECTION_OUTLINE);
+  const auto places = m_section.samples(SECTION_PLACES);
   Vector<2> sum = Vector<2>::Zero();
   for (const auto& place : places) sum += place.y;
   return sum / static_cast<double>(places.size());
@@ -112,7 +111,7 @@ std::vector<SurfacePlace<3>> RoundedPrism::samples(int n) const {
   std::vector<SurfacePlace<3>> places;
   for (const auto& place : m_section.samples(n)) {
     const double way = spread(static_cast<int>(places.size())) * 2 * (reach + half) - reach - half;
-    const double on_end = std::max(std::abs(way) - half, 0.) / reach;
+    const double on_end = std::clamp((std::abs(way) - half) / reach, 0., 1.);
     const Vector<2> y = middle + std::sqrt(1 - on_end) * (place.y - middle);
     const double along = std::clamp(way, -half, half);
     places.push_back(foot(m_frame.global(Vector<3>(y[0], y[1], along)), Param<3>(place.hint[0], along)).place);
@@ -142,7 +141,7 @@ void RoundedPrism::add_end(SurfaceMesh& mesh, const std::vector<SurfacePlace<2>>
 SurfaceMesh RoundedPrism::mesh(const Eigen::AlignedBox3d& window) const {
   const double sagitta = 0.5 * MESH_SAGITTA * window.sizes().maxCoeff();
   const auto allowed = [&](const Vector<2>&, const Vector<2>&) { return sagitta; };
-  const auto outline = refined_outline<2>(m_section, FIRST_ON_SECTION, allowed);
+  const auto outline = refined_outline<2>(m_section, MESH_PLACES, allowed);
   const double step = 2 * std::acos(std::max(1 - sagitta / m_fillet, 0.));
   const int count = static_cast<int>(std::ceil(std::clamp(M_PI_2 / step, 2., 360.)));
   std::vector<std::vector<SurfacePlace<3>>> rows;

@@ -15,9 +15,7 @@ namespace {
 
 using Made = std::shared_ptr<const Surface<3>>;
 
-const Parameter AXIS{"axis", ArgumentKind::NUMBERS, "direction of the axis in the tool's frame; z unless given"};
 const Parameter INSIDE{"inside", ArgumentKind::FLAG, "true: the body on the other side, in the hollow"};
-const Parameter FILLET{"fillet", ArgumentKind::NUMBER, "radius of all edges [length]"};
 
 std::vector<double> values(const Arguments& given, const char* name, std::size_t count, const char* expected) {
   std::vector<double> list = given.list(name);
@@ -101,8 +99,8 @@ SurfaceKind cylinder_shape() {
   return {"cylinder=R",
           {{"cylinder", ArgumentKind::NUMBER, "roller about an axis through the origin; radius [length]"},
            {"length", ArgumentKind::NUMBER, "from end to end, half on each side of the origin; endless unless given [length]"},
-           FILLET,
-           AXIS,
+           fillet_parameter(),
+           axis_parameter(),
            INSIDE},
           cylinder_of};
 }
@@ -111,8 +109,8 @@ SurfaceKind cone_shape() {
   return {"cone=[R1,R2,height]",
           {{"cone", ArgumentKind::NUMBERS,
             "radii half the height below and above the origin, one of them may be 0; height [length]"},
-           FILLET,
-           AXIS,
+           fillet_parameter(),
+           axis_parameter(),
            INSIDE},
           cone_of};
 }
@@ -120,7 +118,7 @@ SurfaceKind cone_shape() {
 SurfaceKind torus_shape() {
   return {"torus=[R,r]",
           {{"torus", ArgumentKind::NUMBERS, "ring about the origin: radius of the circle of centers, of the tube [length]"},
-           AXIS,
+           axis_parameter(),
            INSIDE},
           [](const Arguments& given) {
             const auto v = values(given, "torus", 2, "2: [radius of the ring, radius of the tube]");
@@ -144,7 +142,7 @@ SurfaceKind plane_shape() {
 SurfaceKind box_shape() {
   return {"box=[a,b,c]",
           {{"box", ArgumentKind::NUMBERS, "box about the origin: lengths along x, y and z of the tool's frame [length]"},
-           FILLET,
+           fillet_parameter(),
            INSIDE},
           box_of};
 }

@@ -14,6 +14,9 @@ SurfaceKind box_shape();      ///< "box=[a,b,c]"
 SurfaceKind revolve_shape();  ///< "revolve=true" with a profile
 SurfaceKind extrude_shape();  ///< "extrude=true" with a profile
 
+Parameter axis_parameter();   ///< "axis="
+Parameter fillet_parameter(); ///< "fillet="
+
 /// The axis that `axis=` names, z of the tool's frame unless given.
 /// @throws std::invalid_argument "where: ..." for what is no direction
 AxisFrame axis_of(const char* where, const Arguments& given);

@@ -12,8 +12,6 @@ namespace {
 
 using Made = std::shared_ptr<const Surface<3>>;
 
-const Parameter AXIS{"axis", ArgumentKind::NUMBERS, "direction of the axis in the tool's frame; z unless given"};
-
 Arguments without(Arguments given, const std::vector<Parameter>& parameters) {
   for (const Parameter& parameter : parameters) {
     given.numbers.erase(parameter.name);
@@ -24,12 +22,12 @@ Arguments without(Arguments given, const std::vector<Parameter>& parameters) {
 }
 
 const std::vector<Parameter> REVOLVE{
-    {"revolve", ArgumentKind::FLAG, "true: a profile turned about an axis; its x is the distance from the axis"}, AXIS};
+    {"revolve", ArgumentKind::FLAG, "true: a profile turned about an axis; its x is the distance from the axis"}, axis_parameter()};
 const std::vector<Parameter> EXTRUDE{
     {"extrude", ArgumentKind::FLAG, "true: a profile of the tool's x, y plane swept along an axis"},
     {"length", ArgumentKind::NUMBER, "from end to end, half on each side of the origin; endless unless given [length]"},
-    {"fillet", ArgumentKind::NUMBER, "radius of all edges [length]"},
-    AXIS};
+    fillet_parameter(),
+    axis_parameter()};
 
 void require_true(const Arguments& given, const char* word) {
   if (!given.flag(word)) fail(word, std::string(word) + " = false, expected true, or leave it out");

@@ -52,11 +52,11 @@ TEST(MakeCoordinates, PosesInClosedForm) {
   expect_close(euler.origin, Vector<3>(1, 2, 3), 1, 0, "origin");
   const Call line = Call().list("pivot", {1, 0, 0}).list("axis", {0, 5, 0});
   const Pose<3> polar = made<3>("polar", line)->pose(numbers({2, M_PI / 2, 7, 0.3})); // z to y: y goes to -z
-  expect_close(polar.origin, Vector<3>(1, 7, -2), 1, 1e-15, "origin");
-  expect_close(polar.R, turn(Y, 0.3), 1, 1e-15, "R");
+  expect_close(polar.origin, Vector<3>(1, 7, -2), 1, 1e-14, "origin");
+  expect_close(polar.R, turn(Y, 0.3), 1, 1e-14, "R");
   const Pose<3> screw = made<3>("screw", Call(line).number("lead", 4))->pose(numbers({M_PI / 2}));
-  expect_close(screw.origin, Vector<3>(1, 1, 1), 1, 1e-15, "origin");
-  expect_close(screw.R, turn(Y, M_PI / 2), 1, 1e-15, "R");
+  expect_close(screw.origin, Vector<3>(1, 1, 1), 1, 1e-14, "origin");
+  expect_close(screw.R, turn(Y, M_PI / 2), 1, 1e-14, "R");
 }
 
 TEST(MakeCoordinates, DerivativesOfEachKind) {

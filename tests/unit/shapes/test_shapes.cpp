@@ -41,6 +41,8 @@ TEST(Shapes, TheTableIsWhole) {
       EXPECT_NE(shape_help().find(parameter.help), std::string::npos) << parameter.name;
     }
   }
+  for (const SurfaceKind& kind : surface_kinds())
+    for (const Parameter& parameter : kind.parameters) values.emplace(parameter.name, parameter.kind);
   EXPECT_EQ(shape_parameters().size(), values.size());
   for (const std::string& first : chosen) {
     int kinds = 0;

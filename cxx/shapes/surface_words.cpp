@@ -1,4 +1,4 @@
-// Edges of closed surfaces: without a radius they have no normal.
+// Words that several surfaces have: the axis, and the radius of edges, which without one have no normal.
 #include "base/error.hpp"
 #include "base/sentence.hpp"
 #include "shapes/surface_kinds.hpp"
@@ -47,6 +47,12 @@ std::shared_ptr<const Surface<3>> with_fillet(const char* where, const Arguments
                        given.has("fillet") ? " cannot have the radius " : " is sharp: give it ", "fillet = ", fillet,
                        ", expected > 0 and up to ", fits));
 }
+
+Parameter axis_parameter() {
+  return {"axis", ArgumentKind::NUMBERS, "direction of the axis in the tool's frame; z unless given"};
+}
+
+Parameter fillet_parameter() { return {"fillet", ArgumentKind::NUMBER, "radius of all edges [length]"}; }
 
 AxisFrame axis_of(const char* where, const Arguments& given) {
   if (!given.has("axis")) return {};
