@@ -7,9 +7,9 @@
 namespace burnish {
 namespace {
 
-constexpr int OUTLINE = 257;      // places at which the section is looked at
-constexpr double ROUNDING = 1e-9; // of the fillet
-constexpr int FIRST = 9;          // places of a mesh along the section before it is refined
+constexpr int SECTION_PLACES = 257; // places at which the section is looked at
+constexpr double ROUNDING = 1e-9;   // of the fillet
+constexpr int FIRST_PLACES = 9;     // places of a mesh along the section before it is refined
 
 double length_checked(double value, const char* name) {
   require(std::isfinite(value) && value > 0, "RoundedPrism", name, value, "a finite number > 0");
@@ -23,15 +23,14 @@ RoundedPrism::RoundedPrism(std::shared_ptr<const Profile<2>> section, const Axis
     : m_section(std::move(section)), m_frame(frame), m_fillet(length_checked(fillet, "fillet")),
       m_inner(length_checked(length, "length") / 2 - fillet), m_side(inside ? -1 : 1) {
   if (!m_section.closed()) fail("RoundedPrism", "the section is open, expected a closed one");
-  if (m_inner < -ROUNDING * fillet)
-    require(false, "RoundedPrism", "fillet", fillet, "up to half the length");
+  if (m_inner < -ROUNDING * fillet) require(false, "RoundedPrism", "fillet", fillet, "up to half the length");
   m_inner = std::max(m_inner, 0.);
   check_fillet();
 }
 
 // A circle of the fillet's radius rolls along the section from within and touches it at one place at a time.
 void RoundedPrism::check_fillet() const {
-  for (const auto& place : m_section.outline(OUTLINE)) {
+  for (const auto& place : m_section.outline(SECTION_PLACES)) {
     const Vector<2> inner = place.y - m_fillet * m_section.frame(place).n;
     const double gap = m_section.foot(inner, place.hint).gap;
     if (gap <= -m_fillet * (1 - ROUNDING)) continue;
@@ -45,8 +44,7 @@ void RoundedPrism::check_fillet() const {
 RoundedPrism::Seen RoundedPrism::seen(const Vector<3>& local, const Param<3>& hint) const {
   const SurfaceFoot<2> flat = m_section.foot(local.head<2>(), Param<2>(hint[0]));
   const double height = local[2] != 0 ? local[2] : hint[1];
-  return {flat.place, flat.gap, flat.gap + m_fillet, std::abs(local[2]) - m_inner,
-          std::copysign(1., height)};
+  return {flat.place, flat.gap, flat.gap + m_fillet, std::abs(local[2]) - m_inner, std::copysign(1., height)};
 }
 
 SurfaceFoot<3> RoundedPrism::foot(const Vector<3>& p, const Param<3>& hint) const {
@@ -63,7 +61,8 @@ SurfaceFoot<3> RoundedPrism::foot(const Vector<3>& p, const Param<3>& hint) cons
     const Vector<2> y = wall + (see.out * part - m_fillet) * n;
     return {at(y, see.end * (m_inner + see.along * part), s), m_side * (distance - m_fillet), false};
   }
-  if (see.out > 0 || (see.along <= 0 && see.gap >= end_gap)) return {at(wall, local[2], s), m_side * see.gap, false};
+  if (see.out > 0 || (see.along <= 0 && see.gap >= end_gap))
+    return {at(wall, local[2], s), m_side * see.gap, false};
   return {at(local.head<2>(), see.end * (m_inner + m_fillet), s), m_side * end_gap, false};
 }
 
@@ -81,8 +80,8 @@ SurfaceFrame<3> RoundedPrism::frame(const SurfacePlace<3>& place) const {
   const bool edge = see.along > 0;
   const double distance = edge ? std::hypot(see.out, see.along) : 1;
   const double across = edge ? see.out / distance : 1, along = edge ? see.along / distance : 0;
-  frame.n = m_side * (across * m_frame.base.leftCols<2>() * section.n +
-                      along * see.end * m_frame.base.col(2));
+  frame.n =
+      m_side * (across * m_frame.base.leftCols<2>() * section.n + along * see.end * m_frame.base.col(2));
   frame.E.col(0) = m_frame.base.leftCols<2>() * section.E;
   frame.E.col(1) = frame.n.cross(frame.E.col(0));
   // the section's curvature about the inner prism, whose own may be a corner
@@ -99,7 +98,7 @@ int RoundedPrism::piece(const SurfacePlace<3>& place) const {
 }
 
 Vector<2> RoundedPrism::center() const {
-  const auto places = m_section.samples(OUTLINE);
+  const auto places = m_section.samples(SECTION_PLACES);
   Vector<2> sum = Vector<2>::Zero();
   for (const auto& place : places) sum += place.y;
   return sum / static_cast<double>(places.size());
@@ -115,7 +114,8 @@ std::vector<SurfacePlace<3>> RoundedPrism::samples(int n) const {
     const double on_end = std::max(std::abs(way) - half, 0.) / reach;
     const Vector<2> y = middle + std::sqrt(1 - on_end) * (place.y - middle);
     const double along = std::clamp(way, -half, half);
-    places.push_back(foot(m_frame.global(Vector<3>(y[0], y[1], along)), Param<3>(place.hint[0], along)).place);
+    places.push_back(
+        foot(m_frame.global(Vector<3>(y[0], y[1], along)), Param<3>(place.hint[0], along)).place);
   }
   return places;
 }
@@ -142,7 +142,7 @@ void RoundedPrism::add_end(SurfaceMesh& mesh, const std::vector<SurfacePlace<2>>
 SurfaceMesh RoundedPrism::mesh(const Eigen::AlignedBox3d& window) const {
   const double sagitta = 0.5 * MESH_SAGITTA * window.sizes().maxCoeff();
   const auto allowed = [&](const Vector<2>&, const Vector<2>&) { return sagitta; };
-  const auto outline = refined_outline<2>(m_section, FIRST, allowed);
+  const auto outline = refined_outline<2>(m_section, FIRST_PLACES, allowed);
   const double step = 2 * std::acos(std::max(1 - sagitta / m_fillet, 0.));
   const int count = static_cast<int>(std::ceil(std::clamp(M_PI_2 / step, 2., 360.)));
   std::vector<std::vector<SurfacePlace<3>>> rows;
