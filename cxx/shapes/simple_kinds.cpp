@@ -15,7 +15,10 @@ namespace {
 
 using Made = std::shared_ptr<const Surface<3>>;
 
-const Parameter INSIDE{"inside", ArgumentKind::FLAG, "true: the body on the other side, in the hollow"};
+// a function, since tables of other files read it before this one is initialized
+Parameter inside_parameter() {
+  return {"inside", ArgumentKind::FLAG, "true: the body on the other side, in the hollow"};
+}
 
 std::vector<double> values(const Arguments& given, const char* name, std::size_t count, const char* expected) {
   std::vector<double> list = given.list(name);
@@ -91,7 +94,7 @@ Made box_of(const Arguments& given) {
 
 SurfaceKind sphere_shape() {
   return {"sphere=R",
-          {{"sphere", ArgumentKind::NUMBER, "ball about the origin of the tool's frame; radius [length]"}, INSIDE},
+          {{"sphere", ArgumentKind::NUMBER, "ball about the origin of the tool's frame; radius [length]"}, inside_parameter()},
           [](const Arguments& given) { return sphere(given.number("sphere", 0), {}, given.flag("inside")); }};
 }
 
@@ -101,7 +104,7 @@ SurfaceKind cylinder_shape() {
            {"length", ArgumentKind::NUMBER, "from end to end, half on each side of the origin; endless unless given [length]"},
            fillet_parameter(),
            axis_parameter(),
-           INSIDE},
+           inside_parameter()},
           cylinder_of};
 }
 
@@ -111,7 +114,7 @@ SurfaceKind cone_shape() {
             "radii half the height below and above the origin, one of them may be 0; height [length]"},
            fillet_parameter(),
            axis_parameter(),
-           INSIDE},
+           inside_parameter()},
           cone_of};
 }
 
@@ -119,7 +122,7 @@ SurfaceKind torus_shape() {
   return {"torus=[R,r]",
           {{"torus", ArgumentKind::NUMBERS, "ring about the origin: radius of the circle of centers, of the tube [length]"},
            axis_parameter(),
-           INSIDE},
+           inside_parameter()},
           [](const Arguments& given) {
             const auto v = values(given, "torus", 2, "2: [radius of the ring, radius of the tube]");
             return torus(v[0], v[1], axis_of("torus", given), given.flag("inside"));
@@ -143,7 +146,7 @@ SurfaceKind box_shape() {
   return {"box=[a,b,c]",
           {{"box", ArgumentKind::NUMBERS, "box about the origin: lengths along x, y and z of the tool's frame [length]"},
            fillet_parameter(),
-           INSIDE},
+           inside_parameter()},
           box_of};
 }
 

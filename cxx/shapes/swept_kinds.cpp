@@ -21,13 +21,19 @@ Arguments without(Arguments given, const std::vector<Parameter>& parameters) {
   return given;
 }
 
-const std::vector<Parameter> REVOLVE{
-    {"revolve", ArgumentKind::FLAG, "true: a profile turned about an axis; its x is the distance from the axis"}, axis_parameter()};
-const std::vector<Parameter> EXTRUDE{
-    {"extrude", ArgumentKind::FLAG, "true: a profile of the tool's x, y plane swept along an axis"},
-    {"length", ArgumentKind::NUMBER, "from end to end, half on each side of the origin; endless unless given [length]"},
-    fillet_parameter(),
-    axis_parameter()};
+// functions, since tables of other files read them before this one is initialized
+std::vector<Parameter> words_of_revolve() {
+  return {
+      {"revolve", ArgumentKind::FLAG, "true: a profile turned about an axis; its x is the distance from the axis"},
+      axis_parameter()};
+}
+std::vector<Parameter> words_of_extrude() {
+  return {{"extrude", ArgumentKind::FLAG, "true: a profile of the tool's x, y plane swept along an axis"},
+          {"length", ArgumentKind::NUMBER,
+           "from end to end, half on each side of the origin; endless unless given [length]"},
+          fillet_parameter(),
+          axis_parameter()};
+}
 
 void require_true(const Arguments& given, const char* word) {
   if (!given.flag(word)) fail(word, std::string(word) + " = false, expected true, or leave it out");
@@ -36,7 +42,7 @@ void require_true(const Arguments& given, const char* word) {
 Made revolved(const Arguments& given) {
   require_true(given, "revolve");
   const auto surface =
-      std::make_shared<Revolved>(make_shape(without(given, REVOLVE)), axis_of("revolve", given));
+      std::make_shared<Revolved>(make_shape(without(given, words_of_revolve())), axis_of("revolve", given));
   constexpr double on_axis = 1e-6;
   const AxisFrame axis = axis_of("revolve", given);
   for (const auto& end : surface->ends()) {
@@ -51,7 +57,7 @@ Made revolved(const Arguments& given) {
 
 Made extruded(const Arguments& given) {
   require_true(given, "extrude");
-  Arguments flat = without(given, EXTRUDE);
+  Arguments flat = without(given, words_of_extrude());
   AxisFrame axis = axis_of("extrude", given);
   if (!given.has("length")) {
     if (given.has("fillet")) fail("extrude", "fillet= rounds the edges of the ends, and without length= there are none");
@@ -76,8 +82,8 @@ Made extruded(const Arguments& given) {
 
 } // namespace
 
-SurfaceKind revolve_shape() { return {"revolve=true", REVOLVE, revolved, "", true}; }
+SurfaceKind revolve_shape() { return {"revolve=true", words_of_revolve(), revolved, "", true}; }
 
-SurfaceKind extrude_shape() { return {"extrude=true", EXTRUDE, extruded, "", true}; }
+SurfaceKind extrude_shape() { return {"extrude=true", words_of_extrude(), extruded, "", true}; }
 
 } // namespace burnish
