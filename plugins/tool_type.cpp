@@ -27,7 +27,7 @@
 //     > crank.coordinates("beta", x="e*cos(beta)", y="e*sin(beta)", angle="0");
 //     > ball.coordinates("cartesian");
 //     > plate.coordinates("cartesian", rotation="z:phi x:theta z:psi");
-//     ! , expected "polar", "cartesian", or names of coordinates with their formulas x=
+//     ! or names of coordinates with their formulas
 //     ! belongs to a contact already: choose its coordinates before add
 //     ! has its coordinates already:
 //     ! lack the formula
@@ -97,10 +97,9 @@ struct ChooseCoordinates {
   static basicAC_F0::name_and_type* const names;
   static bool call(const Named& named, CoordinatesMethod m, string* kind) {
     return visit(m->get(), [&](auto& object) {
-      const auto coordinates =
-          make_coordinates<dim_of<decltype(object)>>(object.tool->name(), *kind,
-                                                     arguments_of(named, coordinate_parameters()),
-                                                     object.tool->parameters());
+      const auto coordinates = make_coordinates<dim_of<decltype(object)>>(
+          object.tool->name(), *kind, arguments_of(named, coordinate_parameters()),
+          object.tool->parameters());
       if (object.added)
         fail("tool.coordinates", "tool \"" + object.tool->name() +
                                      "\" belongs to a contact already: choose its coordinates before add");

@@ -21,7 +21,8 @@ SurfaceFoot<3> Extruded::foot(const Vector<3>& p, const Param<3>& hint) const {
   require(hint.allFinite(), "Extruded::foot", "hint", hint.transpose(), "finite parameters");
   const Vector<3> local = m_frame.local(p);
   const SurfaceFoot<2> flat = m_section.foot(local.head<2>(), Param<2>(hint[0]));
-  const double along = endless() ? local[2] : std::clamp(local[2], 0., m_length), excess = std::abs(local[2] - along);
+  const double along = endless() ? local[2] : std::clamp(local[2], 0., m_length),
+               excess = std::abs(local[2] - along);
   SurfaceFoot<3> foot{swept(flat.place, along), flat.gap, flat.on_end};
   if (endless() || excess <= end_itself * m_length) return foot;
   foot.on_end = true;

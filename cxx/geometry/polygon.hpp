@@ -7,7 +7,7 @@
 namespace burnish {
 
 /// Triangles that fill a polygon, counter-clockwise, each three numbers of its corners: ears are cut off one after the other
-/// [Meisters1975]. Corners that coincide or lie on a line with their neighbors give none.
+///. Corners that coincide or lie on a line with their neighbors give none.
 /// @param corners in either order, of a polygon that does not cross itself
 std::vector<std::array<int, 3>> polygon_triangles(const std::vector<Vector<2>>& corners);
 

@@ -55,7 +55,6 @@ refined_outline(const Surface<Dim>& surface, int first,
 }
 
 template std::vector<SurfacePlace<2>>
-refined_outline<2>(const Surface<2>&, int,
-                   const std::function<double(const Vector<2>&, const Vector<2>&)>&);
+refined_outline<2>(const Surface<2>&, int, const std::function<double(const Vector<2>&, const Vector<2>&)>&);
 
 } // namespace burnish

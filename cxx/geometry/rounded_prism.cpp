@@ -7,7 +7,7 @@
 namespace burnish {
 namespace {
 
-constexpr int SECTION_PLACES = 257;     // places at which the section is looked at
+constexpr int SECTION_PLACES = 257;      // places at which the section is looked at
 constexpr double FILLET_ROUNDING = 1e-9; // of the fillet
 
 double length_checked(double value, const char* name) {
@@ -44,8 +44,7 @@ void RoundedPrism::check_fillet() const {
 RoundedPrism::Seen RoundedPrism::seen(const Vector<3>& local, const Param<3>& hint) const {
   const SurfaceFoot<2> flat = m_section.foot(local.head<2>(), Param<2>(hint[0]));
   const double height = local[2] != 0 ? local[2] : hint[1];
-  return {flat.place, flat.gap, flat.gap + m_fillet, std::abs(local[2]) - m_inner,
-          std::copysign(1., height)};
+  return {flat.place, flat.gap, flat.gap + m_fillet, std::abs(local[2]) - m_inner, std::copysign(1., height)};
 }
 
 SurfaceFoot<3> RoundedPrism::foot(const Vector<3>& p, const Param<3>& hint) const {
@@ -62,7 +61,8 @@ SurfaceFoot<3> RoundedPrism::foot(const Vector<3>& p, const Param<3>& hint) cons
     const Vector<2> y = wall + (see.out * part - m_fillet) * n;
     return {at(y, see.end * (m_inner + see.along * part), s), m_side * (distance - m_fillet), false};
   }
-  if (see.out > 0 || (see.along <= 0 && see.gap >= end_gap)) return {at(wall, local[2], s), m_side * see.gap, false};
+  if (see.out > 0 || (see.along <= 0 && see.gap >= end_gap))
+    return {at(wall, local[2], s), m_side * see.gap, false};
   return {at(local.head<2>(), see.end * (m_inner + m_fillet), s), m_side * end_gap, false};
 }
 
@@ -80,8 +80,8 @@ SurfaceFrame<3> RoundedPrism::frame(const SurfacePlace<3>& place) const {
   const bool edge = see.along > 0;
   const double distance = edge ? std::hypot(see.out, see.along) : 1;
   const double across = edge ? see.out / distance : 1, along = edge ? see.along / distance : 0;
-  frame.n = m_side * (across * m_frame.base.leftCols<2>() * section.n +
-                      along * see.end * m_frame.base.col(2));
+  frame.n =
+      m_side * (across * m_frame.base.leftCols<2>() * section.n + along * see.end * m_frame.base.col(2));
   frame.E.col(0) = m_frame.base.leftCols<2>() * section.E;
   frame.E.col(1) = frame.n.cross(frame.E.col(0));
   // the section's curvature about the inner prism, whose own may be a corner
@@ -114,7 +114,8 @@ std::vector<SurfacePlace<3>> RoundedPrism::samples(int n) const {
     const double on_end = std::clamp((std::abs(way) - half) / reach, 0., 1.);
     const Vector<2> y = middle + std::sqrt(1 - on_end) * (place.y - middle);
     const double along = std::clamp(way, -half, half);
-    places.push_back(foot(m_frame.global(Vector<3>(y[0], y[1], along)), Param<3>(place.hint[0], along)).place);
+    places.push_back(
+        foot(m_frame.global(Vector<3>(y[0], y[1], along)), Param<3>(place.hint[0], along)).place);
   }
   return places;
 }

@@ -18,8 +18,8 @@ public:
   /// @param inside  true: the body is in the hollow
   /// @throws std::invalid_argument for a section that is null or open, a length or fillet that is not finite or <= 0, a
   /// fillet beyond half the length, and one that does not roll along the section from within (names the place)
-  RoundedPrism(std::shared_ptr<const Profile<2>> section, const AxisFrame& frame, double length, double fillet,
-               bool inside = false);
+  RoundedPrism(std::shared_ptr<const Profile<2>> section, const AxisFrame& frame, double length,
+               double fillet, bool inside = false);
 
   SurfaceFoot<3> foot(const Vector<3>& p, const Param<3>& hint) const override;
   SurfaceFrame<3> frame(const SurfacePlace<3>& place) const override;

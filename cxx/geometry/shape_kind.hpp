@@ -14,7 +14,7 @@ template <class Shape> struct KindOf {
   std::vector<Parameter> parameters; ///< the first one chooses this kind
   /// @throws std::invalid_argument for values that make no such shape
   std::function<std::shared_ptr<const Shape>(const Arguments&)> make;
-  std::string remark = {};   ///< after "takes no ...=", what to do instead
+  std::string remark = {};    ///< after "takes no ...=", what to do instead
   bool takes_profile = false; ///< the words of a profile belong to it as well
 };
 using ShapeKind = KindOf<Profile<2>>;

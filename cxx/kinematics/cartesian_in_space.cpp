@@ -43,7 +43,8 @@ Eigen::VectorXd CartesianInSpace::reference_at(const Eigen::VectorXd& q) const {
 }
 
 void CartesianInSpace::refer_to(const Eigen::VectorXd& reference) const {
-  require(reference.size() == 7, "CartesianInSpace::refer_to", "size of the reference", reference.size(), "7");
+  require(reference.size() == 7, "CartesianInSpace::refer_to", "size of the reference", reference.size(),
+          "7");
   m_spin = reference.head<3>();
   m_turned = Eigen::Quaterniond(reference[3], reference[4], reference[5], reference[6]);
 }

@@ -26,7 +26,8 @@ struct Said {
   const Arguments& given;
   const std::map<std::string, double>& parameters;
 
-  template <int Dim> Vector<Dim> vector(const char* name, const Vector<Dim>& otherwise, const char* expected) const {
+  template <int Dim>
+  Vector<Dim> vector(const char* name, const Vector<Dim>& otherwise, const char* expected) const {
     if (!given.has(name)) return otherwise;
     const std::vector<double> v = given.list(name);
     const std::string what = std::string("number of values in ") + name;
@@ -80,13 +81,16 @@ std::shared_ptr<const Coordinates<3>> cartesian_in_space(const Said& said) {
 void require_formulas(const Said& said, const Names& formulas) {
   for (const std::string& formula : formulas)
     if (!said.given.has(formula))
-      fail(WHERE, "coordinates \"" + said.kind + "\" of tool \"" + said.tool + "\" lack the formula " + formula + "=");
+      fail(WHERE, "coordinates \"" + said.kind + "\" of tool \"" + said.tool + "\" lack the formula " +
+                      formula + "=");
 }
 
 template <int Dim> const std::vector<Kind<Dim>>& kinds();
 template <> const std::vector<Kind<2>>& kinds<2>() {
   static const std::vector<Kind<2>> all{
-      {"polar", {"pivot"}, "pivot=[x0,y0]",
+      {"polar",
+       {"pivot"},
+       "pivot=[x0,y0]",
        [](const Said& said) {
          return std::make_shared<Polar>(said.vector<2>("pivot", Vector<2>::Zero(), "2: [x0,y0]"));
        }},
@@ -102,13 +106,18 @@ template <> const std::vector<Kind<2>>& kinds<2>() {
 }
 template <> const std::vector<Kind<3>>& kinds<3>() {
   static const std::vector<Kind<3>> all{
-      {"polar", {"pivot", "axis"}, "pivot=[x0,y0,z0] and axis=[x,y,z]",
+      {"polar",
+       {"pivot", "axis"},
+       "pivot=[x0,y0,z0] and axis=[x,y,z]",
        [](const Said& said) { return std::make_shared<PolarInSpace>(said.line()); }},
       {"cartesian", {"rotation"}, "rotation=", cartesian_in_space},
-      {"screw", {"pivot", "axis", "lead"}, "pivot=[x0,y0,z0], axis=[x,y,z] and lead=",
+      {"screw",
+       {"pivot", "axis", "lead"},
+       "pivot=[x0,y0,z0], axis=[x,y,z] and lead=",
        [](const Said& said) {
          if (!said.given.has("lead"))
-           fail(WHERE, "\"screw\" of tool \"" + said.tool + "\" lacks lead=, the way along the axis of a full turn");
+           fail(WHERE,
+                "\"screw\" of tool \"" + said.tool + "\" lacks lead=, the way along the axis of a full turn");
          return std::make_shared<Screw>(said.line(), said.given.number("lead", 0));
        }},
       {"", {"x", "y", "z", "rotation"}, "x=, y=, z= and rotation=", [](const Said& said) {
@@ -139,8 +148,11 @@ template <int Dim> void refuse_others(const Kind<Dim>& kind, const Said& said) {
     if (!said.given.has(name) || among(kind.takes, name)) continue;
     const auto known = [&](const Kind<Dim>& other) { return among(other.takes, name); };
     if (std::none_of(kinds<Dim>().begin(), kinds<Dim>().end(), known))
-      fail(WHERE, "tool \"" + said.tool + "\" is one of " + (Dim == 2 ? "the plane" : "space") + " and takes no " +
-                      name + "=" + (name == "angle" ? ", but rotation=" : name == "rotation" ? ", but angle=" : ""));
+      fail(WHERE, "tool \"" + said.tool + "\" is one of " + (Dim == 2 ? "the plane" : "space") +
+                      " and takes no " + name + "=" +
+                      (name == "angle"      ? ", but rotation="
+                       : name == "rotation" ? ", but angle="
+                                            : ""));
     if (among(own, name))
       fail(WHERE, "\"" + said.kind + "\" takes " + kind.shown + ", not " + name +
                       "=, which is a formula of coordinates named by the script");
@@ -153,22 +165,26 @@ template <int Dim> [[noreturn]] void unknown(const Said& said) {
   for (const Kind<Dim>& kind : kinds<Dim>())
     if (!kind.name.empty()) known += "\"" + kind.name + "\", ";
   fail(WHERE, "unknown kind \"" + said.kind + "\", expected " + known +
-                  "or names of coordinates with their formulas " + (Dim == 2 ? "x= and y=" : "x=, y= and z="));
+                  "or names of coordinates with their formulas " +
+                  (Dim == 2 ? "x= and y=" : "x=, y= and z="));
 }
 
 } // namespace
 
 const std::vector<Parameter>& coordinate_parameters() {
   static const std::vector<Parameter> list{
-      {"pivot", ArgumentKind::NUMBERS, "polar: pole [x0,y0]; in space a point of the line, also of a screw [length]"},
+      {"pivot", ArgumentKind::NUMBERS,
+       "polar: pole [x0,y0]; in space a point of the line, also of a screw [length]"},
       {"axis", ArgumentKind::NUMBERS, "polar and screw in space: direction of the line; z unless given"},
-      {"lead", ArgumentKind::NUMBER, "screw: way along the line of a full turn, negative for a left-hand thread [length]"},
+      {"lead", ArgumentKind::NUMBER,
+       "screw: way along the line of a full turn, negative for a left-hand thread [length]"},
       {"x", ArgumentKind::TEXT, "names of one's own: formula of the frame's x [length]"},
       {"y", ArgumentKind::TEXT, "the same of its y [length]"},
       {"z", ArgumentKind::TEXT, "the same of its z, in space [length]"},
       {"angle", ArgumentKind::TEXT, "the same of its turn in the plane, counter-clockwise [rad]"},
       {"rotation", ArgumentKind::TEXT,
-       "in space \"z:phi x:theta z:psi\", \"vector: a, b, c\" or \"quaternion: w, a, b, c\", each a formula [rad, -]"}};
+       "in space \"z:phi x:theta z:psi\", \"vector: a, b, c\" or \"quaternion: w, a, b, c\", each a formula "
+       "[rad, -]"}};
   return list;
 }
 

@@ -6,8 +6,10 @@ namespace {
 
 void require_window(const Eigen::AlignedBox3d& window) {
   constexpr const char* where = "surface_mesh";
-  require(window.min().allFinite(), where, "corner of the window", window.min().transpose(), "finite components");
-  require(window.max().allFinite(), where, "corner of the window", window.max().transpose(), "finite components");
+  require(window.min().allFinite(), where, "corner of the window", window.min().transpose(),
+          "finite components");
+  require(window.max().allFinite(), where, "corner of the window", window.max().transpose(),
+          "finite components");
   require(!window.isEmpty() && window.sizes().maxCoeff() > 0, where, "sizes of the window",
           window.sizes().transpose(), "none negative, one > 0");
 }
@@ -24,8 +26,9 @@ SurfaceMesh surface_mesh(const Tool<3>& tool, const Eigen::VectorXd& q, const Ei
   const Pose<3> pose = tool.coordinates().pose(q);
   Eigen::AlignedBox3d local; // about the corners of the window
   for (int corner = 0; corner < 8; ++corner)
-    local.extend(Vector<3>(pose.R.transpose() *
-                           (window.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - pose.origin)));
+    local.extend(
+        Vector<3>(pose.R.transpose() *
+                  (window.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - pose.origin)));
   SurfaceMesh mesh = surface_mesh(tool.surface(), local);
   for (auto& point : mesh.points) point = pose.origin + pose.R * point;
   return mesh;

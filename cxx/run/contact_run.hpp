@@ -20,7 +20,7 @@ struct JumpMemory {
 template <int Dim> struct ContactRunState {
   ContactState<Dim> contact;
   std::vector<Eigen::VectorXd> references; ///< of the tools' coordinates, see Coordinates::reference
-  Eigen::VectorXd u, R;                    ///< displacement [length], nodal force out of balance with tools and supports [force]
+  Eigen::VectorXd u, R; ///< displacement [length], nodal force out of balance with tools and supports [force]
   Eigen::VectorXd generalized_force; ///< on the tools, one per coordinate [force, force length]
   PrescribedValues prescribed;       ///< at the end of the last step
   StepHistory<Dim> history;

@@ -12,7 +12,9 @@ namespace burnish {
 
 namespace {
 
-template <class Shape> const std::string& word_of(const KindOf<Shape>& kind) { return kind.parameters[0].name; }
+template <class Shape> const std::string& word_of(const KindOf<Shape>& kind) {
+  return kind.parameters[0].name;
+}
 
 template <class Shape> bool takes(const KindOf<Shape>& kind, const std::string& name) {
   const auto named = [&](const Parameter& parameter) { return parameter.name == name; };
@@ -75,8 +77,9 @@ const std::vector<ShapeKind>& shape_kinds() {
 }
 
 const std::vector<SurfaceKind>& surface_kinds() {
-  static const std::vector<SurfaceKind> kinds{sphere_shape(), cylinder_shape(), cone_shape(),    torus_shape(),
-                                              plane_shape(),  box_shape(),      revolve_shape(), extrude_shape()};
+  static const std::vector<SurfaceKind> kinds{sphere_shape(),  cylinder_shape(), cone_shape(),
+                                              torus_shape(),   plane_shape(),    box_shape(),
+                                              revolve_shape(), extrude_shape()};
   return kinds;
 }
 

@@ -15,12 +15,12 @@ namespace {
 
 using Made = std::shared_ptr<const Surface<3>>;
 
-// a function, since tables of other files read it before this one is initialized
 Parameter inside_parameter() {
   return {"inside", ArgumentKind::FLAG, "true: the body on the other side, in the hollow"};
 }
 
-std::vector<double> values(const Arguments& given, const char* name, std::size_t count, const char* expected) {
+std::vector<double> values(const Arguments& given, const char* name, std::size_t count,
+                           const char* expected) {
   std::vector<double> list = given.list(name);
   const std::string what = std::string("number of values in ") + name;
   require(list.size() == count, name, what.c_str(), list.size(), expected);
@@ -51,11 +51,13 @@ Made rounded_cone(const Vector<2>& radii, double height, double fillet, const Ax
 Made cone_of(const Arguments& given) {
   const auto v = values(given, "cone", 3, "3: [radius at z = -height/2, radius at z = height/2, height]");
   const Vector<2> radii(v[0], v[1]);
-  for (const double radius : v) require(std::isfinite(radius) && radius >= 0, "cone", "value", radius, "a finite number >= 0");
+  for (const double radius : v)
+    require(std::isfinite(radius) && radius >= 0, "cone", "value", radius, "a finite number >= 0");
   require(radii.maxCoeff() > 0, "cone", "larger radius", radii.maxCoeff(), "> 0");
   const double height = length_of("cone", "height", v[2]);
   const bool first = radii[0] > 0;
-  const std::string place = sentence("r = ", first ? radii[0] : radii[1], ", z = ", first ? -height / 2 : height / 2);
+  const std::string place =
+      sentence("r = ", first ? radii[0] : radii[1], ", z = ", first ? -height / 2 : height / 2);
   return with_fillet("cone", given, place, std::max(radii.maxCoeff(), height),
                      [&, axis = axis_of("cone", given)](double fillet) {
                        return rounded_cone(radii, height, fillet, axis, given.flag("inside"));
@@ -67,12 +69,13 @@ Made cylinder_of(const Arguments& given) {
   const AxisFrame axis = axis_of("cylinder", given);
   const bool inside = given.flag("inside");
   if (!given.has("length")) {
-    if (given.has("fillet")) fail("cylinder", "fillet= rounds the edges of the ends, and without length= there are none");
+    if (given.has("fillet"))
+      fail("cylinder", "fillet= rounds the edges of the ends, and without length= there are none");
     return std::make_shared<Extruded>(std::make_shared<Circle>(radius, inside), axis);
   }
   const double length = length_of("cylinder", "length", given.number("length", 0));
-  return with_fillet("cylinder", given, sentence("r = ", radius, ", z = ", length / 2), std::min(radius, length / 2),
-                     [&](double fillet) {
+  return with_fillet("cylinder", given, sentence("r = ", radius, ", z = ", length / 2),
+                     std::min(radius, length / 2), [&](double fillet) {
                        return std::make_shared<RoundedPrism>(std::make_shared<Circle>(radius), axis, length,
                                                              fillet, inside);
                      });
@@ -82,26 +85,29 @@ Made box_of(const Arguments& given) {
   const auto v = values(given, "box", 3, "3: [length along x, along y, along z]");
   for (const double side : v) length_of("box", "side", side);
   const Vector<3> half(v[0] / 2, v[1] / 2, v[2] / 2);
-  return with_fillet("box", given, sentence("x = ", half[0], ", y = ", half[1]), half.minCoeff(), [&](double fillet) {
-    const std::vector<Vector<2>> corners{
-        {half[0], half[1]}, {-half[0], half[1]}, {-half[0], -half[1]}, {half[0], -half[1]}};
-    const auto section = std::make_shared<ArcChain>(corners, std::vector<double>(4, fillet), true);
-    return std::make_shared<RoundedPrism>(section, AxisFrame(), v[2], fillet, given.flag("inside"));
-  });
+  return with_fillet(
+      "box", given, sentence("x = ", half[0], ", y = ", half[1]), half.minCoeff(), [&](double fillet) {
+        const std::vector<Vector<2>> corners{
+            {half[0], half[1]}, {-half[0], half[1]}, {-half[0], -half[1]}, {half[0], -half[1]}};
+        const auto section = std::make_shared<ArcChain>(corners, std::vector<double>(4, fillet), true);
+        return std::make_shared<RoundedPrism>(section, AxisFrame(), v[2], fillet, given.flag("inside"));
+      });
 }
 
 } // namespace
 
 SurfaceKind sphere_shape() {
   return {"sphere=R",
-          {{"sphere", ArgumentKind::NUMBER, "ball about the origin of the tool's frame; radius [length]"}, inside_parameter()},
+          {{"sphere", ArgumentKind::NUMBER, "ball about the origin of the tool's frame; radius [length]"},
+           inside_parameter()},
           [](const Arguments& given) { return sphere(given.number("sphere", 0), {}, given.flag("inside")); }};
 }
 
 SurfaceKind cylinder_shape() {
   return {"cylinder=R",
           {{"cylinder", ArgumentKind::NUMBER, "roller about an axis through the origin; radius [length]"},
-           {"length", ArgumentKind::NUMBER, "from end to end, half on each side of the origin; endless unless given [length]"},
+           {"length", ArgumentKind::NUMBER,
+            "from end to end, half on each side of the origin; endless unless given [length]"},
            fillet_parameter(),
            axis_parameter(),
            inside_parameter()},
@@ -120,7 +126,8 @@ SurfaceKind cone_shape() {
 
 SurfaceKind torus_shape() {
   return {"torus=[R,r]",
-          {{"torus", ArgumentKind::NUMBERS, "ring about the origin: radius of the circle of centers, of the tube [length]"},
+          {{"torus", ArgumentKind::NUMBERS,
+            "ring about the origin: radius of the circle of centers, of the tube [length]"},
            axis_parameter(),
            inside_parameter()},
           [](const Arguments& given) {
@@ -131,9 +138,11 @@ SurfaceKind torus_shape() {
 
 SurfaceKind plane_shape() {
   return {"plane=[x0,y0,z0,nx,ny,nz]",
-          {{"plane", ArgumentKind::NUMBERS, "endless plane through a point, with its normal into the body [length, -]"},
+          {{"plane", ArgumentKind::NUMBERS,
+            "endless plane through a point, with its normal into the body [length, -]"},
            {"size", ArgumentKind::NUMBER,
-            "about the extent of the body on it: the lever arm for tolerances of moments; 1 unless given [length]"}},
+            "about the extent of the body on it: the lever arm for tolerances of moments; 1 unless given "
+            "[length]"}},
           [](const Arguments& given) -> Made {
             const auto v = values(given, "plane", 6, "6: [x0,y0,z0,nx,ny,nz]");
             return std::make_shared<PlaneSurface>(Vector<3>(v[0], v[1], v[2]), Vector<3>(v[3], v[4], v[5]),
@@ -144,7 +153,8 @@ SurfaceKind plane_shape() {
 
 SurfaceKind box_shape() {
   return {"box=[a,b,c]",
-          {{"box", ArgumentKind::NUMBERS, "box about the origin: lengths along x, y and z of the tool's frame [length]"},
+          {{"box", ArgumentKind::NUMBERS,
+            "box about the origin: lengths along x, y and z of the tool's frame [length]"},
            fillet_parameter(),
            inside_parameter()},
           box_of};

@@ -14,6 +14,7 @@ SurfaceKind box_shape();      ///< "box=[a,b,c]"
 SurfaceKind revolve_shape();  ///< "revolve=true" with a profile
 SurfaceKind extrude_shape();  ///< "extrude=true" with a profile
 
+// Functions, as a plugin may ask for them while it is loaded.
 Parameter axis_parameter();   ///< "axis="
 Parameter fillet_parameter(); ///< "fillet="
 

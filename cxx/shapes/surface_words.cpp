@@ -44,8 +44,8 @@ std::shared_ptr<const Surface<3>> with_fillet(const char* where, const Arguments
     fail(where, "no fillet fits at " + place);
   }
   fail(where, sentence("the edge at ", place,
-                       given.has("fillet") ? " cannot have the radius " : " is sharp: give it ", "fillet = ", fillet,
-                       ", expected > 0 and up to ", fits));
+                       given.has("fillet") ? " cannot have the radius " : " is sharp: give it ",
+                       "fillet = ", fillet, ", expected > 0 and up to ", fits));
 }
 
 Parameter axis_parameter() {

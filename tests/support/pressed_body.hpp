@@ -29,7 +29,11 @@ struct PressedPrism {
   NodeBlockMatrix<3> K = body.workpiece().pattern();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(18), R = u;
 
-  explicit PressedPrism(double mu) {
+  static std::shared_ptr<const Coordinates<3>> place() {
+    return std::make_shared<FormulaCoordinates<3>>("plane", std::vector<std::string>{"x", "y", "z"},
+                                                   SpaceFormulas{"x", "y", "z"});
+  }
+  explicit PressedPrism(double mu, std::shared_ptr<const Coordinates<3>> coordinates = place()) {
     std::fill(fixed.begin(), fixed.begin() + 9, 1);
     IterationOptions options;
     options.tolerance = 1e-11;
@@ -37,8 +41,7 @@ struct PressedPrism {
     options.gap_tolerance = 1e-9;
     options.max_iterations = 60;
     setup = std::make_shared<ContactSetup<3>>(mesh, mesh.facets, fixed, std::make_shared<FaceMeasure>());
-    tool->set_coordinates(std::make_shared<FormulaCoordinates<3>>(
-        "plane", std::vector<std::string>{"x", "y", "z"}, SpaceFormulas{"x", "y", "z"}));
+    tool->set_coordinates(std::move(coordinates));
     tool->place("z", 1.1);
     setup->add_tool(tool, make_coulomb(mu));
     contact = std::make_unique<ContactRun<3>>(setup, options);

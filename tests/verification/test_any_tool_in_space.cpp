@@ -53,12 +53,14 @@ void check_blocks(const Node& sample) {
   const double h = 1e-3;
   for (int a = 0; a < 2; ++a) {
     const Param<3> along = Param<3>::Unit(a);
-    expect_close(Vector<3>(here.E.col(a)), finite_difference([&](double t) { return position(t * along); }, 0, h), 1, 1e-9,
+    expect_close(Vector<3>(here.E.col(a)),
+                 finite_difference([&](double t) { return position(t * along); }, 0, h), 1, 1e-9,
                  "dx by slip");
     const auto work_q = [&](double t) {
       return Eigen::VectorXd(sample.point(t * along, sample.at_rest()).x_q.transpose() * sample.F);
     };
-    expect_close(Eigen::VectorXd(rows.geo_qs.row(a).transpose()), finite_difference(work_q, 0, h), 5, 1e-7, "q-slip");
+    expect_close(Eigen::VectorXd(rows.geo_qs.row(a).transpose()), finite_difference(work_q, 0, h), 5, 1e-7,
+                 "q-slip");
     for (int b = 0; b < 2; ++b) {
       const Param<3> sum = along + Param<3>::Unit(b), difference = along - Param<3>::Unit(b);
       const double mixed = (second_along(sample, sum) - second_along(sample, difference)) / 4;
@@ -73,7 +75,8 @@ void check_blocks(const Node& sample) {
     expect_close(Param<3>(rows.geo_sq.col(k)), finite_difference(row, 0, h), 5, 1e-7, "slip-q");
     const auto force = [&](double t) { return Eigen::VectorXd(moved(t).x_q.transpose() * sample.F); };
     expect_close(Eigen::VectorXd(rows.geo_qq.col(k)), finite_difference(force, 0, h), 5, 1e-7, "q-q");
-    expect_close(Vector<3>(here.x_q.col(k)), finite_difference([&](double t) { return moved(t).x; }, 0, h), 5, 1e-9, "dx by q");
+    expect_close(Vector<3>(here.x_q.col(k)), finite_difference([&](double t) { return moved(t).x; }, 0, h), 5,
+                 1e-9, "dx by q");
   }
 }
 

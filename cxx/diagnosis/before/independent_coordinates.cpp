@@ -19,15 +19,13 @@ struct Combination {
   int turns = 0;        ///< coordinates that turn the tool about its origin only
 };
 
-template <int Dim>
-Eigen::VectorXd motion_of(const Vector<Dim>& origin, const Tensor<Dim>& R, double lever) {
+template <int Dim> Eigen::VectorXd motion_of(const Vector<Dim>& origin, const Tensor<Dim>& R, double lever) {
   Eigen::VectorXd motion(Dim + Dim * Dim);
   motion << origin, lever * Eigen::Map<const Eigen::VectorXd>(R.data(), Dim * Dim);
   return motion;
 }
 
-template <int Dim>
-Combination weakest(const Pose<Dim>& pose, const std::vector<int>& free, double lever) {
+template <int Dim> Combination weakest(const Pose<Dim>& pose, const std::vector<int>& free, double lever) {
   Combination result;
   std::vector<Eigen::VectorXd> motions;
   for (const int k : free) {
@@ -87,18 +85,21 @@ void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& 
     const auto& names = setup.tools()[t]->tool().coordinates().names();
     std::string list;
     for (std::size_t i = 0; i < weak.coordinates.size(); ++i)
-      if (Dim == 2 || std::abs(weak.part[static_cast<Eigen::Index>(i)]) > TAKES_PART * weak.part.cwiseAbs().maxCoeff())
+      if (Dim == 2 ||
+          std::abs(weak.part[static_cast<Eigen::Index>(i)]) > TAKES_PART * weak.part.cwiseAbs().maxCoeff())
         list += (list.empty() ? "\"" : ", \"") + names[static_cast<std::size_t>(weak.coordinates[i])] + "\"";
     std::string cure;
     if (Dim == 3 && weak.turns >= 2 && weak.turns <= 3) {
       const int m = deciding(poses[t], weak, lever);
-      cure = sentence(", or, as axes of turns are parallel near \"", names[static_cast<std::size_t>(m)], "\" = ", state.q[first + m],
+      cure = sentence(", or, as axes of turns are parallel near \"", names[static_cast<std::size_t>(m)],
+                      "\" = ", state.q[first + m],
                       ", take another sequence of axes, or \"cartesian\" without rotation=, whose spins "
                       "have no singular pose");
     }
     fail("contact.begin", "coordinates " + list + " of tool \"" + setup.tools()[t]->name() +
                               "\" are under force, but one of them moves the tool as the others do; give one "
-                              "of them a motion" + cure);
+                              "of them a motion" +
+                              cure);
   }
 }
 

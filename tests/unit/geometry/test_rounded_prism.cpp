@@ -78,16 +78,20 @@ TEST(RoundedPrism, ADrumIsATurnedChain) {
 // A node that slides off the end and down the wall passes end, edge and wall.
 TEST(RoundedPrism, PiecesOfAWayOverTheEdge) {
   const RoundedPrism drum(std::make_shared<Circle>(1.5), skew_axis(), 4, 0.4);
-  const auto place = [&](double x, double z) { return drum.foot(skew_axis().global({x, 0.1, z}), ANY).place; };
+  const auto place = [&](double x, double z) {
+    return drum.foot(skew_axis().global({x, 0.1, z}), ANY).place;
+  };
   const auto end = place(0.5, 3), edge = place(1.7, 2.2), wall = place(2, 0.3), other = place(1.7, -2.2);
   std::vector<int> pieces;
   for (const auto& at : {end, edge, wall, other, place(0.5, -3)}) pieces.push_back(drum.piece(at));
   std::sort(pieces.begin(), pieces.end());
   EXPECT_EQ(std::unique(pieces.begin(), pieces.end()), pieces.end()) << "five pieces";
-  for (const auto& [from, to] : {std::make_pair(end, edge), std::make_pair(edge, wall), std::make_pair(wall, other)}) {
+  for (const auto& [from, to] :
+       {std::make_pair(end, edge), std::make_pair(edge, wall), std::make_pair(wall, other)}) {
     const double part = drum.passage(from, to);
     ASSERT_LE(part, 1);
-    const auto before = drum.frame(drum.between(from, to, part - 1e-9)), after = drum.frame(drum.between(from, to, part));
+    const auto before = drum.frame(drum.between(from, to, part - 1e-9)),
+               after = drum.frame(drum.between(from, to, part));
     expect_close(before.n, after.n, 1, 1e-7, "normal");
     EXPECT_GT((before.B - after.B).norm(), 0.1) << "the curvature jumps";
   }
@@ -95,14 +99,17 @@ TEST(RoundedPrism, PiecesOfAWayOverTheEdge) {
 
 TEST(RoundedPrism, WhatIsRefused) {
   const auto circle = std::make_shared<Circle>(1.5);
-  expect_invalid([&] { RoundedPrism(circle, {}, 4, 0); }, "RoundedPrism: fillet = 0, expected a finite number > 0");
+  expect_invalid([&] { RoundedPrism(circle, {}, 4, 0); },
+                 "RoundedPrism: fillet = 0, expected a finite number > 0");
   expect_invalid([&] { RoundedPrism(circle, {}, -4, 1); }, "RoundedPrism: length = -4");
-  expect_invalid([&] { RoundedPrism(circle, {}, 4, 2.1); }, "RoundedPrism: fillet = 2.1, expected up to half the length");
+  expect_invalid([&] { RoundedPrism(circle, {}, 4, 2.1); },
+                 "RoundedPrism: fillet = 2.1, expected up to half the length");
   expect_invalid([&] { RoundedPrism(circle, {}, 4, 1.6); },
                  "RoundedPrism: a fillet of radius 1.6 does not fit into the section at (1.5, 0)");
   expect_invalid([&] { RoundedPrism(square(0.3), {}, 4, 0.4); }, "does not fit into the section at (");
-  expect_invalid([&] { RoundedPrism(std::make_shared<Segment>(Vector<2>(0, 0), Vector<2>(1, 0)), {}, 4, 0.1); },
-                 "RoundedPrism: the section is open, expected a closed one");
+  expect_invalid(
+      [&] { RoundedPrism(std::make_shared<Segment>(Vector<2>(0, 0), Vector<2>(1, 0)), {}, 4, 0.1); },
+      "RoundedPrism: the section is open, expected a closed one");
   // a waist of 0.4 between two lobes: a circle of 0.3 rolls in the lobes, not through the waist
   const auto waist = std::make_shared<ArcChain>(
       std::vector<Vector<2>>{{2, 1}, {0, 0.2}, {-2, 1}, {-2, -1}, {0, -0.2}, {2, -1}},

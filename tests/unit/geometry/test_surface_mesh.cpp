@@ -14,7 +14,9 @@ const Param<3> ANY(0, 0);
 const Eigen::AlignedBox3d WINDOW(Vector<3>(-3, -2, -1), Vector<3>(3, 2, 4));
 
 Vector<3> area_of(const SurfaceMesh& mesh, const std::array<int, 3>& t) {
-  const auto at = [&](int i) { return mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])]; };
+  const auto at = [&](int i) {
+    return mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])];
+  };
   return (at(1) - at(0)).cross(at(2) - at(0)) / 2;
 }
 double area(const SurfaceMesh& mesh) {
@@ -25,7 +27,8 @@ double area(const SurfaceMesh& mesh) {
 /// Of the space around the origin that a closed surface encloses.
 double volume(const SurfaceMesh& mesh) {
   double sum = 0;
-  for (const auto& t : mesh.triangles) sum += area_of(mesh, t).dot(mesh.points[static_cast<std::size_t>(t[0])]) / 3;
+  for (const auto& t : mesh.triangles)
+    sum += area_of(mesh, t).dot(mesh.points[static_cast<std::size_t>(t[0])]) / 3;
   return sum;
 }
 
@@ -85,18 +88,24 @@ TEST(SurfaceMesh, WhereTheToolIs) {
   const Pose<3> pose = tool.coordinates().pose(q);
   for (const auto& point : mesh.points) ASSERT_NEAR(tool.foot(pose, point, ANY).gap, 0, 1e-12);
   expect_invalid([&] { surface_mesh(tool, q, Eigen::AlignedBox3d()); }, "surface_mesh: ");
-  expect_invalid([&] { surface_mesh(tool, q, {Vector<3>(0, 0, 0), Vector<3>(0, 0, 0)}); },
-                 "surface_mesh: sizes of the window");
+  expect_invalid(
+      [&] {
+        surface_mesh(tool, q, {Vector<3>(0, 0, 0), Vector<3>(0, 0, 0)});
+      },
+      "surface_mesh: sizes of the window");
 }
 
 TEST(PolygonTriangles, FillPolygonsThatAreNotConvex) {
-  const std::vector<Vector<2>> comb{{0, 0}, {4, 0}, {4, 3}, {3, 3}, {3, 1}, {2, 1}, {2, 3}, {1, 3}, {1, 1}, {0.5, 1}, {0, 1}};
+  const std::vector<Vector<2>> comb{{0, 0}, {4, 0}, {4, 3}, {3, 3},   {3, 1}, {2, 1},
+                                    {2, 3}, {1, 3}, {1, 1}, {0.5, 1}, {0, 1}};
   for (const bool turned : {false, true}) {
     std::vector<Vector<2>> corners = comb;
     if (turned) std::reverse(corners.begin(), corners.end());
     double sum = 0;
     for (const auto& t : polygon_triangles(corners)) {
-      const auto at = [&](int i) { return corners[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])]; };
+      const auto at = [&](int i) {
+        return corners[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])];
+      };
       const Vector<2> u = at(1) - at(0), v = at(2) - at(0);
       EXPECT_GT(u[0] * v[1] - u[1] * v[0], 0) << "counter-clockwise";
       sum += (u[0] * v[1] - u[1] * v[0]) / 2;

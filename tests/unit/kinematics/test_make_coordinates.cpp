@@ -11,7 +11,8 @@ using namespace burnish::test;
 namespace {
 
 using Names = std::vector<std::string>;
-template <int Dim> std::shared_ptr<const Coordinates<Dim>> made(const std::string& kind, const Call& call = {}) {
+template <int Dim>
+std::shared_ptr<const Coordinates<Dim>> made(const std::string& kind, const Call& call = {}) {
   return make_coordinates<Dim>("ball", kind, call, {{"e", 0.3}});
 }
 template <int Dim> void refuses(const std::string& kind, const Call& call, const std::string& message) {
@@ -41,13 +42,15 @@ TEST(MakeCoordinates, NamesOfEachKind) {
   EXPECT_EQ(cartesian("z:phi x:theta z:psi"), (Names{"x", "y", "z", "phi", "theta", "psi"}));
   EXPECT_EQ(cartesian("vector: a, b, c"), (Names{"x", "y", "z", "a", "b", "c"}));
   EXPECT_EQ(cartesian("quaternion: w, a, b, c"), (Names{"x", "y", "z", "w", "a", "b", "c"}));
-  EXPECT_EQ(cartesian("z:sin(phi)*pi y:2*tilt+phi*e"), (Names{"x", "y", "z", "phi", "tilt"})) << "e is a parameter";
+  EXPECT_EQ(cartesian("z:sin(phi)*pi y:2*tilt+phi*e"), (Names{"x", "y", "z", "phi", "tilt"}))
+      << "e is a parameter";
   EXPECT_EQ(cartesian("z:x x:0.3"), (Names{"x", "y", "z"})) << "a turn that depends on the place";
   EXPECT_EQ(cartesian(""), (Names{"x", "y", "z"})) << "no turns";
 }
 
 TEST(MakeCoordinates, PosesInClosedForm) {
-  const Pose<3> euler = made<3>("cartesian", Call().text("rotation", "z:phi x:theta z:psi"))->pose(numbers({1, 2, 3, 0.4, 1.2, -0.6}));
+  const Pose<3> euler = made<3>("cartesian", Call().text("rotation", "z:phi x:theta z:psi"))
+                            ->pose(numbers({1, 2, 3, 0.4, 1.2, -0.6}));
   expect_close(euler.R, Tensor<3>(turn(Z, 0.4) * turn(X, 1.2) * turn(Z, -0.6)), 1, 1e-15, "Euler's angles");
   expect_close(euler.origin, Vector<3>(1, 2, 3), 1, 0, "origin");
   const Call line = Call().list("pivot", {1, 0, 0}).list("axis", {0, 5, 0});
@@ -67,33 +70,46 @@ TEST(MakeCoordinates, DerivativesOfEachKind) {
 }
 
 TEST(MakeCoordinatesErrors, InThePlane) {
-  refuses<2>("spherical", {}, "tool.coordinates: unknown kind \"spherical\", expected \"polar\", \"cartesian\", or names of coordinates with their formulas x= and y=");
-  refuses<2>("polar", Call().list("pivot", {1, 2, 3}), "tool.coordinates: number of values in pivot = 3, expected 2: [x0,y0]");
-  refuses<2>("polar", Call().text("x", "r"), "\"polar\" takes pivot=[x0,y0], not x=, which is a formula of coordinates named by the script");
+  refuses<2>("spherical", {},
+             "tool.coordinates: unknown kind \"spherical\", expected \"polar\", \"cartesian\", or names of "
+             "coordinates with their formulas x= and y=");
+  refuses<2>("polar", Call().list("pivot", {1, 2, 3}),
+             "tool.coordinates: number of values in pivot = 3, expected 2: [x0,y0]");
+  refuses<2>("polar", Call().text("x", "r"),
+             "\"polar\" takes pivot=[x0,y0], not x=, which is a formula of coordinates named by the script");
   refuses<2>("cartesian", Call().text("y", "r"), "\"cartesian\" takes no more parameters, not y=");
   refuses<2>("cartesian", Call().list("pivot", {1, 2}), "\"cartesian\" takes no pivot=, only \"polar\" does");
   refuses<2>("b", Call().text("x", "b"), "coordinates \"b\" of tool \"ball\" lack the formula y=");
-  refuses<2>("b", Call().text("x", "b").text("y", "0").list("pivot", {0, 0}), "\"b\" takes no pivot=, only \"polar\" does");
-  refuses<2>("cartesian", Call().text("rotation", "z:a"), "tool \"ball\" is one of the plane and takes no rotation=, but angle=");
-  refuses<2>("b", Call().text("x", "b").text("y", "0").text("z", "0"), "tool \"ball\" is one of the plane and takes no z=");
+  refuses<2>("b", Call().text("x", "b").text("y", "0").list("pivot", {0, 0}),
+             "\"b\" takes no pivot=, only \"polar\" does");
+  refuses<2>("cartesian", Call().text("rotation", "z:a"),
+             "tool \"ball\" is one of the plane and takes no rotation=, but angle=");
+  refuses<2>("b", Call().text("x", "b").text("y", "0").text("z", "0"),
+             "tool \"ball\" is one of the plane and takes no z=");
   refuses<2>("polar", Call().list("axis", {0, 0, 1}), "tool \"ball\" is one of the plane and takes no axis=");
 }
 
 TEST(MakeCoordinatesErrors, InSpace) {
-  refuses<3>("spherical", {}, "tool.coordinates: unknown kind \"spherical\", expected \"polar\", \"cartesian\", \"screw\", or names of coordinates with their formulas x=, y= and z=");
+  refuses<3>("spherical", {},
+             "tool.coordinates: unknown kind \"spherical\", expected \"polar\", \"cartesian\", \"screw\", or "
+             "names of coordinates with their formulas x=, y= and z=");
   refuses<3>("polar", Call().list("pivot", {1, 2}), "number of values in pivot = 2, expected 3: [x0,y0,z0]");
   refuses<3>("polar", Call().list("pivot", {1, std::nan(""), 2}), "tool.coordinates: pivot = ");
   refuses<3>("polar", Call().list("axis", {1, 2}), "number of values in axis = 2, expected 3: [x,y,z]");
   refuses<3>("polar", Call().list("axis", {0, 0, 0}), "tool.coordinates: direction of the axis = 0 0 0");
   refuses<3>("polar", Call().number("lead", 1), "\"polar\" takes no lead=, only \"screw\" does");
-  refuses<3>("cartesian", Call().list("axis", {0, 0, 1}), "\"cartesian\" takes no axis=, only \"polar\" and \"screw\" do");
+  refuses<3>("cartesian", Call().list("axis", {0, 0, 1}),
+             "\"cartesian\" takes no axis=, only \"polar\" and \"screw\" do");
   refuses<3>("cartesian", Call().text("z", "0"), "\"cartesian\" takes rotation=, not z=, which is a formula");
-  refuses<3>("cartesian", Call().text("angle", "0"), "tool \"ball\" is one of space and takes no angle=, but rotation=");
+  refuses<3>("cartesian", Call().text("angle", "0"),
+             "tool \"ball\" is one of space and takes no angle=, but rotation=");
   refuses<3>("screw", {}, "\"screw\" of tool \"ball\" lacks lead=, the way along the axis of a full turn");
   refuses<3>("screw", Call().number("lead", std::nan("")), "Screw: lead = ");
-  refuses<3>("b", Call().text("x", "b").text("y", "0"), "coordinates \"b\" of tool \"ball\" lack the formula z=");
+  refuses<3>("b", Call().text("x", "b").text("y", "0"),
+             "coordinates \"b\" of tool \"ball\" lack the formula z=");
   refuses<3>("cartesian", Call().text("rotation", "phi"), "rotation of tool \"ball\" \"phi\": no axis");
-  refuses<3>("cartesian", Call().text("rotation", "w:phi"), "rotation of tool \"ball\" \"w:phi\": unknown axis");
+  refuses<3>("cartesian", Call().text("rotation", "w:phi"),
+             "rotation of tool \"ball\" \"w:phi\": unknown axis");
   refuses<3>("cartesian", Call().text("rotation", "z:phi+"), "rotation about z of tool \"ball\" \"phi+\"");
   refuses<3>("cartesian", Call().text("rotation", "z:foo(phi)"), "unknown function \"foo\"");
   refuses<3>("cartesian", Call().text("rotation", "vector: a, b"), "a vector of 2 numbers");
@@ -102,8 +118,10 @@ TEST(MakeCoordinatesErrors, InSpace) {
 TEST(MakeCoordinatesErrors, AQuaternionOfLengthZero) {
   const auto quaternion = made<3>("cartesian", Call().text("rotation", "quaternion: w, a, b, c"));
   expect_invalid([&] { quaternion->pose(Eigen::VectorXd::Zero(7)); },
-                 "rotation of tool \"ball\": the quaternion has the length 0, expected a direction; place its first number at 1");
-  expect_close(quaternion->pose(numbers({0, 0, 0, 1, 0, 0, 0})).R, Tensor<3>::Identity(), 1, 0, "no rotation");
+                 "rotation of tool \"ball\": the quaternion has the length 0, expected a direction; place "
+                 "its first number at 1");
+  expect_close(quaternion->pose(numbers({0, 0, 0, 1, 0, 0, 0})).R, Tensor<3>::Identity(), 1, 0,
+               "no rotation");
 }
 
 // The reference turns along: many turns about all axes, and no pose in which a spin moves less.
@@ -149,6 +167,7 @@ TEST(TurningSpins, AReferenceIsPutBack) {
   EXPECT_GT((spins.pose(r).R - R).norm(), 1e-3) << "turns do not commute";
   spins.refer_to(start);
   EXPECT_EQ(spins.pose(r).R, R);
-  expect_invalid([&] { spins.refer_to(numbers({1})); }, "CartesianInSpace::refer_to: size of the reference = 1, expected 7");
+  expect_invalid([&] { spins.refer_to(numbers({1})); },
+                 "CartesianInSpace::refer_to: size of the reference = 1, expected 7");
   EXPECT_EQ(made<2>("polar")->reference().size(), 0);
 }

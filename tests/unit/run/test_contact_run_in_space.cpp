@@ -1,6 +1,7 @@
 // A whole run in space through the same stepper, corrector and contact as in the plane: a plane comes down on a prism
 // and is drawn along. Only the law and the measure of triangles are made by hand.
 #include "contact/tributary_area.hpp"
+#include "kinematics/cartesian_in_space.hpp"
 #include "run/stepper.hpp"
 #include "run/workpiece_tangent.hpp"
 #include "support/pressed_body.hpp"
@@ -116,4 +117,33 @@ TEST(ContactInSpace, SlidingNodesLieOnTheCone) {
     EXPECT_GE(F[0], 0) << "drawn along";
   }
   EXPECT_GE(sliding, 1);
+}
+
+// A plane that has pressed is turned about z and then tilted a little: its spins add up, the reference has turned along, and
+// a state that is put back has its own.
+TEST(ContactInSpace, TheReferenceOfSpinsIsPartOfTheState) {
+  PressedPrism scene(50, std::make_shared<CartesianInSpace>());
+  const auto& coordinates = scene.tool->tool().coordinates();
+  scene.contact->approach(0, "z", scene.u);
+  const auto start = scene.contact->state();
+  const Program turn = [](Prescription& p, double t) {
+    for (const char* name : {"x", "y", "spiny"}) p.move(name, 0);
+    p.move("z", 1 - 0.2 * std::min(t, 0.5));
+    p.move("spinz", 0.1 * std::min(1., 2 * t));
+    p.move("spinx", 0.02 * std::max(0., 2 * t - 1));
+  };
+  ASSERT_EQ(run(scene, turn), Task::FINISHED);
+  const Pose<3> end = coordinates.pose(scene.tool->q());
+  const Tensor<3> expected =
+      (Eigen::AngleAxisd(0.02, Vector<3>::UnitX()) * Eigen::AngleAxisd(0.1, Vector<3>::UnitZ()))
+          .toRotationMatrix();
+  expect_close(end.R, expected, 1, 3e-5, "R"); // one step turns about both axes
+  const Tensor<3> at_once = CartesianInSpace().pose(scene.tool->q()).R;
+  EXPECT_GT((end.R - at_once).norm(), 1e-3) << "not the turn about the sum of both";
+  EXPECT_GT(std::abs(scene.tool->generalized_force()[5]), 1e-3) << "the moment that turns the top";
+  const auto turned = scene.contact->state();
+  scene.contact->set_state(start);
+  expect_close(coordinates.pose(scene.tool->q()).R, Tensor<3>::Identity(), 1, 0, "R at the start");
+  scene.contact->set_state(turned);
+  expect_close(coordinates.pose(scene.tool->q()).R, end.R, 1, 0, "R put back");
 }

@@ -68,8 +68,10 @@ TEST(ShapesInSpace, EachKind) {
   const Call bar = Call().list("line", {0, 0, 4, 0}).flag("extrude").number("length", 2);
   EXPECT_NEAR(gap(bar, {1, 3, 5}), 5, 1e-15) << "4 beyond its rim at z = 1";
   // the profile's plane turns with the axis: its x goes to -z, its y stays
-  EXPECT_NEAR(gap(Call().list("line", {0, 0, 4, 0}).flag("extrude").list("axis", {1, 0, 0}), {77, 2, -1}), 2, 1e-15);
-  EXPECT_NEAR(gap(Call().list("line", {0, 0, 4, 0}).flag("extrude").list("axis", {0, 0, -3}), {1, -2, 77}), 2, 1e-15);
+  EXPECT_NEAR(gap(Call().list("line", {0, 0, 4, 0}).flag("extrude").list("axis", {1, 0, 0}), {77, 2, -1}), 2,
+              1e-15);
+  EXPECT_NEAR(gap(Call().list("line", {0, 0, 4, 0}).flag("extrude").list("axis", {0, 0, -3}), {1, -2, 77}), 2,
+              1e-15);
 }
 
 // The tip of a cone is a ball that touches its slope.
@@ -85,14 +87,16 @@ TEST(ShapesInSpace, TheTipOfACone) {
 }
 
 TEST(ShapesInSpaceErrors, NoneOrSeveralOrOthersParameters) {
-  const std::string surfaces = "sphere=R, cylinder=R, cone=[R1,R2,height], torus=[R,r], plane=[x0,y0,z0,nx,ny,nz], "
-                               "box=[a,b,c], revolve=true or extrude=true";
+  const std::string surfaces =
+      "sphere=R, cylinder=R, cone=[R1,R2,height], torus=[R,r], plane=[x0,y0,z0,nx,ny,nz], "
+      "box=[a,b,c], revolve=true or extrude=true";
   expect_invalid([] { make_surface<2>(Call()); }, "cad=\"file\"; in space a surface: " + surfaces);
   refuses(Call().number("sphere", 1).number("cylinder", 1), "shape: give exactly one surface: " + surfaces);
   refuses(Call().number("sphere", 1).flag("revolve"), "shape: give exactly one surface");
   refuses(Call().number("sphere", 1).number("circle", 1), "shape: sphere= takes no circle=");
   refuses(Call().number("sphere", 1).number("fillet", 1), "shape: sphere= takes no fillet=");
-  refuses(Call().list("plane", {0, 0, 0, 0, 0, 1}).flag("inside"), "shape: plane= takes no inside=; turn its normal");
+  refuses(Call().list("plane", {0, 0, 0, 0, 0, 1}).flag("inside"),
+          "shape: plane= takes no inside=; turn its normal");
   refuses(Call().list("box", {1, 1, 1}).list("axis", {0, 0, 1}), "shape: box= takes no axis=");
   refuses(Call().flag("revolve"), "shape: give exactly one profile");
   refuses(Call().flag("revolve").number("circle", 1).flag("closed"), "shape: circle= takes no closed=");
@@ -103,23 +107,28 @@ TEST(ShapesInSpaceErrors, NoneOrSeveralOrOthersParameters) {
 TEST(ShapesInSpaceErrors, Values) {
   refuses(Call().number("sphere", -1), "sphere: radius = -1, expected a finite number > 0");
   refuses(Call().number("cylinder", 0), "cylinder: radius = 0");
-  refuses(Call().number("cylinder", 1).number("length", -2), "cylinder: length = -2, expected a finite number > 0");
-  refuses(Call().number("cylinder", 1).number("fillet", 1), "cylinder: fillet= rounds the edges of the ends, and without length=");
+  refuses(Call().number("cylinder", 1).number("length", -2),
+          "cylinder: length = -2, expected a finite number > 0");
+  refuses(Call().number("cylinder", 1).number("fillet", 1),
+          "cylinder: fillet= rounds the edges of the ends, and without length=");
   refuses(Call().list("cone", {1, 2}), "cone: number of values in cone = 2, expected 3");
   refuses(Call().list("cone", {-1, 2, 3}), "cone: value = -1, expected a finite number >= 0");
   refuses(Call().list("cone", {0, 0, 3}), "cone: larger radius = 0, expected > 0");
   refuses(Call().list("cone", {1, 2, 0}), "cone: height = 0");
   refuses(Call().list("torus", {1}), "torus: number of values in torus = 1");
   refuses(Call().list("torus", {1, 2}), "torus: radius of the tube = 2");
-  refuses(Call().list("plane", {0, 0, 1}), "plane: number of values in plane = 3, expected 6: [x0,y0,z0,nx,ny,nz]");
+  refuses(Call().list("plane", {0, 0, 1}),
+          "plane: number of values in plane = 3, expected 6: [x0,y0,z0,nx,ny,nz]");
   refuses(Call().list("plane", {0, 0, 0, 0, 0, 0}), "direction of the axis");
   refuses(Call().list("plane", {0, 0, 0, 0, 0, 1}).number("size", 0), "PlaneSurface: size = 0");
   refuses(Call().list("box", {1, 2}), "box: number of values in box = 2");
   refuses(Call().list("box", {1, 2, 0}), "box: side = 0");
-  refuses(Call().number("cylinder", 1).list("axis", {1, 2}), "cylinder: number of values in axis = 2, expected 3: [x,y,z]");
+  refuses(Call().number("cylinder", 1).list("axis", {1, 2}),
+          "cylinder: number of values in axis = 2, expected 3: [x,y,z]");
   refuses(Call().number("cylinder", 1).list("axis", {0, 0, 0}), "cylinder: direction of the axis = 0 0 0");
   refuses(Call().flag("extrude").number("circle", 1).number("length", INF), "extrude: length = inf");
-  refuses(Call().flag("extrude").number("circle", 1).number("fillet", 1), "extrude: fillet= rounds the edges of the ends");
+  refuses(Call().flag("extrude").number("circle", 1).number("fillet", 1),
+          "extrude: fillet= rounds the edges of the ends");
   refuses(Call().flag("extrude").list("line", {0, 0, 1, 0}).number("length", 1).number("fillet", 1),
           "extrude: fillet= rounds the edges of a closed profile, and this one is open");
 }
@@ -129,19 +138,27 @@ TEST(ShapesInSpaceErrors, SharpEdges) {
           "cylinder: the edge at r = 2, z = 1.5 is sharp: give it fillet = 0, expected > 0 and up to 1.5");
   refuses(Call().number("cylinder", 2).number("length", 6).number("fillet", 2.5),
           "cylinder: the edge at r = 2, z = 3 cannot have the radius fillet = 2.5, expected > 0 and up to 2");
-  refuses(Call().list("box", {1, 2, 3}), "box: the edge at x = 0.5, y = 1 is sharp: give it fillet = 0, expected > 0 and up to 0.5");
-  refuses(Call().list("cone", {2, 1, 4}), "cone: the edge at r = 2, z = -2 is sharp: give it fillet = 0, expected > 0 and up to 1.2");
-  refuses(Call().flag("extrude").list("chain", {0, 0, 0.4, 4, 0, 0.4, 4, 3, 0.4, 0, 3, 0.4}).flag("closed").number("length", 3),
+  refuses(Call().list("box", {1, 2, 3}),
+          "box: the edge at x = 0.5, y = 1 is sharp: give it fillet = 0, expected > 0 and up to 0.5");
+  refuses(Call().list("cone", {2, 1, 4}),
+          "cone: the edge at r = 2, z = -2 is sharp: give it fillet = 0, expected > 0 and up to 1.2");
+  refuses(Call()
+              .flag("extrude")
+              .list("chain", {0, 0, 0.4, 4, 0, 0.4, 4, 3, 0.4, 0, 3, 0.4})
+              .flag("closed")
+              .number("length", 3),
           "z = 1.5 is sharp: give it fillet = 0, expected > 0 and up to 0.4");
   refuses(Call().flag("revolve").list("line", {2, 0, 0, 1}),
           "revolve: the profile meets the axis at y = 1 and not at a right angle: a tip without normal");
-  refuses(Call().flag("revolve").list("chain", {2, 0, 0, 2, 1, 0, 0, 1, 0}), "ArcChain: point 1 at (2, 1) is a corner of 90 degrees");
+  refuses(Call().flag("revolve").list("chain", {2, 0, 0, 2, 1, 0, 0, 1, 0}),
+          "ArcChain: point 1 at (2, 1) is a corner of 90 degrees");
 }
 
 // What the message names does fit.
 TEST(ShapesInSpaceErrors, TheFilletOfTheMessageFits) {
-  for (const Call& sharp : {Call().list("cone", {2, 1, 4}), Call().list("cone", {2, 0, 3}), Call().list("box", {1, 2, 3}),
-                            Call().number("circle", 1.7).flag("extrude").number("length", 9)}) {
+  for (const Call& sharp :
+       {Call().list("cone", {2, 1, 4}), Call().list("cone", {2, 0, 3}), Call().list("box", {1, 2, 3}),
+        Call().number("circle", 1.7).flag("extrude").number("length", 9)}) {
     double most = 0;
     try {
       make_surface<3>(sharp);
