@@ -1,5 +1,7 @@
 #include "contact/window_solver.hpp"
 #include "contact/coupling.hpp"
+#include "contact/driving_force.hpp"
+#include "contact/idle_combinations.hpp"
 #include "contact/tool_support.hpp"
 
 namespace burnish {
@@ -93,6 +95,24 @@ std::vector<NodeLinearization<Dim>> WindowSolver<Dim>::linearize(const ContactSt
   return nodes;
 }
 
+// In space a coordinate without a force of its own that turns out to be unresisted keeps its place in this pass: all nodes may
+// slide, and the next pass has others.
+template <int Dim>
+ContactBlockSolution<Dim> WindowSolver<Dim>::solved_with_idle(PrescribedValues& prescribed,
+                                                              const ContactBlockInput<Dim>& input) const {
+  auto block = solve_contact_block(m_model, prescribed, m_problem.start->q, input);
+  if (Dim == 2 || !m_problem.adapt || !block.singular) return block;
+  const Eigen::VectorXd drive = driving_force(m_model, prescribed, m_problem.start->q).value;
+  while (block.singular && block.weakest_coordinate >= 0) {
+    const int k = block.weakest_coordinate;
+    if (prescribed.is_motion[k] || prescribed.is_held(k) || m_model.coupling_of(k) || drive[k] != 0) break;
+    prescribed.is_motion[k] = 1;
+    prescribed.value[k] = m_problem.start->q[k];
+    block = solve_contact_block(m_model, prescribed, m_problem.start->q, input);
+  }
+  return block;
+}
+
 template <int Dim>
 bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim>& out) const {
   const std::vector<int> active = active_positions(trial);
@@ -110,11 +130,13 @@ bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim
     input.added_stiffness = of_nodes<Dim>(m_problem.added_stiffness, active);
   input.test_stability = m_problem.test_stability;
   PrescribedValues prescribed = *m_problem.prescribed;
-  for (const int k : idle_coordinates(m_model, prescribed, trial)) {
+  std::vector<int> idle = idle_coordinates(m_model, prescribed, trial);
+  for (const int k : idle_combinations(m_model, prescribed, trial)) idle.push_back(k);
+  for (const int k : idle) {
     prescribed.is_motion[k] = 1;
     prescribed.value[k] = m_problem.start->q[k];
   }
-  const auto block = solve_contact_block(m_model, prescribed, m_problem.start->q, input);
+  const auto block = solved_with_idle(prescribed, input);
   out.unstable = block.unstable;
   out.singular = block.singular;
   out.weakest_coordinate = block.weakest_coordinate;

@@ -57,6 +57,8 @@ private:
   std::vector<int> active_positions(const ContactState<Dim>& trial) const;
   std::vector<NodeLinearization<Dim>>
   linearize(const ContactState<Dim>& trial, const std::vector<int>& active, Eigen::VectorXd& offset) const;
+  ContactBlockSolution<Dim> solved_with_idle(PrescribedValues& prescribed,
+                                             const ContactBlockInput<Dim>& input) const;
   template <class Force>
   std::vector<DecidingForce<Dim>> deciding_at(const ContactState<Dim>& state,
                                               const std::vector<Pose<Dim>>& poses,
