@@ -1,4 +1,4 @@
-"""Measures the tables of the READMEs of cases/rolling and, in planetary_tables.py, sheet_tables.py and sheet_sweeps.py, planetary, bending, u-channel, cup, leveller, roll-bending, and writes them there:
+"""Measures the tables of the READMEs of cases/rolling and, in planetary_tables.py, sheet_tables.py, sheet_sweeps.py and space_tables.py, planetary, bending, u-channel, cup, leveller, roll-bending, ball, and writes them there:
 
     make tables                          all of them, one run after the other: about half an hour
     make tables OPTIONS="rolling"        those of one README
@@ -15,6 +15,7 @@ import sys
 import planetary_tables
 import sheet_sweeps
 import sheet_tables
+import space_tables
 from measured import Run, brief, off, run, table
 
 TOP = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -194,7 +195,8 @@ TABLES = {"rolling": {"steps": rolling_steps, "integrator": rolling_integrator, 
                       "linear": rolling_linear, "rules": rolling_rules,
                       "terms": rolling_terms, "mesh": rolling_mesh, "beside": rolling_beside},
           "planetary": planetary_tables.TABLES,
-          **{case: {**tables, **sheet_sweeps.TABLES.get(case, {})} for case, tables in sheet_tables.TABLES.items()}}
+          **{case: {**tables, **sheet_sweeps.TABLES.get(case, {})} for case, tables in sheet_tables.TABLES.items()},
+          **space_tables.TABLES}
 
 
 def write(case, only):

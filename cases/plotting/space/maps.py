@@ -18,6 +18,7 @@ from plotting.units import amount
 
 ARROWS = 18                      # along the longer side of the contact, at most
 LEAST_SHEAR = 0.02               # of the largest, below which no arrow is drawn
+NO_FRICTION = 1e-4               # largest shear over the largest pressure, below which it is what the iteration left
 STATES = {3: ("sticking", GREEN, "^"), 2: ("sliding", RED, "o"), 1: ("touched", BLUE, "s")}
 BARE = 1e-3                      # of the first level of the pressure, below which the surface stays white
 
@@ -79,6 +80,8 @@ def pressure_panel(figure, axes, run, surface, tool):
         bands = maps.draw_bands(axes, mesh, values, np.r_[BARE * levels[1], levels[1:]], "viridis_r")
         figure.colorbar(bands, ax=axes, label=f"contact pressure [{run.units.stress_unit}]", ticks=levels[1:], format="%.4g", shrink=0.9)
     axes.triplot(mesh, color="black", linewidth=0.2, alpha=0.35, zorder=1.5)
+    if not np.hypot(*shear[mine].T).max() > NO_FRICTION * values[mine].max():
+        shear = np.zeros_like(shear)
     largest = draw_arrows(axes, places[mine], shear[mine], max(box[1] - box[0], box[3] - box[2]) / ARROWS)
     show_way(axes, run, tool, box, first, second)
     keys = []

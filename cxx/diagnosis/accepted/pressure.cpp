@@ -47,6 +47,7 @@ template <int Dim>
 Eigen::VectorXd lacking_at_middles(const AcceptedStep<Dim>& step, const SurfaceReport<Dim>& report) {
   const std::vector<int> candidate = candidate_of_node(step.model().candidates, step.mesh().num_nodes);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(step.model().tools.size()));
+  std::vector<char> counted(step.contact.nodes.size(), 0); // in space a mid node is of two facets
   for (const Facet<Dim>& facet : step.setup.surface()) {
     const std::vector<int> nodes = nodes_of(facet);
     const Eigen::MatrixXd mass = step.body().measure->masses(places_of(step.body(), facet, step.u));
@@ -56,8 +57,9 @@ Eigen::VectorXd lacking_at_middles(const AcceptedStep<Dim>& step, const SurfaceR
     }
     for (std::size_t m = Dim; m < nodes.size(); ++m) {
       const int i = candidate[nodes[m]];
-      if (i >= 0 && in_contact(step.contact.nodes[i].state))
-        sum[step.contact.nodes[i].tool] -= report.normal_force[i];
+      if (i < 0 || counted[i] || !in_contact(step.contact.nodes[i].state)) continue;
+      counted[i] = 1;
+      sum[step.contact.nodes[i].tool] -= report.normal_force[i];
     }
   }
   return sum;
