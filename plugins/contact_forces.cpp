@@ -33,7 +33,8 @@ using Array = KN_<double>;
 // f of the run's forces about the point; nothing acts before the run. In the plane [Fx, Fy, Mz], in space
 // [Fx, Fy, Fz, Mx, My, Mz].
 template <class F>
-Array resultant_of(Stack stack, ContactHandle* handle, const char* where, const std::vector<double>& about, F f) {
+Array resultant_of(Stack stack, ContactHandle* handle, const char* where, const std::vector<double>& about,
+                   F f) {
   return visit(handle->get(), [&](auto& contact) {
     constexpr int Dim = dim_of<decltype(contact)>;
     require(about.size() == Dim, where, "number of coordinates of the point of the moment", about.size(),
@@ -123,9 +124,8 @@ double imbalance(const Method<H, ImbalanceTag>& m, MaterialHandle* const& materi
     auto& object = contact.with_material(material->get(), "contact.imbalance");
     if (!contact.started()) return 0.;
     const Eigen::VectorXd internal = object.workpiece().internal_force();
-    return called("contact.imbalance", [&] {
-      return ForceBalance<Dim>(contact.run(), Vector<Dim>::Zero()).imbalance(internal);
-    });
+    return called("contact.imbalance",
+                  [&] { return ForceBalance<Dim>(contact.run(), Vector<Dim>::Zero()).imbalance(internal); });
   });
 }
 

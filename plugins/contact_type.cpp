@@ -224,8 +224,7 @@ template <int Dim> ContactRun<Dim>& ContactOf<Dim>::run() {
   return *m_run;
 }
 
-template <int Dim>
-bool ContactOf<Dim>::take_solver(const std::string& name, Stack stack, const char* where) {
+template <int Dim> bool ContactOf<Dim>::take_solver(const std::string& name, Stack stack, const char* where) {
   const std::string known = name.empty() ? name : known_solver(name, where);
   if (known != solver) {
     solver = known;

@@ -189,7 +189,8 @@ Array strain(Stack stack, const Method<H, StrainTag>& m, const long& i) {
 Array rotation(Stack stack, H* const& h) {
   return guarded([&] {
     const auto& body = of_dimension<2>(h->get(), "material.rotation").workpiece();
-    return component(stack, increments_field(body), num_increments<2> - 1, num_increments<2>, "material.rotation");
+    return component(stack, increments_field(body), num_increments<2> - 1, num_increments<2>,
+                     "material.rotation");
   });
 }
 Array rotation_vector(Stack stack, const Method<H, RotationTag>& m, const long& i) {
