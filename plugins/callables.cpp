@@ -59,6 +59,7 @@ std::string type_name(const char* name) {
                                                         {typeid(pfes*).name(), "fespace"},
                                                         {typeid(pfes3*).name(), "fespace in space"},
                                                         {typeid(::Mesh).name(), "mesh"},
+                                                        {typeid(::Mesh3).name(), "mesh3"},
                                                         {typeid(Matrice_Creuse<double>*).name(), "matrix"},
                                                         {typeid(newpMatrice_Creuse<double>).name(), "matrix"},
                                                         {typeid(std::ostream**).name(), "ofstream"},

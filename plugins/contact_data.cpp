@@ -65,8 +65,7 @@ template <class Column> Array from_report(Stack stack, H* const& h) {
 template <class Column> Array along_tangent(Stack stack, H* const& h) {
   return on(h, [&](auto& contact) {
     const Eigen::MatrixXd t = Column::of(report(contact)); // a copy: the report ends here
-    return new_array(stack,
-                     t.rows() == 1 ? Eigen::VectorXd(t.row(0)) : Eigen::VectorXd(t.colwise().norm()));
+    return new_array(stack, t.rows() == 1 ? Eigen::VectorXd(t.row(0)) : Eigen::VectorXd(t.colwise().norm()));
   });
 }
 struct Gap {
@@ -90,8 +89,9 @@ struct NodalTraction {
 // x, y or z of the traction in space.
 template <int axis> Array shear(Stack stack, H* const& h) {
   return guarded([&] {
-    return new_array(stack, Eigen::VectorXd(report(of_dimension<3>(h->get(), "contact.shear"))
-                                                .traction_tangential.row(axis)));
+    return new_array(
+        stack,
+        Eigen::VectorXd(report(of_dimension<3>(h->get(), "contact.shear")).traction_tangential.row(axis)));
   });
 }
 struct TangentialForce {
@@ -133,12 +133,10 @@ Array parameters(Stack stack, H* const& h) {
   });
 }
 double width(H* const& h) {
-  return on(
-      h, [](auto& contact) { return contact.started() ? burnish::contact_width(contact.run()) : 0.; });
+  return on(h, [](auto& contact) { return contact.started() ? burnish::contact_width(contact.run()) : 0.; });
 }
 double speed(H* const& h) {
-  return on(
-      h, [](auto& contact) { return contact.started() ? burnish::contact_speed(contact.run()) : 0.; });
+  return on(h, [](auto& contact) { return contact.started() ? burnish::contact_speed(contact.run()) : 0.; });
 }
 double spacing(H* const& h) {
   return on(h, [](auto& contact) { return contact.run().setup().body().spacing; });
@@ -201,7 +199,8 @@ template <int Dim> const std::vector<ContactEvent<Dim>>& log_of(ContactOf<Dim>& 
 template <class F> auto of_event(H* h, long i, F&& f) {
   return on(h, [&](auto& contact) {
     const auto& log = log_of(contact);
-    require(i >= 0 && i < static_cast<long>(log.size()), "contact.event", "index", i, "less than eventnumber");
+    require(i >= 0 && i < static_cast<long>(log.size()), "contact.event", "index", i,
+            "less than eventnumber");
     return f(log[static_cast<std::size_t>(i)], contact);
   });
 }
@@ -214,8 +213,7 @@ double event_time(const Method<H, TimeTag>& m, const long& i) {
   return of_event(m.object, i, [](const auto& event, auto&) { return event.t; });
 }
 string* event_kind(Stack stack, const Method<H, KindTag>& m, const long& i) {
-  return of_event(m.object, i,
-                  [&](const auto& event, auto&) { return new_string(stack, kind_of(event)); });
+  return of_event(m.object, i, [&](const auto& event, auto&) { return new_string(stack, kind_of(event)); });
 }
 long event_node(const Method<H, NodeTag>& m, const long& i) {
   return of_event(m.object, i, [](const auto& event, auto&) { return static_cast<long>(event.node); });
@@ -245,9 +243,8 @@ string* left_out(Stack stack, H* const& h) {
 }
 
 template <int axis> void add_event_place(const char* name) {
-  add_method<H, PlaceTag<axis>>(name, [] {
-    return new OneOperator2_<double, Method<H, PlaceTag<axis>>, long>(event_place<axis>);
-  });
+  add_method<H, PlaceTag<axis>>(
+      name, [] { return new OneOperator2_<double, Method<H, PlaceTag<axis>>, long>(event_place<axis>); });
 }
 void register_event_table() {
   Add<H*>("eventnumber", ".", new OneOperator1_<long, H*>(event_number));

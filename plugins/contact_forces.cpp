@@ -1,22 +1,26 @@
 // Resultants of what acts on the workpiece, accepted state: in the plane [Fx, Fy, Mz], force and moment about the point
 // (x0, y0), counter-clockwise [force, force*length]; axisymmetric: of the whole ring, [0, Fy, 0]; in space
-// [Fx, Fy, Fz, Mx, My, Mz] about (x0, y0, z0), the last argument of each. METHOD.md 3.14
-//   C.reaction(x0, y0)   of the supports, all nodes of fixed= | force, force*length
+// [Fx, Fy, Fz, Mx, My, Mz] about (x0, y0, z0). METHOD.md 3.14
+//   C.reaction(x0, y0), C.reaction(x0, y0, z0)   of the supports, all nodes of fixed= | force, force*length
 //     x0        point of the moment | length
 //     y0        point of the moment | length
+//     z0        its third coordinate in space | length
 //     label=    only those on this boundary | - | all supports | a label of the mesh
 //     labels=   on these | - | all supports | labels of the mesh
-//   C.contactforce(i, x0, y0)   of a tool | force, force*length
+//   C.contactforce(i, x0, y0), C.contactforce(i, x0, y0, z0)   of a tool | force, force*length
 //     i         tool, in the order of C.add | - | | 0 to toolnumber-1
 //     x0        point of the moment | length
 //     y0        point of the moment | length
-//   C.externalforce(M, x0, y0)   of the forces of the script, C.external | force, force*length
+//     z0        its third coordinate in space | length
+//   C.externalforce(M, x0, y0), C.externalforce(M, x0, y0, z0)   of the forces of the script, C.external | force, force*length
 //     M         the material
 //     x0        point of the moment | length
 //     y0        point of the moment | length
-//   C.holdforce(x0, y0)   of the soft hold, C.hold | force, force*length
+//     z0        its third coordinate in space | length
+//   C.holdforce(x0, y0), C.holdforce(x0, y0, z0)   of the soft hold, C.hold | force, force*length
 //     x0        point of the moment | length
 //     y0        point of the moment | length
+//     z0        its third coordinate in space | length
 //   C.imbalance(M)   largest component of their sum: forces over the load, moment over load and size | -
 //     M         the material
 #include "base/error.hpp"
@@ -33,7 +37,8 @@ using Array = KN_<double>;
 // f of the run's forces about the point; nothing acts before the run. In the plane [Fx, Fy, Mz], in space
 // [Fx, Fy, Fz, Mx, My, Mz].
 template <class F>
-Array resultant_of(Stack stack, ContactHandle* handle, const char* where, const std::vector<double>& about, F f) {
+Array resultant_of(Stack stack, ContactHandle* handle, const char* where, const std::vector<double>& about,
+                   F f) {
   return visit(handle->get(), [&](auto& contact) {
     constexpr int Dim = dim_of<decltype(contact)>;
     require(about.size() == Dim, where, "number of coordinates of the point of the moment", about.size(),
@@ -123,9 +128,8 @@ double imbalance(const Method<H, ImbalanceTag>& m, MaterialHandle* const& materi
     auto& object = contact.with_material(material->get(), "contact.imbalance");
     if (!contact.started()) return 0.;
     const Eigen::VectorXd internal = object.workpiece().internal_force();
-    return called("contact.imbalance", [&] {
-      return ForceBalance<Dim>(contact.run(), Vector<Dim>::Zero()).imbalance(internal);
-    });
+    return called("contact.imbalance",
+                  [&] { return ForceBalance<Dim>(contact.run(), Vector<Dim>::Zero()).imbalance(internal); });
   });
 }
 

@@ -117,8 +117,8 @@ struct Factorize {
   static bool of_matrix(const Named& a, Method<ContactHandle, FactorizeTag> m, Matrice_Creuse<double>* K,
                         KN_<double> u) {
     return visit(m->get(), [&](auto& contact) {
-      const auto& blocks = contact.blocks(
-          view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"), "contact.factorize");
+      const auto& blocks = contact.blocks(view_of(K, contact.setup->mesh().num_dofs(), "contact.factorize"),
+                                          "contact.factorize");
       contact.run().step().require_begun("contact.factorize");
       if (contact.take_solver(a.text("solver", ""), a.stack(), "contact.factorize"))
         require_symmetric(blocks, LARGEST_ASYMMETRY, "contact.factorize");

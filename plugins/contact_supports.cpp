@@ -25,20 +25,17 @@ using Array = KN_<double>;
 
 struct SupportTag {};
 bool support_displacement(Stack, const Method<H, SupportTag>& m, const Array& values) {
-  return on(m.object, [&](auto& contact) {
-    return contact.run().loads().supports.prescribe(values_of(values)), true;
-  });
+  return on(m.object,
+            [&](auto& contact) { return contact.run().loads().supports.prescribe(values_of(values)), true; });
 }
 struct LoadTag {};
 bool external(Stack, const Method<H, LoadTag>& m, const Array& forces) {
-  return on(m.object, [&](auto& contact) {
-    return contact.run().loads().external.prescribe(values_of(forces)), true;
-  });
+  return on(m.object,
+            [&](auto& contact) { return contact.run().loads().external.prescribe(values_of(forces)), true; });
 }
 struct HoldTag {};
 bool hold(const Method<H, HoldTag>& m, const double& stiffness, const double& until) {
-  return on(m.object,
-            [&](auto& contact) { return contact.run().loads().hold.set(stiffness, until), true; });
+  return on(m.object, [&](auto& contact) { return contact.run().loads().hold.set(stiffness, until), true; });
 }
 
 } // namespace

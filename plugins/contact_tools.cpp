@@ -102,7 +102,8 @@ template <int axis> double tool_force(const Method<H, ForceTag<axis>>& m, const 
     const int tool = tool_index(*contact.setup, i, names[axis]);
     if (!contact.started()) return 0.;
     const auto& run = contact.run();
-    return tool_resultant(run.setup().model(), run.accepted().contact, run.accepted().R, tool)[std::min(axis, Dim - 1)];
+    return tool_resultant(run.setup().model(), run.accepted().contact, run.accepted().R,
+                          tool)[std::min(axis, Dim - 1)];
   });
 }
 template <int axis> struct OutlineTag {};

@@ -3,7 +3,7 @@
 //   > C.add(roller);  C.approach(roller, "y", u[]);
 //   contact(...)   contact C = rcContact(...) declares it
 //   rcContact(Vh)   the contact of a workpiece
-//     Vh        fespace of the displacement | | | [P1,P1] or [P2,P2] of a mesh of triangles
+//     Vh        fespace of the displacement | | | [P1,P1] or [P2,P2] of a mesh of triangles, [P1,P1,P1] or [P2,P2,P2] of tetrahedra
 //     label=    boundary label of the surface | - | required, or labels= | a label of the mesh
 //     labels=   several of them | - | required, or label= | labels of the mesh
 //     fixed=    nonzero where the displacement is given, one per degree of freedom | - | none
@@ -15,6 +15,7 @@
 //     loose=    true: a tolerance above 1e-2 is taken | | false
 //     ! the contact surface is missing: label=... or labels=...
 //     ! the space must be [P1,P1] or [P2,P2]
+//     ! the space must be [P1,P1,P1] or [P2,P2,P2]
 //   C.add(t)   lets a tool touch the surface, or the part of it with the labels; before the first step
 //     t         the tool, with coordinates
 //     label=    the part that it may touch | - | all | a label of the contact
@@ -224,8 +225,7 @@ template <int Dim> ContactRun<Dim>& ContactOf<Dim>::run() {
   return *m_run;
 }
 
-template <int Dim>
-bool ContactOf<Dim>::take_solver(const std::string& name, Stack stack, const char* where) {
+template <int Dim> bool ContactOf<Dim>::take_solver(const std::string& name, Stack stack, const char* where) {
   const std::string known = name.empty() ? name : known_solver(name, where);
   if (known != solver) {
     solver = known;

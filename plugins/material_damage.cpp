@@ -42,7 +42,8 @@ struct Damage {
     return visit(m->get(), [&](auto& material) {
       auto& body = *material.body;
       called("material.damage", [&] {
-        body.damage().damage(body.workpiece(), body.user(), *event, a.real("integrity", LEAST_INTEGRITY), steps);
+        body.damage().damage(body.workpiece(), body.user(), *event, a.real("integrity", LEAST_INTEGRITY),
+                             steps);
       });
       return true;
     });
@@ -76,8 +77,7 @@ struct HealAll {
 basicAC_F0::name_and_type HealAll::names[] = {{"steps", &typeid(long)}};
 
 KN_<double> integrity(Stack stack, M* const& h) {
-  return on(h,
-            [&](auto& material) { return new_array(stack, integrity_field(material.workpiece())); });
+  return on(h, [&](auto& material) { return new_array(stack, integrity_field(material.workpiece())); });
 }
 long damaged(M* const& h) {
   return on(h, [](auto& material) {

@@ -46,12 +46,10 @@ KN_<double> plastic_strain_eq(Stack stack, MaterialHandle* const& h) {
   });
 }
 KN_<double> stress_eq(Stack stack, MaterialHandle* const& h) {
-  return on(h,
-            [&](auto& material) { return new_array(stack, stress_eq_field(material.workpiece())); });
+  return on(h, [&](auto& material) { return new_array(stack, stress_eq_field(material.workpiece())); });
 }
 KN_<double> yield_distance(Stack stack, MaterialHandle* const& h) {
-  return on(h,
-            [&](auto& material) { return new_array(stack, yield_distance_field(material.workpiece())); });
+  return on(h, [&](auto& material) { return new_array(stack, yield_distance_field(material.workpiece())); });
 }
 KN_<double> stress_error_field(Stack stack, MaterialHandle* const& h) {
   return on(h, [&](auto& material) {
@@ -86,12 +84,12 @@ KN_<double> displacement(Stack stack, const Method<MaterialHandle, DisplacementT
 }
 long degree(MaterialHandle* const& h) {
   return on(h, [](auto& material) {
-    return material.workpiece().discretization().nodes_per_element == dim_of<decltype(material)> + 1 ? 1L : 2L;
+    return material.workpiece().discretization().nodes_per_element == dim_of<decltype(material)> + 1 ? 1L
+                                                                                                     : 2L;
   });
 }
 long axisymmetric(MaterialHandle* const& h) {
-  return on(h,
-            [](auto& material) { return material.workpiece().discretization().axisymmetric ? 1L : 0L; });
+  return on(h, [](auto& material) { return material.workpiece().discretization().axisymmetric ? 1L : 0L; });
 }
 pmesh plane_mesh(MaterialHandle* const& h) {
   return guarded([&] { return of_dimension<2>(h->get(), "material.Th").mesh.get(); });

@@ -46,7 +46,9 @@
 //     i         0 xx, 1 xy, 2 yx, 3 yy, 4 zz | - | | 0 to 4
 //   M.strain(i)   strain increment of the step | -
 //     i         0 xx, 1 yy, 2 zz, 3 xy | - | | 0 to 3
-//   M.rotation   rotation increment of the step | rad
+//   M.rotation   in the plane: rotation increment of the step | rad
+//   M.rotationvector(i)   in space: the same, component of a vector along its axis | rad
+//     i         0 x, 1 y, 2 z | - | | 0 to 2
 //   M.modulus(name)   constant of the law | stress, -
 //     name      "K", "G": elasticity; "C", "gamma": back stress
 //   M.yieldstress(ep), M.hardeningslope(ep)   of its hardening | stress
@@ -189,7 +191,8 @@ Array strain(Stack stack, const Method<H, StrainTag>& m, const long& i) {
 Array rotation(Stack stack, H* const& h) {
   return guarded([&] {
     const auto& body = of_dimension<2>(h->get(), "material.rotation").workpiece();
-    return component(stack, increments_field(body), num_increments<2> - 1, num_increments<2>, "material.rotation");
+    return component(stack, increments_field(body), num_increments<2> - 1, num_increments<2>,
+                     "material.rotation");
   });
 }
 Array rotation_vector(Stack stack, const Method<H, RotationTag>& m, const long& i) {

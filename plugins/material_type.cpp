@@ -1,9 +1,9 @@
-// Script type `material`: plasticity with isotropic and kinematic hardening, plane strain or axisymmetric, on a [P1,P1] or
-// [P2,P2] space.
+// Script type `material`: plasticity with isotropic and kinematic hardening, plane strain, axisymmetric or in space, of
+// degree 1 or 2.
 //   > material M = rcMaterial(Vh, G=2.7e10, nu=0.32, sigY=1.93e8, H=9.62e8);
 //   material(...)   material M = rcMaterial(...) declares it
 //   rcMaterial(Vh)   the material of a workpiece
-//     Vh        fespace of the displacement | | | [P1,P1] or [P2,P2] of a mesh of triangles
+//     Vh        fespace of the displacement | | | [P1,P1] or [P2,P2] of a mesh of triangles, [P1,P1,P1] or [P2,P2,P2] of tetrahedra
 //     G=        shear modulus; G= or E= | stress | required, or E= | finite > 0
 //     E=        Young's modulus | stress | required, or G= | finite > 0
 //     nu=       Poisson's ratio | - | required | -1 < nu < 0.5

@@ -22,8 +22,7 @@ std::vector<int> element_nodes(const typename Freefem<Dim>::Space& V, int k, con
   std::vector<int> nodes;
   for (int a = 0; a < dofs / Dim; ++a) {
     if (K.DFOnWhat(a) != a) // P1nc, discontinuous spaces and others have their nodes elsewhere
-      fail(where,
-           std::string(expected_space<Dim>()) + ": nodes at vertices and mid-edges, continuous");
+      fail(where, std::string(expected_space<Dim>()) + ": nodes at vertices and mid-edges, continuous");
     for (int i = 0; i < Dim; ++i)
       if (K(a) % Dim != 0 || K(a + i * dofs / Dim) != K(a) + i)
         fail(where, std::string(expected_space<Dim>()) + ": the components of a node must be adjacent");
@@ -95,7 +94,8 @@ template <int Dim> std::string text_of(const Vector<Dim>& x) {
 template <int Dim>
 burnish::Mesh<Dim> mesh_of(typename Freefem<Dim>::Fespace* const& space, const char* where,
                            bool axisymmetric) {
-  if (Dim == 3 && axisymmetric) fail(where, "axisymmetric=true belongs to a mesh of triangles, this one is in space");
+  if (Dim == 3 && axisymmetric)
+    fail(where, "axisymmetric=true belongs to a mesh of triangles, this one is in space");
   const auto& V = space_of<Dim>(space, where);
   const auto& Th = V.Th;
   burnish::Mesh<Dim> mesh;

@@ -90,8 +90,8 @@ void start_run(ControlObject& object, ContactHandle* contact, std::shared_ptr<Ma
     object.material = std::move(material);
     if (!forms_only) run.material = object.material;
     object.options.forms_only = forms_only;
-    object.stepper = std::make_unique<Stepper<Dim>>(run.run(), *body.body, run.diagnosis, *object.control,
-                                                    object.options);
+    object.stepper =
+        std::make_unique<Stepper<Dim>>(run.run(), *body.body, run.diagnosis, *object.control, object.options);
     run.diagnosis.set_checks(object.checks);
   });
 }
@@ -118,9 +118,8 @@ bool start_forms(const Method<H, StartTag>& m, ContactHandle* const& contact) {
 // accepted state.
 void require_untouched(const ControlObject& object, const Eigen::VectorXd& now, const KN_<double>& u) {
   if (!object.under_way() || object.stopping || object.task == Task::SOLVE) return;
-  if (object.task == Task::TANGENT && visit(*object.contact, [](auto& contact) {
-        return contact.run().iteration().policy().condensed();
-      }))
+  if (object.task == Task::TANGENT &&
+      visit(*object.contact, [](auto& contact) { return contact.run().iteration().policy().condensed(); }))
     return;
   for (Eigen::Index d = 0; d < now.size(); ++d) {
     if (now[d] == object.u[d]) continue;

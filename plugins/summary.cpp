@@ -71,24 +71,24 @@ private:
     const IterationCounts counts = run.iteration().counts();
     const ControlObject& control = s->get();
     Json summary{{"status", ""}, {"reason", ""}};
-    summary.update(
-        run_summary(SummarizedRun<Dim>{run,
-                                       material.workpiece(),
-                                       contact.diagnosis,
-                                       control.now(),
-                                       control.stepper.get(),
-                                       statements_of(s),
-                                       counts.condensations > 0 ? contact.condensed : nullptr,
-                                       material.warnings,
-                                       material.body->has_damage(),
-                                       about,
-                                       {{"stress update", material.update_seconds},
-                                        {"assembly", material.assembly_seconds},
-                                        {"condensation", counts.condensation_seconds + contact.condense_seconds},
-                                        {"factorization", counts.factorization_seconds},
-                                        {"solve", counts.solve_seconds},
-                                        {"events", contact.event_seconds},
-                                        {"checks", contact.diagnosis.seconds()}}}));
+    summary.update(run_summary(
+        SummarizedRun<Dim>{run,
+                           material.workpiece(),
+                           contact.diagnosis,
+                           control.now(),
+                           control.stepper.get(),
+                           statements_of(s),
+                           counts.condensations > 0 ? contact.condensed : nullptr,
+                           material.warnings,
+                           material.body->has_damage(),
+                           about,
+                           {{"stress update", material.update_seconds},
+                            {"assembly", material.assembly_seconds},
+                            {"condensation", counts.condensation_seconds + contact.condense_seconds},
+                            {"factorization", counts.factorization_seconds},
+                            {"solve", counts.solve_seconds},
+                            {"events", contact.event_seconds},
+                            {"checks", contact.diagnosis.seconds()}}}));
     return summary;
   }
 };

@@ -87,12 +87,12 @@ struct ContactObject : OfDimension {
   static constexpr const char* TYPE = "contact";
   template <int Dim> using Of = ContactOf<Dim>;
   using OfDimension::OfDimension;
-  IterationOptions options;                    // of the run, until it is begun
-  std::weak_ptr<MaterialObject> material;      // of its run
-  std::shared_ptr<const FrictionLaw> friction; // default of add()
-  std::map<std::string, double> parameters;    // numbers by name for formulas of friction
-  std::vector<double> rhs;                     // of the last condensed matrix
-  const CondensedSystem* condensed = nullptr;  // the last one, the run's
+  IterationOptions options;                       // of the run, until it is begun
+  std::weak_ptr<MaterialObject> material;         // of its run
+  std::shared_ptr<const FrictionLaw> friction;    // default of add()
+  std::map<std::string, double> parameters;       // numbers by name for formulas of friction
+  std::vector<double> rhs;                        // of the last condensed matrix
+  const CondensedSystem* condensed = nullptr;     // the last one, the run's
   double event_seconds = 0, condense_seconds = 0; // CPU
   StepSeen step;
   bool under_way = false; // a run of a stepcontrol goes on
@@ -155,7 +155,8 @@ using ContactHandle = Handle<ContactObject>;
 /// of a node must be adjacent.
 /// @throws std::invalid_argument for any other space, and for an axisymmetric one in space
 template <int Dim>
-burnish::Mesh<Dim> mesh_of(typename Freefem<Dim>::Fespace* const& space, const char* where, bool axisymmetric);
+burnish::Mesh<Dim> mesh_of(typename Freefem<Dim>::Fespace* const& space, const char* where,
+                           bool axisymmetric);
 inline Discretization<2> discretized(burnish::Mesh<2> mesh) { return triangles(std::move(mesh)); }
 inline Discretization<3> discretized(burnish::Mesh<3> mesh) { return tetrahedra(std::move(mesh)); }
 

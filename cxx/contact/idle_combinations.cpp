@@ -29,7 +29,8 @@ Eigen::MatrixXd seen_motions(const ContactModel<3>& model, const ContactState<3>
     const int candidate = static_cast<int>(i);
     const auto p = model.tools[tool]->point(pose, node.place);
     const bool normal_only = model.law(candidate, node).frictionless();
-    const Eigen::MatrixXd motion = normal_only ? Eigen::MatrixXd(p.n.transpose() * p.x_q) : Eigen::MatrixXd(p.x_q);
+    const Eigen::MatrixXd motion =
+        normal_only ? Eigen::MatrixXd(p.n.transpose() * p.x_q) : Eigen::MatrixXd(p.x_q);
     if (sum.size() == 0) sum = Eigen::MatrixXd::Zero(motion.cols(), motion.cols());
     sum += motion.transpose() * motion;
     ++nodes;
@@ -63,7 +64,8 @@ std::vector<int> unseen(Eigen::MatrixXd seen, const Eigen::VectorXd& size, std::
 } // namespace
 
 template <>
-std::vector<int> idle_combinations<2>(const ContactModel<2>&, const PrescribedValues&, const ContactState<2>&) {
+std::vector<int> idle_combinations<2>(const ContactModel<2>&, const PrescribedValues&,
+                                      const ContactState<2>&) {
   return {};
 }
 

@@ -30,9 +30,9 @@ template <int Dim> std::uint64_t values_of(const NodeBlockMatrix<Dim>& K) {
         std::uint64_t word = 0;
         const double value = K.block(k)[i] + 0.;
         std::memcpy(&word, &value, sizeof word);
-        word =
-            (word ^ (static_cast<std::uint64_t>(K.col[k]) << 32) ^ static_cast<std::uint64_t>(Dim * Dim * row + i)) *
-            0x9E3779B97F4A7C15u;
+        word = (word ^ (static_cast<std::uint64_t>(K.col[k]) << 32) ^
+                static_cast<std::uint64_t>(Dim * Dim * row + i)) *
+               0x9E3779B97F4A7C15u;
         sum += value == 0 ? 0 : word ^ (word >> 29);
       }
   return sum;

@@ -9,7 +9,7 @@ namespace burnish {
 /// where nothing turns [force/length].
 template <int Dim> double slip_stiffness(const ContactModel<Dim>& model, const NodeBlockMatrix<Dim>& K);
 
-/// Directions of the nodes that slide by (3.14), from their slips and the forces on them: m along c D - T. Guided nodes keep
+/// Directions of the nodes that slide by METHOD.md (3.14), from their slips and the forces on them: m along c D - T. Guided nodes keep
 /// the part that their supports leave, those that have slipped against their direction keep it; in the plane all do.
 /// @param R internal minus external nodal force, num_dofs [force]
 template <int Dim>

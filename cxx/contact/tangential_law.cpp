@@ -81,7 +81,7 @@ SlipTurn<Dim> TangentialLaw<Dim>::turn(const DecidingForce<Dim>& deciding, const
   const double size = tau.norm();
   if (Dim == 2 || !(c > 0) || !(size > 0) || frictionless()) return turn;
   if ((tau + size * m).norm() > aligned * size)
-    return turn; // it begins to slide, that way: (3.14) has not been taken
+    return turn; // it begins to slide, that way: METHOD.md (3.14) has not been taken
   const double part = std::min(1., capacity(deciding.force.N, deciding.area) / size);
   turn.H = part * (Curvature<Dim>::Identity() - m * m.transpose());
   turn.held = c * turn.H * slip; // H (T - c D) = 0

@@ -94,7 +94,7 @@ public:
   /// counts once where several nodes share a row.
   static SlidingRows<Dim> rows(const SurfacePoint<Dim>& point, const Vector<Dim>& F, const Param<Dim>& m,
                                const ConeTangent& cone, const SlipTurn<Dim>& turn = {});
-  /// @param slip D, and its derivative by the node's own eta; @param c of METHOD.md (3.14), 0: it does not turn [force/length]
+  /// @param slip D, and its derivative by the node's own eta; @param c of METHOD.md (3.14); it does not turn at 0 [force/length]
   SlipTurn<Dim> turn(const DecidingForce<Dim>& deciding, const Param<Dim>& m, const Param<Dim>& slip,
                      const Curvature<Dim>& slip_by_eta, double c) const;
   ConeTangent cone(double N, double area) const;

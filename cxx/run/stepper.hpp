@@ -67,11 +67,11 @@ public:
   virtual void set_scheme(Scheme scheme) = 0;
   /// What is said of the scene so far; nothing without the checks.
   virtual std::vector<Statement> report() const = 0;
-  virtual bool halted() const = 0;      ///< a self-check has ended the run
-  virtual double target() const = 0;    ///< PROGRAM
-  virtual double dt() const = 0;        ///< FORCES: length of the piece
+  virtual bool halted() const = 0;   ///< a self-check has ended the run
+  virtual double target() const = 0; ///< PROGRAM
+  virtual double dt() const = 0;     ///< FORCES: length of the piece
   virtual Stepping stepping() const = 0;
-  virtual int iteration() const = 0;    ///< FORCES: 0, 1, 2, ... in this equilibrium
+  virtual int iteration() const = 0; ///< FORCES: 0, 1, 2, ... in this equilibrium
   virtual const StepControl& control() const = 0;
   virtual const StepperCounts& counts() const = 0;
   /// Estimated relative error that the length of the steps has made in the plastic strain increments [-]; < 0: none, see

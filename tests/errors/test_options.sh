@@ -71,14 +71,14 @@ include "burnish.idp"
 tool t(circle=1, shade=2);
 END
 refuse 20 'unknown named parameter shade=|expected one of' "$BURNISH" "$SCRATCH/named.edp"
-cat >"$SCRATCH/solid.edp" <<'END'
+cat >"$SCRATCH/shell.edp" <<'END'
 include "burnish.idp"
 load "msh3"
-mesh3 Th = cube(1, 1, 1);
-fespace Vh(Th, [P1, P1, P1]);
+meshS Th = square3(1, 1);
+fespace Vh(Th, P1);
 material M = rcMaterial(Vh, G=1, nu=0.3, sigY=1, H=0);
 END
-refuse 1 'error operator|MaterialObject|solid.edp' "$BURNISH" "$SCRATCH/solid.edp"
+refuse 1 'error operator|MaterialObject|shell.edp' "$BURNISH" "$SCRATCH/shell.edp"
 # an uncaught error of ours: text once, line, exit code 20
 cat >"$SCRATCH/uncaught.edp" <<'END'
 include "burnish.idp"

@@ -81,6 +81,7 @@ class Checker:
             self.core_words |= words
             for kind in re.findall(r"\b(?:struct|class) (\w+)[^;{}()]*\{", text):
                 self.members[kind] = self.members.get(kind, set()) | words
+        self.components = set(re.findall(r'"(\w+)"', "".join(re.findall(r"stress_names(\{.*?\});", self.core_text))))
         self.core_words |= set(re.findall(r"\w+", plugins))
         self.script_words = set(re.findall(r"\w+", plugins + library))
         texts = lambda text: set(re.findall(r'"[^"\n]*"', text))
@@ -106,6 +107,12 @@ class Checker:
         return text in self.plugin_texts
 
     def has_column(self, name):
+        """As it stands, or joined when it is written: a component of a tensor, or of a resultant after what acts."""
+        base, _, component = name.rpartition("_")
+        if component in self.components and '"%s"' % base in self.writers:
+            return True
+        if (not base or '"%s_"' % base in self.writers) and re.search('[",]%s[",]' % component, self.writers):
+            return True
         return re.search(r"(?<![A-Za-z0-9_-])%s(?![A-Za-z0-9-]|_[a-z])" % re.escape(name), self.writers)
 
     def check_names(self):

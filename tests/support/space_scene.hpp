@@ -65,7 +65,7 @@ struct SpaceScene {
     std::vector<char> fixed(mesh.num_dofs(), 0);
     for (int a = 0; a < mesh.num_nodes; ++a)
       if (block.height(mesh, a) < 1e-9 - block.lz) std::fill_n(fixed.begin() + 3 * a, 3, 1);
-    setup = std::make_shared<ContactSetup<3>>(mesh, mesh.facets, fixed, std::make_shared<TriangleMeasure>());
+    setup = std::make_shared<ContactSetup<3>>(mesh, mesh.facets, fixed, std::make_shared<FaceMeasure>());
     tool->set_coordinates(std::move(coordinates));
     setup->add_tool(tool, make_coulomb(mu));
     m_options = options;
