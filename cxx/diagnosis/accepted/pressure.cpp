@@ -4,6 +4,7 @@
 #include "diagnosis/accepted/contact_width.hpp"
 #include "diagnosis/observers.hpp"
 #include <cmath>
+#include <utility>
 
 namespace burnish {
 namespace {
@@ -47,6 +48,7 @@ template <int Dim>
 Eigen::VectorXd lacking_at_middles(const AcceptedStep<Dim>& step, const SurfaceReport<Dim>& report) {
   const std::vector<int> candidate = candidate_of_node(step.model().candidates, step.mesh().num_nodes);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(step.model().tools.size()));
+  std::vector<char> counted(step.mesh().num_nodes, 0); // in space two faces share a mid node
   for (const Facet<Dim>& facet : step.setup.surface()) {
     const std::vector<int> nodes = nodes_of(facet);
     const Eigen::MatrixXd mass = step.body().measure->masses(places_of(step.body(), facet, step.u));
@@ -56,7 +58,7 @@ Eigen::VectorXd lacking_at_middles(const AcceptedStep<Dim>& step, const SurfaceR
     }
     for (std::size_t m = Dim; m < nodes.size(); ++m) {
       const int i = candidate[nodes[m]];
-      if (i >= 0 && in_contact(step.contact.nodes[i].state))
+      if (i >= 0 && !std::exchange(counted[nodes[m]], 1) && in_contact(step.contact.nodes[i].state))
         sum[step.contact.nodes[i].tool] -= report.normal_force[i];
     }
   }
