@@ -69,7 +69,10 @@ class SpaceRun(Run):
         for k in range(len(self.frames) - 1, -1, -1):
             surface = self.frame(k).surface
             if surface and files.touching(surface).any():
-                pull = -surface.data["traction"].sum(axis=0)
+                traction = surface.data["traction"]
+                pull, all_of_it = -traction.sum(axis=0), np.abs(traction).sum(axis=0)
+                if np.abs(pull).max() < 0.01 * all_of_it.max():  # tools on two sides: upward along their normals
+                    return np.eye(3)[np.argmax(all_of_it)]
                 return unit(np.eye(3)[np.argmax(np.abs(pull))] * np.sign(pull[np.argmax(np.abs(pull))]))
         return np.array([0.0, 0.0, 1.0])
 
