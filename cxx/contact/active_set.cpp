@@ -18,7 +18,7 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   const WindowSolver<Dim> solver(problem);
   ContactState<Dim> trial = state;
   std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
-  int trials = 0, supports = 0;
+  int trials = 0, supports = Dim == 3 && solver.held_by_turning() ? MAX_SUPPORTS : 0;
   PassChoice<Dim> choice(model, *problem.window);
   std::vector<double> severity(state.nodes.size());
   WindowSolution<Dim> best;
@@ -29,7 +29,11 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
     if (problem.adapt && problem.added_stiffness.size() > 0 && trials < MAX_NEUTRAL_TRIALS)
       trials += stick_at_neutral_point(model, trial, refused);
     follow_ends(model, trial);
-    if (!solver.solve(trial, solution)) break;
+    if (!solver.solve(trial, solution)) {
+      if (Dim == 2 || !problem.adapt || solution.passes >= problem.max_passes) break;
+      if (stick_unsupported(model, *problem.prescribed, trial, refused, true) < 0) break;
+      continue;
+    }
     if (!problem.adapt) break;
     const ContactState<Dim> before = trial;
     solution.left = solver.test(solution, trial, severity);

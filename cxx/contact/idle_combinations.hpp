@@ -1,5 +1,5 @@
 #pragma once
-// Motions of a tool that the nodes in contact do not see (METHOD.md 5.1): the spin of a ball on one node.
+// Motions of a tool that the nodes in contact do not see (METHOD.md 5.5): the spin of a ball on one node.
 #include "contact/contact_model.hpp"
 
 namespace burnish {

@@ -89,6 +89,16 @@ SlipTurn<Dim> TangentialLaw<Dim>::turn(const DecidingForce<Dim>& deciding, const
   return turn;
 }
 
+template <int Dim>
+SlipTurn<Dim> TangentialLaw<Dim>::first_turn(const Param<Dim>& m, const Param<Dim>& slip, double c) {
+  SlipTurn<Dim> turn;
+  if (Dim == 2 || !(c > 0) || slips_back(slip, m, 0)) return turn;
+  turn.H = Curvature<Dim>::Identity() - m * m.transpose();
+  turn.cHD = c * turn.H;
+  turn.held = turn.cHD * slip;
+  return turn;
+}
+
 template class TangentialLaw<2>;
 template class TangentialLaw<3>;
 

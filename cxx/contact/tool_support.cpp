@@ -156,6 +156,17 @@ std::vector<int> idle_coordinates(const ContactModel<Dim>& model, const Prescrib
 }
 
 template <int Dim>
+std::vector<char> held_by_friction(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                                   const ContactState<Dim>& state) {
+  std::vector<char> result(model.tools.size(), 0);
+  ContactState<Dim> without = state;
+  for (auto& node : without.nodes)
+    if (sticks(node.state)) node.state = NodeState::SLIDING;
+  for (int i; (i = stick_unsupported(model, prescribed, without)) >= 0;) result[without.nodes[i].tool] = 1;
+  return result;
+}
+
+template <int Dim>
 std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                const ContactState<Dim>& state) {
   std::vector<int> result;
@@ -183,6 +194,8 @@ std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedV
                                           const std::vector<ContactEvent<Dim>>&, bool, ContactState<Dim>&);  \
   template std::vector<int> idle_coordinates<Dim>(const ContactModel<Dim>&, const PrescribedValues&,         \
                                                   const ContactState<Dim>&);                                 \
+  template std::vector<char> held_by_friction<Dim>(const ContactModel<Dim>&, const PrescribedValues&,        \
+                                                   const ContactState<Dim>&);                                \
   template std::vector<int> sole_supports<Dim>(const ContactModel<Dim>&, const PrescribedValues&,            \
                                                const ContactState<Dim>&);
 BURNISH_INSTANTIATE(2)

@@ -37,6 +37,11 @@ template <int Dim>
 std::vector<int> idle_coordinates(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                   const ContactState<Dim>& state);
 
+/// Per tool: 1 if a coordinate under force would only meet sliding friction, were no node of it to stick.
+template <int Dim>
+std::vector<char> held_by_friction(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                                   const ContactState<Dim>& state);
+
 /// Candidates whose stick is the only one that supports their tool.
 template <int Dim>
 std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedValues& prescribed,

@@ -3,6 +3,7 @@
 #include "contact/driving_force.hpp"
 #include "contact/idle_combinations.hpp"
 #include "contact/tool_support.hpp"
+#include <algorithm>
 
 namespace burnish {
 namespace {
@@ -35,7 +36,30 @@ template <int Dim> Eigen::VectorXd of_nodes(const Eigen::VectorXd& window, const
 
 template <int Dim>
 WindowSolver<Dim>::WindowSolver(const WindowProblem<Dim>& problem)
-    : m_problem(problem), m_model(*problem.model), m_body(*problem.body), m_window(*problem.window) {}
+    : m_problem(problem), m_model(*problem.model), m_body(*problem.body), m_window(*problem.window) {
+  if (Dim == 3 && problem.adapt)
+    m_by_friction = held_by_friction(m_model, *problem.prescribed, *problem.start);
+}
+
+template <int Dim> bool WindowSolver<Dim>::held_by_turning() const {
+  const auto& nodes = m_problem.start->nodes;
+  return Dim == 3 && !m_problem.first && std::none_of(nodes.begin(), nodes.end(), [this](const auto& node) {
+           return sticks(node.state) && m_by_friction[node.tool];
+         });
+}
+
+// How the slip of a node turns that (3.14) has not been taken for yet, on a tool that friction holds.
+template <int Dim>
+SlipTurn<Dim> WindowSolver<Dim>::first_turn(const ContactState<Dim>& trial,
+                                            const std::vector<Pose<Dim>>& poses, int candidate) const {
+  const ContactNode<Dim>& node = trial.nodes[candidate];
+  if (m_by_friction.empty() || node.state != NodeState::SLIDING || !m_by_friction[node.tool] ||
+      m_problem.friction_tangent != FrictionTangent::CONSISTENT || m_model.is_constrained(candidate) ||
+      m_model.law(candidate, node).frictionless())
+    return {};
+  return TangentialLaw<Dim>::first_turn(contact_point(m_model, poses, node).m, slip_of(m_model, node),
+                                        trial.slip_stiffness);
+}
 
 // The window's nodes that the block is made of: in contact, or with added stiffness.
 template <int Dim>
@@ -83,10 +107,10 @@ std::vector<NodeLinearization<Dim>> WindowSolver<Dim>::linearize(const ContactSt
     nodes.emplace_back();
     nodes.back().in_contact = in_contact(trial.nodes[candidate].state);
     if (!nodes.back().in_contact) continue;
-    const NodeCones<Dim> cones =
-        cones_of(m_model, trial, poses, deciding, candidate, m_problem.friction_tangent);
-    nodes.back() = linearize_node(m_model, trial.nodes[candidate], candidate, poses, force(candidate),
-                                  m_problem.terms, &cones);
+    const ContactNode<Dim>& node = trial.nodes[candidate];
+    NodeCones<Dim> cones = cones_of(m_model, trial, poses, deciding, candidate, m_problem.friction_tangent);
+    if (!cones.tied && cones.turn.H.isZero(0)) cones.turn = first_turn(trial, poses, candidate);
+    nodes.back() = linearize_node(m_model, node, candidate, poses, force(candidate), m_problem.terms, &cones);
     if (!m_model.couplings.empty())
       eliminate_followers(m_model, m_problem.start->q, m_problem.terms, nodes.back());
     offset.template segment<Dim>(Dim * a) =

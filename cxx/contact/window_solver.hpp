@@ -21,6 +21,7 @@ template <int Dim> struct WindowProblem {
   const Eigen::VectorXd* u = nullptr;       ///< displacement at the linearization point, num_dofs
   const Eigen::VectorXd* R = nullptr;       ///< residual force there, num_dofs
   EntryPlaces<Dim>* entry = nullptr;
+  bool first = true;     ///< the first iteration of its step
   bool adapt = true;     ///< false: states stay as they are (event stepping)
   Tolerances tolerances; ///< of the state tests
   int max_passes = 100;  ///< over the window
@@ -44,6 +45,9 @@ template <int Dim> class WindowSolver {
 public:
   /// @param problem must outlive it
   explicit WindowSolver(const WindowProblem<Dim>& problem);
+  /// Not in the first iteration of a step: on every tool that friction alone holds all nodes slide at the start. Their turning
+  /// directions resist it then (METHOD.md 5.5).
+  bool held_by_turning() const;
   /// Solves with the states of the trial. @returns false if it cannot be done; out tells why, and keeps its passes
   bool solve(const ContactState<Dim>& trial, WindowSolution<Dim>& out) const;
   /// Tests every node of the window. @param trial the states that were solved with; changed
@@ -54,6 +58,8 @@ public:
            std::vector<double>& severity) const;
 
 private:
+  SlipTurn<Dim> first_turn(const ContactState<Dim>& trial, const std::vector<Pose<Dim>>& poses,
+                           int candidate) const;
   std::vector<int> active_positions(const ContactState<Dim>& trial) const;
   std::vector<NodeLinearization<Dim>>
   linearize(const ContactState<Dim>& trial, const std::vector<int>& active, Eigen::VectorXd& offset) const;
@@ -68,6 +74,7 @@ private:
   const ContactModel<Dim>& m_model;
   const BodyView<Dim>& m_body;
   const std::vector<int>& m_window;
+  std::vector<char> m_by_friction; // per tool, in space; empty: states stay
 };
 
 } // namespace burnish

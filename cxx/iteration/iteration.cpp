@@ -86,6 +86,7 @@ template <int Dim> void Iteration<Dim>::state_problem(WindowProblem<Dim>& proble
   problem.start = &m_state;
   problem.R = &m_R;
   problem.entry = &m_entry;
+  problem.first = m_number == 0;
   problem.adapt = m_adapt;
   problem.tolerances = m_balance.state_tolerances();
 }

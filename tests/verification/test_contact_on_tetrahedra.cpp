@@ -40,7 +40,8 @@ TEST(ContactOnTetrahedra, DraggedSlab) {
   const auto scene = slab(0.04, 0.04, 0.06);
   ASSERT_EQ(scene->press(6), Task::FINISHED);
   ASSERT_EQ(scene->drag(6, 0.06), Task::FINISHED);
-  EXPECT_LE(scene->rejected, 2) << scene->reasons(); // measured: up to 2 on these meshes
+  EXPECT_LE(scene->rejected, 1)
+      << scene->reasons(); // measured: 1, of a step that is too long for the material
   expect_rules(*scene, 0.2);
   EXPECT_GE(scene->tool->generalized_force()[0] / scene->load, 0.25)
       << "friction of all nodes and what it plows";
@@ -75,7 +76,8 @@ TEST(ContactOnTetrahedra, HalfOfABall) {
     ASSERT_EQ(scene->roll(2, 0.03, 0.6 * 0.2 * scene->load, 0.02), Task::FINISHED);
     expect_rules(*scene, 0.2);
   }
-  EXPECT_NEAR(half->depth(), whole->depth(), 1e-6 * whole->depth());
+  // measured: 1.5e-6; the ways through the states differ, and so does what sticks within its tolerance
+  EXPECT_NEAR(half->depth(), whole->depth(), 3e-6 * whole->depth());
   EXPECT_NEAR(half->theta(), whole->theta(), 1e-6 * whole->theta());
   const double force = whole->tool->generalized_force()[0];
   EXPECT_NEAR(2 * half->tool->generalized_force()[0], force, 1e-5 * std::abs(force));
@@ -83,10 +85,23 @@ TEST(ContactOnTetrahedra, HalfOfABall) {
 }
 
 // A ball with little friction comes off again down to a thousandth of its load: the last nodes in contact are vertices
-// without weight. Steps are rejected on the way.
+// without weight.
 TEST(ContactOnTetrahedra, BallComesOff) {
   const auto scene = BallOnBlock{0.05, 0.02, 0.05}.scene();
   ASSERT_EQ(scene->press(3), Task::FINISHED);
   ASSERT_EQ(scene->unload(5), Task::FINISHED);
+  EXPECT_EQ(scene->rejected, 0) << scene->reasons();
   expect_rules(*scene, 0.05);
+}
+
+// With little friction all nodes of a ball slide, pressed as well as rolled, and only their turning directions resist its turn.
+TEST(ContactOnTetrahedra, BallWithLittleFriction) {
+  const auto scene = BallOnBlock{0.04, 0.1, 0.05}.scene();
+  ASSERT_EQ(scene->press(8), Task::FINISHED);
+  expect_rules(*scene, 0.05);
+  ASSERT_EQ(scene->roll(10, 0.1, 0.6 * 0.05 * scene->load, 0.02), Task::FINISHED);
+  expect_rules(*scene, 0.05);
+  EXPECT_EQ(scene->steps, 18);
+  EXPECT_EQ(scene->rejected, 0) << scene->reasons();
+  EXPECT_NEAR(scene->theta(), 0.0994, 1e-4) << "it rolls";
 }

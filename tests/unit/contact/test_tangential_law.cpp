@@ -156,3 +156,24 @@ TYPED_TEST(TangentialLaws, StickingAlways) {
 TYPED_TEST(TangentialLaws, NoLaw) {
   expect_invalid([] { typename TestFixture::Law{nullptr}; }, "TangentialLaw: no friction law");
 }
+
+// At the limit, |T| = g, without slip: the residual T - g theta of METHOD.md (3.14) by differences is (I - H) dT + c H dD.
+TEST(TangentialLaw, FirstTurnIsTheDerivativeAtTheLimit) {
+  const double c = 3, g = 0.7, step = 1e-6;
+  const Param<3> m(0.6, 0.8), T = -g * m;
+  const SlipTurn<3> turn = TangentialLaw<3>::first_turn(m, Param<3>::Zero(), c);
+  const auto residual = [&](const Param<3>& force, const Param<3>& slip) {
+    return Param<3>(force - g * (force - c * slip).normalized());
+  };
+  for (int k = 0; k < 2; ++k) {
+    const Param<3> e = step * Param<3>::Unit(k), none = Param<3>::Zero();
+    const Param<3> by_T = (residual(T + e, none) - residual(T - e, none)) / (2 * step),
+                   by_D = (residual(T, e) - residual(T, -e)) / (2 * step);
+    EXPECT_LE((by_T - (Param<3>::Unit(k) - turn.H.col(k))).norm(), 1e-9);
+    EXPECT_LE((by_D - turn.cHD.col(k)).norm(), 1e-9);
+  }
+  const Param<3> slip(0.01, 0.03);
+  EXPECT_LE((TangentialLaw<3>::first_turn(m, slip, c).held - turn.cHD * slip).norm(), 1e-15);
+  EXPECT_TRUE(TangentialLaw<3>::first_turn(m, Param<3>(-0.01 * m), c).H.isZero(0))
+      << "it goes back: it sticks";
+}
