@@ -48,7 +48,7 @@ template <int Dim> bool WindowSolver<Dim>::held_by_turning() const {
          });
 }
 
-// How the slip of a node turns that (3.14) has not been taken for yet, on a tool that friction holds.
+// How the slip of a node turns that begins to slide, on a tool that friction holds, METHOD.md (3.14d).
 template <int Dim>
 SlipTurn<Dim> WindowSolver<Dim>::first_turn(const ContactState<Dim>& trial,
                                             const std::vector<Pose<Dim>>& poses, int candidate) const {
