@@ -171,7 +171,7 @@ bench: build ## kernels and whole scenes against the ratios of the last release 
 	$(COMPILE) $(or $(call program,benchmark),$(error no programs in tests/benchmark))
 	@BURNISH='$(abspath $(WRAPPER))' BENCHMARK='$(abspath $(call program,benchmark))' $(PYTHON) tests/benchmark/bench.py $(OPTIONS)
 
-bench-growth: build ## time and memory of some ten steps from 1 000 to 130 000 nodes (ten minutes); OPTIONS="--most 20"
+bench-growth: build ## time and memory of some ten steps, in the plane to 270 000 unknowns, in space to 200 000 (twenty minutes); OPTIONS="--most 50000"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/benchmark/bench.py --growth $(OPTIONS)
 
 install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines for plain FreeFem++ are printed

@@ -1,11 +1,31 @@
 #pragma once
-// A damaged file may ask for more memory than the machine has.
+// How much memory there is for this process: a damaged file, or a fine mesh, may ask for more.
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <sys/resource.h>
+#include <sys/sysinfo.h>
 #include <unistd.h>
 
 namespace burnish {
+
+/// Bytes that this process cannot get beyond those it has: memory and swap of the machine, the group of processes it is
+/// in (cgroup, version 2), its own limit of address space. What others use is not counted; infinite if nothing is known.
+inline double memory_left() {
+  double size = 0, resident = 0, group = 0, left = std::numeric_limits<double>::infinity();
+  std::ifstream("/proc/self/statm") >> size >> resident;
+  const double page = static_cast<double>(sysconf(_SC_PAGESIZE));
+  struct sysinfo machine;
+  if (sysinfo(&machine) == 0)
+    left =
+        machine.mem_unit * (static_cast<double>(machine.totalram) + static_cast<double>(machine.totalswap)) -
+        resident * page;
+  if (std::ifstream("/sys/fs/cgroup/memory.max") >> group) left = std::min(left, group - resident * page);
+  rlimit limit;
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+    left = std::min(left, static_cast<double>(limit.rlim_cur) - size * page);
+  return std::max(left, 0.);
+}
 
 /// While one lives this process may take so many bytes more than it has now (std::bad_alloc beyond).
 class MemoryLimit {

@@ -27,6 +27,10 @@ public:
   /// (CHOLMOD_NOT_POSDEF is one) pass.
   void check(const char* where) const {
     if (m_common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (m_common.status == CHOLMOD_TOO_LARGE)
+      throw std::runtime_error(
+          std::string(where) +
+          ": the factor has more than 2^31 numbers, too large for CHOLMOD; take a coarser mesh");
     if (m_common.status < 0)
       throw std::runtime_error(std::string(where) + ": CHOLMOD status " + std::to_string(m_common.status));
   }

@@ -18,7 +18,7 @@ public:
 
   /// Symbolic analysis of the pattern of the lower triangle by columns: rows row[col_start[j] ..
   /// col_start[j+1]), each >= j, in any order; the last entry of col_start is the number of entries.
-  /// @throws std::bad_alloc, std::runtime_error on a CHOLMOD error
+  /// @throws std::bad_alloc, std::runtime_error on a CHOLMOD error; ArgumentError if the factor is larger than memory_left()
   void analyze(std::vector<int> col_start, std::vector<int> row);
   /// Numerical factor of the matrix with these values, in the order of `row` of analyze(); they are not kept. After
   /// NOT_POSITIVE_DEFINITE there is no factor to use.

@@ -8,7 +8,8 @@ median of all repetitions is kept, the spread is half of largest less smallest o
 last release. A name is slower (faster) where the ratios differ by more than both spreads and LEAST together. Nothing passes or fails.
 Of scenes, from their summary.json: the multiple is the CPU time of the run over that of its factorizations; megabytes the peak of the
 process; kB/dof what it takes beyond a FreeFEM with the plugin and the factor, per degree of freedom.
---growth: one scene (growth.edp) from 1 000 to 130 000 nodes in ten steps or a few more; the order is that of the time between two lines.
+--growth: one scene in the plane (growth.edp, to 270 000 unknowns) and one in space (growth-in-space.edp, to 200 000), ten steps or a
+few more; the order is that of the time between two lines.
 """
 import argparse
 import csv
@@ -29,7 +30,7 @@ SCENES = {"rolling": "cases/rolling/rolling.edp", "rolling, coarse": "cases/roll
           "hertz": "cases/hertz/hertz.edp -meshes 0", "indentation": "cases/indentation/indentation.edp -half 1",
           "strip-rolling": "cases/strip-rolling/strip-rolling.edp", "bending": "cases/bending/bending.edp", "cup": "cases/cup/cup.edp",
           "u-channel": "cases/u-channel/u-channel.edp"}
-GROWTH = [5, 10, 20, 37, 52]
+GROWTH = (("growth.edp", [5, 10, 20, 37, 52], lambda n: 98 * n**2), ("growth-in-space.edp", [2, 3, 4, 5, 6], lambda n: 900 * n**3))
 
 
 def middle(values):
@@ -146,22 +147,21 @@ def store(rows):
         writer.writerows([name, f"{r:.4g}", f"{s:.2g}"] for name, (r, s) in new.items())
 
 
-def growth(sizes):
-    print(f"{'nodes':>8s}{'CPU':>10s}{'order':>7s}{'steps':>7s}{'iterations':>12s}{'factors':>9s}{'one factor':>12s}{'multiple':>10s}"
-          f"{'peak':>10s}{'factor':>10s}{'kB/dof':>8s}")
-    before, rows = None, []
-    for n in sizes:
-        text, _, _ = process([os.path.join(HERE, "growth.edp"), "-n", str(n)])
-        r = {w[1]: float(w[2]) for w in (line.split() for line in text.splitlines()) if len(w) == 3 and w[0] == "result"}
-        r["kB/dof"] = (r["peak"] - r["start"] - r["factor"]) / r["dofs"]
-        order = math.log(r["seconds"] / before["seconds"]) / math.log(r["dofs"] / before["dofs"]) if before else float("nan")
-        one = r["factorization"] / r["factorizations"]
-        print(f"{r['dofs'] / 2:8.0f}{r['seconds']:8.2f} s{order:7.2f}{r['steps']:7.0f}{r['iterations']:12.0f}{r['factorizations']:9.0f}"
-              f"{1e3 * one:9.1f} ms{r['seconds'] / r['factorization']:10.2f}{r['peak'] / 1024:7.0f} MB{r['factor'] / 1024:7.0f} MB"
-              f"{r['kB/dof']:8.2f}", flush=True)
-        before = r
-        rows.append(r)
-    return rows
+def growth(most):
+    for scene, sizes, unknowns in GROWTH:
+        print(f"{scene}\n{'unknowns':>10s}{'CPU':>10s}{'order':>7s}{'steps':>7s}{'iterations':>12s}{'factors':>9s}{'one factor':>12s}{'multiple':>10s}"
+              f"{'peak':>10s}{'factor':>10s}{'kB/dof':>8s}")
+        before = None
+        for n in (n for n in sizes if unknowns(n) <= most):
+            text, _, _ = process([os.path.join(HERE, scene), "-n", str(n)])
+            r = {w[1]: float(w[2]) for w in (line.split() for line in text.splitlines()) if len(w) == 3 and w[0] == "result"}
+            r["kB/dof"] = (r["peak"] - r["start"] - r["factor"]) / r["dofs"]
+            order = math.log(r["seconds"] / before["seconds"]) / math.log(r["dofs"] / before["dofs"]) if before else float("nan")
+            one = r["factorization"] / r["factorizations"]
+            print(f"{r['dofs']:10.0f}{r['seconds']:8.2f} s{order:7.2f}{r['steps']:7.0f}{r['iterations']:12.0f}{r['factorizations']:9.0f}"
+                  f"{1e3 * one:9.1f} ms{r['seconds'] / r['factorization']:10.2f}{r['peak'] / 1024:7.0f} MB{r['factor'] / 1024:7.0f} MB"
+                  f"{r['kB/dof']:8.2f}", flush=True)
+            before = r
 
 
 def main():
@@ -170,15 +170,15 @@ def main():
     parser.add_argument("--repeat", type=int, default=5, metavar="N", help="repetitions")
     parser.add_argument("--kernels", action="store_true", help="no scenes")
     parser.add_argument("--scenes", action="store_true", help="no kernels")
-    parser.add_argument("--growth", action="store_true", help="time and memory from 1 000 to 130 000 nodes instead")
-    parser.add_argument("--most", type=int, default=GROWTH[-1], metavar="N", help="--growth: the finest mesh, growth.edp -n")
+    parser.add_argument("--growth", action="store_true", help="time and memory against the number of unknowns instead")
+    parser.add_argument("--most", type=int, default=300000, metavar="N", help="--growth: no more unknowns than these")
     parser.add_argument("--store", action="store_true", help="these are the ratios of the release")
     parser.add_argument("--out", default="out/bench", metavar="FOLDER")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)
     os.environ["BENCH_OUT"] = os.path.abspath(options.out)
     if options.growth:
-        growth([n for n in GROWTH if n <= options.most])
+        growth(options.most)
         return
     old, rows, slower = stored(), [], []
     for skipped, measure in ((options.scenes, kernels), (options.kernels, scenes)):

@@ -1,3 +1,5 @@
+#include "base/error.hpp"
+#include "base/memory_limit.hpp"
 #include "solver/cholmod_factor.hpp"
 #include "solver/fill_ordering.hpp"
 #include "solver/openmp_guard.hpp"
@@ -133,4 +135,25 @@ TEST(OpenmpGuard, LimitsAndRestoresTheNestingLevels) {
   }
   EXPECT_EQ(levels ? levels() : -1, before);
   EXPECT_NE(before, 0);
+}
+
+// Full triangle of 2000: 32 MB of factor where 28 MB are left.
+TEST(CholmodFactor, OneThatDoesNotFitIsRefusedBeforeItIsMade) {
+  const int n = 2000;
+  std::vector<int> col_start{0}, row;
+  for (int j = 0; j < n; ++j) {
+    for (int i = j; i < n; ++i) row.push_back(i);
+    col_start.push_back(static_cast<int>(row.size()));
+  }
+  CholmodFactor factor;
+  EXPECT_GT(memory_left(), 1e8);
+  try {
+    const MemoryLimit limit(28e6);
+    factor.analyze(col_start, row);
+    FAIL() << "analyzed";
+  } catch (const ArgumentError& e) {
+    EXPECT_NE(e.said().find("the factor of 2000 unknowns takes 0.03 GB"), std::string::npos) << e.what();
+  }
+  factor.analyze(col_start, row);
+  EXPECT_EQ(factor.factor_entries(), 4000000u);
 }
