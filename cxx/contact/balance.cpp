@@ -101,9 +101,9 @@ void contact_node(const BalancedState<Dim>& state, int candidate, const ContactP
     return;
   }
   result.friction += force.T.norm();
-  result.friction_limit += law.capacity(force.N, deciding.area);
+  result.friction_limit += law.capacity(deciding);
   if (node.state == NodeState::SLIDING) {
-    const double r = tolerance.weight(node.tool) * law.sliding_residual(force, at.m, deciding.area);
+    const double r = tolerance.weight(node.tool) * law.sliding_residual(deciding, at.m);
     if (worse(r, result)) {
       result.residual = r;
       result.worst_dof = result.worst_coordinate = -1;

@@ -86,8 +86,7 @@ template <int Dim> typename Condensation<Dim>::Map Condensation<Dim>::map_of(int
     part.A.template leftCols<Dim - 1>() = A;
   };
   if (map.node->sliding) add(node, map.node->W, map.node->E);
-  for (const TiedRow<Dim>& tied : map.node->ties)
-    add(m_model.candidates[tied.end], tied.W, 0.5 * map.node->E);
+  for (const TiedRow<Dim>& tied : map.node->ties) add(m_model.candidates[tied.end], tied.W, tied.A);
   return map;
 }
 
@@ -158,9 +157,9 @@ template <int Dim> void Condensation<Dim>::add_geometric_terms() {
     for (const TiedRow<Dim>& tied : node.ties) {
       const int end = Dim * m_model.candidates[tied.end];
       for (int a = 0; a < Dim - 1; ++a) {
-        for (const TiedRow<Dim>& other : node.ties)
+        for (std::size_t e = 0; e < node.ties.size(); ++e)
           for (int b = 0; b < Dim - 1; ++b)
-            at(end + a, Dim * m_model.candidates[other.end] + b) += tied.geo_ss(a, b);
+            at(end + a, Dim * m_model.candidates[node.ties[e].end] + b) += tied.geo_ss[e](a, b);
         for (Eigen::Index k = 0; k < tied.geo_sq.cols(); ++k) {
           at(end + a, q(k)) += tied.geo_sq(a, k);
           at(q(k), end + a) += tied.geo_qs(a, k);
@@ -260,7 +259,7 @@ typename Condensation<Dim>::Expansion Condensation<Dim>::expand(const Eigen::Vec
       du += node.E * z.template segment<Dim - 1>(dof);
     }
     for (const TiedRow<Dim>& tied : node.ties)
-      du += 0.5 * node.E * z.template segment<Dim - 1>(Dim * m_model.candidates[tied.end]);
+      du += tied.A * z.template segment<Dim - 1>(Dim * m_model.candidates[tied.end]);
     for (Eigen::Index k = 0; k < node.x_q.cols(); ++k) {
       const int q = node.at[static_cast<std::size_t>(k)];
       if (!m_given[ndof + q]) du += node.x_q.col(k) * z[ndof + q];

@@ -54,7 +54,7 @@ Columns<Dim> assemble_columns(const ContactModel<Dim>& model,
     }
     for (const TiedRow<Dim>& tied : node.ties) {
       const int end = c.of_candidate.at(tied.end);
-      c.A.template block<1, Dim - 1>(r, end) = 0.5 * node.E.row(component);
+      c.A.template block<1, Dim - 1>(r, end) = tied.A.row(component);
       c.W.template block<1, Dim - 1>(r, end) = tied.W.row(component);
     }
     for (std::size_t k = 0; k < node.at.size(); ++k)
@@ -75,8 +75,8 @@ void add_geometric_terms(const std::vector<NodeLinearization<Dim>>& nodes, const
     if (node.sliding) matrix.template block<Dim - 1, Dim - 1>(s, s) += node.geo_ss;
     for (const TiedRow<Dim>& tied : node.ties) {
       const int row = c.of_candidate.at(tied.end);
-      for (const TiedRow<Dim>& other : node.ties)
-        matrix.template block<Dim - 1, Dim - 1>(row, c.of_candidate.at(other.end)) += tied.geo_ss;
+      for (std::size_t e = 0; e < node.ties.size(); ++e)
+        matrix.template block<Dim - 1, Dim - 1>(row, c.of_candidate.at(node.ties[e].end)) += tied.geo_ss[e];
       for (Eigen::Index k = 0; k < nq; ++k) {
         matrix.template block<Dim - 1, 1>(row, at(k)) += tied.geo_sq.col(k);
         matrix.template block<1, Dim - 1>(at(k), row) += tied.geo_qs.col(k).transpose();

@@ -87,7 +87,7 @@ template <int Dim> const TangentialLaw<Dim>& ContactModel<Dim>::law(int candidat
 }
 template <int Dim>
 const TangentialLaw<Dim>& ContactModel<Dim>::law(int candidate, const ContactNode<Dim>& node) const {
-  return node.bears && can_slip(candidate) ? laws[node.tool] : law(candidate, node.tool);
+  return (node.bears || node.has_ties) && can_slip(candidate) ? laws[node.tool] : law(candidate, node.tool);
 }
 
 std::vector<int> candidate_of_node(const std::vector<int>& candidates, int num_nodes) {

@@ -25,8 +25,8 @@ template <int Dim> struct ContactModel {
 
   /// Per candidate: the ends of the edge that it is the mid node of, or -1; empty: linear facets.
   std::vector<std::array<int, 2>> edge_ends;
-  /// Per candidate: vertex of quadratic triangles, whose shape function has no area. It has no friction unless it bears
-  /// (ContactNode), and is released by shared forces (METHOD.md 3.19). Empty: none is.
+  /// Per candidate: vertex of quadratic triangles, whose shape function has no area. It has no friction unless it bears or has
+  /// ties (ContactNode), and is released by shared forces (METHOD.md 3.19). Empty: none is.
   std::vector<char> weightless;
 
   std::vector<std::vector<int>>

@@ -24,8 +24,10 @@ template <int Dim> struct ContactNode {
   SurfacePlace<Dim> slip_origin; ///< where it sticks; the slip of the step is counted from here
   Vector<Dim> slip_direction =
       Vector<Dim>::Zero(); ///< of a node that slides against friction: unit tangent; else zero
-  bool tied = false;    ///< mid node that follows the slips of the ends of its edge (contact/tied_edges.hpp)
-  bool bears = false;   ///< a weightless vertex with friction all the same (ContactModel::weightless)
+  bool tied = false;  ///< mid node that follows the slips of the ends of its edge (contact/tied_edges.hpp)
+  bool bears = false; ///< a weightless vertex with friction all the same (ContactModel::weightless)
+  bool has_ties =
+      false;            ///< a weightless vertex that mid nodes are tied to: it has friction, by shared forces
   double slip_rate = 0; ///< slip of the last step along it over the time [length/time]
   double tributary_area = 1; ///< METHOD.md (3.13), at the start of the step [length or area]
 };
@@ -48,7 +50,7 @@ template <int Dim> void make_slide(ContactNode<Dim>& node, const Vector<Dim>& di
 }
 template <int Dim> void make_free(ContactNode<Dim>& node) {
   node.state = NodeState::FREE;
-  node.tied = node.bears = false;
+  node.tied = node.bears = node.has_ties = false;
   node.slip_direction.setZero();
 }
 

@@ -142,14 +142,14 @@ ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<D
                N1 = weightless ? ends.deciding1[i].normal : b.force.N;
   double release = crossing(N0, N1, tolerance.force_of(n0.tool)), change = NEVER;
   EventKind kind = EventKind::STICK_TO_SLIP;
-  const auto reserve = [&](const DecidingForce<Dim>& at) { return law.reserve(at.force, at.area); };
   if (n1.tied) {
     // only released: its ends decide over stick and slip
   } else if (n0.state == NodeState::SLIDING) {
     kind = EventKind::SLIP_TO_STICK;
     if (!law.frictionless()) change = stick_fraction(surface, n0, n1, a.m, step.dt, tolerance);
   } else if (!support && !law.friction().sticks_always()) {
-    change = crossing(reserve(ends.deciding0[i]), reserve(ends.deciding1[i]), tolerance.force_of(n0.tool));
+    change =
+        crossing(law.reserve(ends.deciding0[i]), law.reserve(ends.deciding1[i]), tolerance.force_of(n0.tool));
     if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released
     release = NEVER;
   }

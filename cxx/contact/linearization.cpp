@@ -3,19 +3,45 @@
 namespace burnish {
 namespace {
 
+// Quarter of the change of an end's row with the slip of an end, at constant F, METHOD.md (3.23a).
+template <int Dim>
+Curvature<Dim> tied_by_slip(const SurfacePoint<Dim>& p, const Vector<Dim>& F,
+                            const Curvature<Dim>& foot_slope, const typename NodeCones<Dim>::End& row,
+                            const typename NodeCones<Dim>::End& end) {
+  const double N = F.dot(p.n);
+  const Param<Dim> T = p.E.transpose() * F, t = foot_slope * T, Bt = p.B * t;
+  const Curvature<Dim>&a = row.motion.follows, &b = end.motion.follows;
+  Curvature<Dim> turned = -N * (a.transpose() * p.B * b);
+  turned -=
+      row.motion.lift * (b.transpose() * Bt).transpose() + a.transpose() * Bt * end.motion.lift.transpose();
+  if (row.candidate == end.candidate) turned -= 2 * t.dot(row.motion.normal) * row.motion.B;
+  const Curvature<Dim> kept = Curvature<Dim>::Identity() - row.turn.H;
+  return kept * turned + row.cone.slope * row.m * (b.transpose() * (p.B * T)).transpose();
+}
+
 // Half of the rows and terms of a sliding node, in the rows of an end; a quarter where a slip counts twice.
 template <int Dim>
-TiedRow<Dim> tied_row(const SurfacePoint<Dim>& p, const Vector<Dim>& F,
+TiedRow<Dim> tied_row(const SurfacePoint<Dim>& p, const Vector<Dim>& F, const NodeCones<Dim>& cones,
                       const typename NodeCones<Dim>::End& end, GeometricTerms terms) {
-  const SlidingRows<Dim> rows = TangentialLaw<Dim>::rows(p, F, end.m, end.cone, end.turn);
-  TiedRow<Dim> tied{end.candidate, 0.5 * rows.W, Curvature<Dim>::Zero(), {}, {}};
-  tied.geo_sq = tied.geo_qs = Eigen::MatrixXd::Zero(Dim - 1, p.x_q.cols());
-  if (terms != GeometricTerms::NONE) {
-    tied.geo_ss = 0.25 * rows.by_slip;
-    tied.geo_sq = 0.5 * rows.by_q;
-  }
-  for (Eigen::Index a = 0; terms == GeometricTerms::COMPLETE && a < Dim - 1; ++a)
-    tied.geo_qs.row(a) = 0.5 * F.transpose() * p.E_q[static_cast<std::size_t>(a)];
+  const Curvature<Dim> kept = Curvature<Dim>::Identity() - end.turn.H;
+  const Curvature<Dim>& follows = end.motion.follows;
+  const Eigen::Index nq = p.x_q.cols();
+  TiedRow<Dim> tied;
+  tied.end = end.candidate;
+  tied.A = 0.5 * (p.E * follows);
+  tied.W = 0.5 * (p.E * follows * kept + end.cone.slope * p.n * end.m.transpose());
+  tied.geo_sq = tied.geo_qs = Eigen::MatrixXd::Zero(Dim - 1, nq);
+  for (const auto& other : cones.ends)
+    tied.geo_ss.push_back(terms == GeometricTerms::NONE
+                              ? Curvature<Dim>(Curvature<Dim>::Zero())
+                              : Curvature<Dim>(0.25 * tied_by_slip(p, F, cones.foot_slope, end, other)));
+  if (terms == GeometricTerms::NONE) return tied;
+  Eigen::MatrixXd turned(Dim - 1, nq);
+  for (Eigen::Index a = 0; a < Dim - 1; ++a)
+    turned.row(a) = F.transpose() * p.E_q[static_cast<std::size_t>(a)];
+  turned = (follows.transpose() * turned).eval();
+  tied.geo_sq = 0.5 * (kept * turned + end.m * (end.cone.slope * F.transpose() * p.n_q));
+  if (terms == GeometricTerms::COMPLETE) tied.geo_qs = 0.5 * turned;
   return tied;
 }
 
@@ -73,8 +99,11 @@ NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const Cont
       result.geo_qs.row(a) = F.transpose() * p.E_q[static_cast<std::size_t>(a)];
     if (constrained) guide(free, std::max(1., F.norm()), result);
   }
-  for (std::size_t e = 0; tied && e < cones->ends.size(); ++e)
-    result.ties.push_back(tied_row(p, F, cones->ends[e], terms));
+  if (tied) {
+    NodeCones<Dim> seen = *cones; // by what the node's own supports leave
+    for (auto& end : seen.ends) end.motion.follows = (free * end.motion.follows).eval();
+    for (const auto& end : seen.ends) result.ties.push_back(tied_row(p, F, seen, end, terms));
+  }
   if (terms == GeometricTerms::COMPLETE)
     for (Eigen::Index k = 0; k < nq; ++k) result.geo_qq.row(k) = F.transpose() * p.x_qq[k];
   return result;

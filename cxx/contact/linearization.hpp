@@ -1,6 +1,6 @@
 #pragma once
 // Residual and linearization of one contact node: the rows W, the columns A and the geometric terms of METHOD.md 3.2.
-#include "contact/contact_model.hpp"
+#include "contact/tied_motion.hpp"
 
 namespace burnish {
 
@@ -13,10 +13,11 @@ enum class GeometricTerms {
 
 /// What a tied mid node moves by, and adds to the row of, the slip of a sliding end of its edge (METHOD.md 3.19).
 template <int Dim> struct TiedRow {
-  int end = -1;                   ///< candidate
-  Tangents<Dim> W;                ///< part of the end's rows; its columns are half of the tangents E
-  Curvature<Dim> geo_ss;          ///< in these rows, with the slip of every end that has one
-  Eigen::MatrixXd geo_sq, geo_qs; ///< as those of a sliding node
+  int end = -1;                       ///< candidate
+  Tangents<Dim> A;                    ///< its columns
+  Tangents<Dim> W;                    ///< part of the end's rows
+  std::vector<Curvature<Dim>> geo_ss; ///< in these rows, with the slip of each of the node's ties
+  Eigen::MatrixXd geo_sq, geo_qs;     ///< as those of a sliding node
 };
 
 /// One contact node. F is the internal nodal force = force of the tool on the node. Columns A: E for its slip, x_q for
@@ -50,8 +51,10 @@ template <int Dim> struct NodeCones {
     Param<Dim> m; ///< direction of its slip
     ConeTangent cone;
     SlipTurn<Dim> turn;
+    TiedEnd<Dim> motion;
   };
-  std::vector<End> ends; ///< of a tied node: those that slide
+  Curvature<Dim> foot_slope = Curvature<Dim>::Identity(); ///< of a tied node
+  std::vector<End> ends;                                  ///< of a tied node: those that slide
 };
 
 /// @param R internal minus external nodal force at the linearization point, Dim [force]

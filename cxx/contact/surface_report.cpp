@@ -56,7 +56,8 @@ double share_that_sticks(const ContactModel<Dim>& model, const ContactState<Dim>
       const int corner = shares.corners()[static_cast<std::size_t>(c)];
       const int tool = state.nodes[corner].tool;
       if (tool < 0) continue; // a vertex on the axis has touched nothing
-      const double area = shares.areas()[c], limit = model.law(corner, tool).capacity(N[c], area);
+      const double area = shares.areas()[c];
+      const double limit = model.can_slip(corner) ? model.laws[tool].capacity(N[c], area) : 0;
       add(area, T.col(c).norm() < NEAR_LIMIT * limit);
     }
   }

@@ -18,23 +18,27 @@ Change TangentialLaw<Dim>::test(NodeState state, double N, const DecidingForce<D
   const bool tension = N < -tolerance.force;
   if (state == NodeState::SLIDING) {
     if (tension) return Change::RELEASE;
-    return !frictionless() && slips_back(slip, m, tolerance.slip) ? Change::STICK : Change::NONE;
+    const bool may_stick = !frictionless() && !deciding.unpressed;
+    return may_stick && slips_back(slip, m, tolerance.slip) ? Change::STICK : Change::NONE;
   }
   if (tension) { // without friction to take off, the direction of sliding would be one of rounding
     const bool held = force.T.norm() > tolerance.force;
     return m_friction->sticks_always() || !held ? Change::RELEASE : Change::SLIDE;
   }
-  return force.T.norm() > capacity(force.N, deciding.area) + tolerance.force ? Change::SLIDE : Change::NONE;
+  if (deciding.unpressed) return Change::SLIDE;
+  return force.T.norm() > capacity(deciding) + tolerance.force ? Change::SLIDE : Change::NONE;
 }
 
 template <int Dim>
-double TangentialLaw<Dim>::sliding_residual(const SurfaceForce<Dim>& force, const Param<Dim>& m,
-                                            double area) const {
-  return (force.T + m * m_friction->limit(force.N, area)).norm();
+double TangentialLaw<Dim>::sliding_residual(const DecidingForce<Dim>& deciding, const Param<Dim>& m) const {
+  const SurfaceForce<Dim>& force = deciding.force;
+  return deciding.unpressed ? force.T.norm()
+                            : (force.T + m * m_friction->limit(force.N, deciding.area)).norm();
 }
 
-template <int Dim> double TangentialLaw<Dim>::reserve(const SurfaceForce<Dim>& force, double area) const {
-  return m_friction->limit(force.N, area) - force.T.norm();
+template <int Dim> double TangentialLaw<Dim>::reserve(const DecidingForce<Dim>& deciding) const {
+  const SurfaceForce<Dim>& force = deciding.force;
+  return (deciding.unpressed ? 0 : m_friction->limit(force.N, deciding.area)) - force.T.norm();
 }
 
 template <int Dim> double TangentialLaw<Dim>::capacity(double N, double area) const {
@@ -50,6 +54,10 @@ template <int Dim> Param<Dim> TangentialLaw<Dim>::slip_against(const Param<Dim>&
 template <int Dim> ConeTangent TangentialLaw<Dim>::cone(double N, double area) const {
   const double slope = m_friction->slope(N, area);
   return {slope, m_friction->limit(N, area) - slope * N};
+}
+
+template <int Dim> ConeTangent TangentialLaw<Dim>::cone(const DecidingForce<Dim>& deciding) const {
+  return deciding.unpressed ? ConeTangent{} : cone(deciding.force.N, deciding.area);
 }
 
 template <int Dim>
@@ -79,10 +87,10 @@ SlipTurn<Dim> TangentialLaw<Dim>::turn(const DecidingForce<Dim>& deciding, const
   SlipTurn<Dim> turn;
   const Param<Dim> tau = deciding.force.T - c * slip;
   const double size = tau.norm();
-  if (Dim == 2 || !(c > 0) || !(size > 0) || frictionless()) return turn;
+  if (Dim == 2 || !(c > 0) || !(size > 0) || frictionless() || deciding.unpressed) return turn;
   if ((tau + size * m).norm() > aligned * size)
     return turn; // it begins to slide, that way: METHOD.md (3.14) has not been taken
-  const double part = std::min(1., capacity(deciding.force.N, deciding.area) / size);
+  const double part = std::min(1., capacity(deciding) / size);
   turn.H = part * (Curvature<Dim>::Identity() - m * m.transpose());
   turn.held = c * turn.H * slip; // H (T - c D) = 0
   turn.cHD = c * turn.H * slip_by_eta;

@@ -20,6 +20,8 @@ template <int Dim> struct DecidingForce {
   double area = 1;         ///< [length or area]
   double normal =
       0; ///< by which it is released: its own N, of a weightless vertex with the shares of all mid nodes [force]
+  bool unpressed =
+      false; ///< a weightless vertex that the shares of the mid nodes tied to it do not press: it slides, T = 0
 };
 
 /// What a node in contact is found to do next.
@@ -66,16 +68,20 @@ public:
   /// State test of a node in contact.
   ///   slides: released at tension, sticks when it has slipped against its direction
   ///   sticks: slides at tension or outside the cone; released at tension where it never slides
+  ///   unpressed: slides and does not stick
   /// (A sticking node under tension first slides, only a sliding one is released: METHOD.md 5.4.)
   /// @param N the node's own normal force, which tells tension [force]; @param slip of the step, in E [length]
   Change test(NodeState state, double N, const DecidingForce<Dim>& deciding, const Param<Dim>& slip,
               const Param<Dim>& m, const ContactTolerance& tolerance) const;
   /// Unbalanced tangential force of a sliding node, |T + m g(N)| [force].
-  double sliding_residual(const SurfaceForce<Dim>& force, const Param<Dim>& m, double area) const;
+  double sliding_residual(const DecidingForce<Dim>& deciding, const Param<Dim>& m) const;
   /// g(N) - |T|: what a sticking node has left before it slides; negative outside the cone [force].
-  double reserve(const SurfaceForce<Dim>& force, double area) const;
+  double reserve(const DecidingForce<Dim>& deciding) const;
   /// Largest tangential force; for N < 0 that at N = 0 [force].
   double capacity(double N, double area) const;
+  double capacity(const DecidingForce<Dim>& at) const {
+    return at.unpressed ? 0 : capacity(at.force.N, at.area);
+  }
   /// Direction of slip of a node that begins to slide under T: against it; zero without friction.
   Param<Dim> slip_against(const Param<Dim>& T) const;
   /// Slip along the direction; negative: against the friction force's own sense [length].
@@ -100,6 +106,7 @@ public:
   /// The same of a node that begins to slide along m, METHOD.md (3.14d); zero of one that has slipped against m.
   static SlipTurn<Dim> first_turn(const Param<Dim>& m, const Param<Dim>& slip, double c);
   ConeTangent cone(double N, double area) const;
+  ConeTangent cone(const DecidingForce<Dim>& deciding) const;
 
 private:
   std::shared_ptr<const FrictionLaw> m_friction;

@@ -28,8 +28,8 @@ int sliding_end(const ContactModel<Dim>& model, const ContactState<Dim>& state, 
 template <int Dim> bool may_tie(const ContactModel<Dim>& model, const ContactState<Dim>& state, int middle) {
   const int tool = state.nodes[middle].tool;
   for (const int i : {middle, model.edge_ends[middle][0], model.edge_ends[middle][1]}) {
-    const TangentialLaw<Dim>& law = model.law(i, tool);
-    if (law.frictionless() || law.friction().sticks_always()) return false;
+    const TangentialLaw<Dim>& law = model.laws[tool];
+    if (!model.can_slip(i) || law.frictionless() || law.friction().sticks_always()) return false;
   }
   return true;
 }
@@ -47,6 +47,50 @@ bool begins_smoothly(const ContactModel<Dim>& model, const ContactState<Dim>& st
       return false;
   }
   return sticking_end;
+}
+
+// The three have been on their tool since before the step.
+template <int Dim>
+bool held_before(const ContactModel<Dim>& model, const std::vector<ContactNode<Dim>>& before,
+                 const ContactState<Dim>& state, int middle) {
+  const auto held = [&](int i) {
+    return in_contact(before[i].state) && before[i].tool == state.nodes[middle].tool;
+  };
+  return held(middle) && held(model.edge_ends[middle][0]) && held(model.edge_ends[middle][1]);
+}
+
+// Weightless vertices have friction while a mid node is tied to them; one that has lost it slides without.
+template <int Dim> void share_friction(const ContactModel<Dim>& model, ContactState<Dim>& state) {
+  if (model.weightless.empty()) return;
+  std::vector<char> shares(state.nodes.size(), 0);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    if (state.nodes[i].tied)
+      for (const int end : model.edge_ends[i]) shares[end] = 1;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    ContactNode<Dim>& node = state.nodes[i];
+    const bool had = node.has_ties;
+    node.has_ties = shares[i] && model.is_weightless(static_cast<int>(i));
+    if (had && !node.has_ties && !node.bears && in_contact(node.state))
+      make_slide(node, Vector<Dim>(Vector<Dim>::Zero()));
+  }
+}
+
+// Weightless vertices that had no friction and have ties now stick if one of the mid nodes does, or slide as the first does.
+template <int Dim> void take_states_of_middles(const ContactModel<Dim>& model, ContactState<Dim>& state) {
+  if (model.weightless.empty()) return;
+  for (const bool sticking : {true, false})
+    for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+      const ContactNode<Dim>& middle = state.nodes[i];
+      if (!middle.tied || sticks(middle.state) != sticking) continue;
+      for (const int end : model.edge_ends[i]) {
+        ContactNode<Dim>& corner = state.nodes[end];
+        if (corner.state != NodeState::SLIDING || !corner.slip_direction.isZero()) continue;
+        if (sticking)
+          make_stick(corner);
+        else
+          make_slide(corner, middle.slip_direction);
+      }
+    }
 }
 
 // A weightless vertex is released by its force with the shares of all mid nodes on its tool, tied or not.
@@ -79,16 +123,24 @@ SlipTurn<Dim> turn_of(const ContactModel<Dim>& model, const ContactState<Dim>& s
 
 } // namespace
 
-template <int Dim> void tie_edges(const ContactModel<Dim>& model, ContactState<Dim>& state) {
+template <int Dim>
+void tie_edges(const ContactModel<Dim>& model, const std::vector<ContactNode<Dim>>& before,
+               ContactState<Dim>& state) {
   for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
     const bool was_tied = node.tied;
     node.tied = false;
     if (!together(model, state, i) || !may_tie(model, state, i)) continue;
+    if (Dim == 3) {
+      node.tied = held_before(model, before, state, i);
+      continue;
+    }
     const auto& [a, b] = model.edge_ends[i];
     node.tied = sticks(state.nodes[a].state) || sticks(state.nodes[b].state);
     if (!node.tied && was_tied && sticks(node.state)) make_slide(node, state.nodes[a].slip_direction);
   }
+  share_friction(model, state);
+  take_states_of_middles(model, state);
 }
 
 template <int Dim> void keep_ties(const ContactModel<Dim>& model, ContactState<Dim>& state) {
@@ -100,10 +152,11 @@ template <int Dim> void keep_ties(const ContactModel<Dim>& model, ContactState<D
 }
 
 template <int Dim> void follow_ends(const ContactModel<Dim>& model, ContactState<Dim>& state) {
+  for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i)
+    state.nodes[i].tied = is_tied(model, state, i);
+  share_friction(model, state);
   for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
-    if (!node.tied) continue;
-    node.tied = is_tied(model, state, i);
     if (!node.tied) continue;
     const int slides = sliding_end(model, state, i);
     if (slides < 0) {
@@ -111,17 +164,14 @@ template <int Dim> void follow_ends(const ContactModel<Dim>& model, ContactState
       continue;
     }
     make_slide(node, state.nodes[slides].slip_direction);
-    Param<Dim> slip = Param<Dim>::Zero();
-    for (const int end : model.edge_ends[i])
-      if (state.nodes[end].state == NodeState::SLIDING) slip += 0.5 * slip_of(model, state.nodes[end]);
-    node.place = model.tools[node.tool]->surface().moved(node.slip_origin, slip);
+    node.place = tied_place(model, state, i);
   }
 }
 
 template <int Dim>
-std::vector<DecidingForce<Dim>> deciding_forces(const ContactModel<Dim>& model,
-                                                const ContactState<Dim>& state,
-                                                const std::vector<SurfaceForce<Dim>>& own) {
+std::vector<DecidingForce<Dim>>
+deciding_forces(const ContactModel<Dim>& model, const ContactState<Dim>& state,
+                const std::vector<Pose<Dim>>& poses, const std::vector<SurfaceForce<Dim>>& own) {
   std::vector<DecidingForce<Dim>> result(own.size());
   for (std::size_t i = 0; i < own.size(); ++i)
     if (in_contact(state.nodes[i].state)) result[i] = {own[i], state.nodes[i].tributary_area, own[i].N};
@@ -130,10 +180,12 @@ std::vector<DecidingForce<Dim>> deciding_forces(const ContactModel<Dim>& model,
     if (!is_tied(model, state, i)) continue;
     for (const int end : model.edge_ends[i]) {
       result[end].force.N += 0.5 * own[i].N;
-      result[end].force.T += 0.5 * own[i].T;
+      result[end].force.T += 0.5 * (tied_end(model, state, poses, i, end).follows.transpose() * own[i].T);
       result[end].area += 0.5 * state.nodes[i].tributary_area;
     }
   }
+  for (std::size_t i = 0; i < own.size(); ++i)
+    result[i].unpressed = state.nodes[i].has_ties && !(result[i].force.N > 0);
   return result;
 }
 
@@ -149,7 +201,7 @@ deciding_forces(const ContactModel<Dim>& model, const ContactState<Dim>& state,
     const Vector<Dim> force = R.template segment<Dim>(Eigen::Index{Dim} * model.candidates[i]);
     own[i] = nodal_force(model, static_cast<int>(i), p, force).part;
   }
-  return deciding_forces(model, state, own);
+  return deciding_forces(model, state, poses, own);
 }
 
 template <int Dim>
@@ -157,11 +209,13 @@ NodeCones<Dim> cones_of(const ContactModel<Dim>& model, const ContactState<Dim>&
                         const std::vector<Pose<Dim>>& poses, const std::vector<DecidingForce<Dim>>& deciding,
                         int candidate, FrictionTangent tangent) {
   const auto end_of = [&](int i) {
-    const double N = deciding[i].force.N;
     const ContactPoint<Dim> at = contact_point(model, poses, state.nodes[i]);
-    return typename NodeCones<Dim>::End{
-        i, at.m, seen_by(tangent, model.law(i, state.nodes[i]).cone(N, deciding[i].area), N),
-        turn_of(model, state, at, i, deciding[i], tangent)};
+    const ConeTangent cone = model.law(i, state.nodes[i]).cone(deciding[i]);
+    return typename NodeCones<Dim>::End{i,
+                                        at.m,
+                                        seen_by(tangent, cone, deciding[i].force.N),
+                                        turn_of(model, state, at, i, deciding[i], tangent),
+                                        {}};
   };
   NodeCones<Dim> cones;
   cones.tied = is_tied(model, state, candidate);
@@ -172,17 +226,23 @@ NodeCones<Dim> cones_of(const ContactModel<Dim>& model, const ContactState<Dim>&
     cones.turn = own.turn;
     return cones;
   }
-  for (const int end : model.edge_ends[candidate])
-    if (state.nodes[end].state == NodeState::SLIDING) cones.ends.push_back(end_of(end));
+  cones.foot_slope = foot_slope(model, state, candidate);
+  for (const int end : model.edge_ends[candidate]) {
+    if (state.nodes[end].state != NodeState::SLIDING) continue;
+    cones.ends.push_back(end_of(end));
+    cones.ends.back().motion = tied_end(model, state, poses, candidate, end);
+  }
   return cones;
 }
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
-  template void tie_edges<Dim>(const ContactModel<Dim>&, ContactState<Dim>&);                                \
+  template void tie_edges<Dim>(const ContactModel<Dim>&, const std::vector<ContactNode<Dim>>&,               \
+                               ContactState<Dim>&);                                                          \
   template void keep_ties<Dim>(const ContactModel<Dim>&, ContactState<Dim>&);                                \
   template void follow_ends<Dim>(const ContactModel<Dim>&, ContactState<Dim>&);                              \
   template std::vector<DecidingForce<Dim>> deciding_forces<Dim>(                                             \
-      const ContactModel<Dim>&, const ContactState<Dim>&, const std::vector<SurfaceForce<Dim>>&);            \
+      const ContactModel<Dim>&, const ContactState<Dim>&, const std::vector<Pose<Dim>>&,                     \
+      const std::vector<SurfaceForce<Dim>>&);                                                                \
   template std::vector<DecidingForce<Dim>> deciding_forces<Dim>(                                             \
       const ContactModel<Dim>&, const ContactState<Dim>&, const std::vector<Pose<Dim>>&,                     \
       const Eigen::VectorXd&);                                                                               \

@@ -81,7 +81,7 @@ int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& pr
       const bool shared = model.coupling_of(q) || resisted_through_followers(model, poses, state, q);
       if (shared && (!geared || refused[contact.least_slip])) continue;
       ContactNode<Dim>& support = state.nodes[contact.least_slip];
-      support.bears = model.is_weightless(contact.least_slip);
+      support.bears = model.is_weightless(contact.least_slip) && !support.has_ties;
       make_stick(support);
       return contact.least_slip;
     }
@@ -101,7 +101,7 @@ bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& s
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     const auto& node = state.nodes[i];
     if (!in_contact(node.state) || !model.can_slip(static_cast<int>(i))) continue;
-    if (model.is_weightless(static_cast<int>(i)) && !node.bears) continue;
+    if (model.is_weightless(static_cast<int>(i)) && !node.bears && !node.has_ties) continue;
     if (sticks(node.state) || model.laws[node.tool].frictionless()) return false;
     const Vector<Dim> here = poses[node.tool].R * node.slip_direction;
     if (direction[node.tool].isZero()) direction[node.tool] = here;

@@ -86,7 +86,7 @@ WindowSolver<Dim>::deciding_at(const ContactState<Dim>& state, const std::vector
     const auto p = m_model.tools[node.tool]->point(poses[node.tool], node.place);
     own[m_window[w]] = nodal_force(m_model, m_window[w], p, force(m_window[w])).part;
   }
-  return deciding_forces(m_model, state, own);
+  return deciding_forces(m_model, state, poses, own);
 }
 
 // Linearizations of the active nodes at the start of the iteration, in the states of the trial.
@@ -109,7 +109,11 @@ std::vector<NodeLinearization<Dim>> WindowSolver<Dim>::linearize(const ContactSt
     if (!nodes.back().in_contact) continue;
     const ContactNode<Dim>& node = trial.nodes[candidate];
     NodeCones<Dim> cones = cones_of(m_model, trial, poses, deciding, candidate, m_problem.friction_tangent);
-    if (!cones.tied && cones.turn.H.isZero(0)) cones.turn = first_turn(trial, poses, candidate);
+    const auto begin_turn = [&](int i, SlipTurn<Dim>& turn) {
+      if (turn.H.isZero(0) && !deciding[i].unpressed) turn = first_turn(trial, poses, i);
+    };
+    if (!cones.tied) begin_turn(candidate, cones.turn);
+    for (auto& end : cones.ends) begin_turn(end.candidate, end.turn);
     nodes.back() = linearize_node(m_model, node, candidate, poses, force(candidate), m_problem.terms, &cones);
     if (!m_model.couplings.empty())
       eliminate_followers(m_model, m_problem.start->q, m_problem.terms, nodes.back());

@@ -64,7 +64,7 @@ int CondensedIteration<Dim>::change_states(const typename Condensation<Dim>::Exp
       own[i] = nodal_force(model, i, p, Vector<Dim>(increment.F.template segment<Dim>(Dim * i))).part;
       severity[i] = -own[i].N / problem.tolerances.of(node.tool).force;
     }
-  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, solved, own);
+  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, solved, poses, own);
   int changes = 0;
   for (const int i : m_candidates) {
     const int node = model.candidates[i];

@@ -48,7 +48,7 @@ Failure wedged_node(const ContactModel<Dim>& model, const ContactState<Dim>& sta
     const int candidate = static_cast<int>(i), mesh_node = model.candidates[i];
     const ContactPoint<Dim> at = contact_point(model, poses, node);
     const SurfaceForce<Dim>& part = deciding[i].force;
-    const double reserve = model.law(candidate, node).reserve(part, deciding[i].area);
+    const double reserve = model.law(candidate, node).reserve(deciding[i]);
     const bool wedged =
         sticks(node.state) ? reserve < -tolerance : part.N > 0 && slip_of(model, node).dot(at.m) < 0;
     if (!wedged) continue;

@@ -171,7 +171,7 @@ std::vector<ContactNode<Dim>> Predictor<Dim>::entry_nodes(const ContactState<Dim
 // State of the candidate that stood where this one stands now, seen from the tool.
 template <int Dim>
 void Predictor<Dim>::carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions,
-                                  ContactState<Dim>& state) const {
+                                  bool tied, ContactState<Dim>& state) const {
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
     make_free(node);
@@ -181,12 +181,14 @@ void Predictor<Dim>::carry_states(const ContactState<Dim>& old, const std::vecto
       if (stood.index < 0 || !(stood.squared_distance < std::pow(CARRY * m_body.spacing, 2))) continue;
       const ContactNode<Dim>& from = old.nodes[stood.index];
       if (!in_contact(from.state) || from.tool != t) continue;
-      const bool slides = m_model.law(static_cast<int>(i), t).frictionless();
+      node.has_ties = tied && m_model.is_weightless(static_cast<int>(i)) &&
+                      !m_model.law(stood.index, from).frictionless(); // until tie_edges knows
+      if (node.tool != t) place_at(node, from.place);
+      node.tool = t;
+      const bool slides = m_model.law(static_cast<int>(i), node).frictionless();
       node.state = slides ? NodeState::SLIDING : from.state;
       node.tied = from.tied;
       if (!slides) node.slip_direction = from.slip_direction;
-      if (node.tool != t) place_at(node, from.place);
-      node.tool = t;
       break;
     }
   }
@@ -214,8 +216,9 @@ void Predictor<Dim>::place_contact_node(const std::vector<Pose<Dim>>& poses, int
 // Places of the contact nodes at the predicted coordinates: first of the corners, which decide over the ties. The nodes stay where
 // they are predicted: the first iteration brings them to their tools by the whole body.
 template <int Dim>
-void Predictor<Dim>::place_contact_nodes(const CarriedStates& states, ContactState<Dim>& state,
-                                         const Eigen::VectorXd& u) const {
+void Predictor<Dim>::place_contact_nodes(const CarriedStates& states,
+                                         const std::vector<ContactNode<Dim>>& before,
+                                         ContactState<Dim>& state, const Eigen::VectorXd& u) const {
   const auto poses = m_model.poses(state.q);
   const int n = static_cast<int>(state.nodes.size());
   const auto place = [&](bool middles) {
@@ -225,7 +228,7 @@ void Predictor<Dim>::place_contact_nodes(const CarriedStates& states, ContactSta
   };
   for (auto& node : state.nodes) node.tied = node.tied && states.tied;
   place(false);
-  if (states.tied) states.carry ? tie_edges(m_model, state) : keep_ties(m_model, state);
+  if (states.tied) states.carry ? tie_edges(m_model, before, state) : keep_ties(m_model, state);
   place(true);
   follow_ends(m_model, state);
 }
@@ -250,7 +253,7 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
       motions.push_back(carrier_motion(static_cast<int>(t), history.q_old, state.q, result.state.q));
     result.ways = carry_increment(state, u, history, motions, ratio);
     result.u = history.own ? result.ways.own : result.ways.carried;
-    carry_states(state, motions, result.state);
+    carry_states(state, motions, states.tied, result.state);
   } else if (known) {
     for (Eigen::Index d = 0; d < u.size(); ++d)
       if (!m_body.fixed[d]) result.u[d] += ratio * history.du[d];
@@ -258,9 +261,9 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
   // Without a step before, the nodes stay where they are: the first iteration brings them to the tool by an
   // offset.
   if (known)
-    place_contact_nodes(states, result.state, result.u);
+    place_contact_nodes(states, result.entry, result.state, result.u);
   else if (states.tied)
-    tie_edges(m_model, result.state);
+    tie_edges(m_model, result.entry, result.state);
   return result;
 }
 
@@ -276,7 +279,7 @@ Prediction<Dim> Predictor<Dim>::rest(const ContactState<Dim>& state, const Eigen
   Prediction<Dim> start{u, state, {}, {}};
   for (auto& node : start.state.nodes) {
     if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
-    node.tied = false;
+    node.tied = node.has_ties = false;
     node.slip_origin = node.place;
   }
   start.entry = start.state.nodes;

@@ -58,10 +58,10 @@ private:
                                 const StepHistory<Dim>& history, const std::vector<CarrierMotion>& motions,
                                 double ratio) const;
   std::vector<ContactNode<Dim>> entry_nodes(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
-  void carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions,
+  void carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions, bool tied,
                     ContactState<Dim>& state) const;
-  void place_contact_nodes(const CarriedStates& states, ContactState<Dim>& state,
-                           const Eigen::VectorXd& u) const;
+  void place_contact_nodes(const CarriedStates& states, const std::vector<ContactNode<Dim>>& before,
+                           ContactState<Dim>& state, const Eigen::VectorXd& u) const;
   void place_contact_node(const std::vector<Pose<Dim>>& poses, int candidate, bool may_stick,
                           ContactState<Dim>& state, const Eigen::VectorXd& u) const;
 

@@ -127,7 +127,8 @@ template <int Dim> PrescribedValues ContactRun<Dim>::start_values() const {
 // A coordinate under force goes on as in the last step, or stays where it is if its formulas end there.
 template <int Dim> Prediction<Dim> ContactRun<Dim>::predicted(const Eigen::VectorXd& u) const {
   if (m_step.stepping == Stepping::RATES) return m_predictor.rest(m_accepted.contact, u);
-  const CarriedStates states{m_step.stepping == Stepping::IMPLICIT, m_iteration.options().tied};
+  const bool implicit = m_step.stepping == Stepping::IMPLICIT;
+  const CarriedStates states{implicit, m_iteration.options().tied && (Dim == 2 || implicit)};
   const auto predict = [&](const StepHistory<Dim>& history) {
     return m_predictor.predict(m_step.prescribed, m_accepted.contact, u, history, m_step.dt, states);
   };

@@ -88,7 +88,7 @@ template <int Dim> void ContactForcesCheck<Dim>::look(const AcceptedStep<Dim>& s
       tension.take(step.model().is_weightless(node.candidate) ? -node.deciding.normal : -force.N, i);
       if (contact.tied) continue; // its friction is part of that of its ends
       const DecidingForce<Dim>& at = node.deciding;
-      friction.take(-step.model().law(node.candidate, contact).reserve(at.force, at.area), i);
+      friction.take(-step.model().law(node.candidate, contact).reserve(at), i);
       if (contact.state == NodeState::SLIDING) friction.take(node.at.m.dot(at.force.T), i);
     }
     known.load = std::max(known.load, load);

@@ -46,10 +46,11 @@ private:
     FrictionUse& use = m_use[tool];
     for (const auto& node : step.touching) {
       const ContactNode<Dim>& contact = step.contact.nodes[node.candidate];
-      if (contact.tool != tool || contact.tied || !(node.force.part.N > LOADED * largest)) continue;
-      const TangentialLaw<Dim>& law = step.model().law(node.candidate, tool);
+      const double N = contact.has_ties ? node.deciding.force.N : node.force.part.N;
+      if (contact.tool != tool || contact.tied || !(N > LOADED * largest)) continue;
+      const TangentialLaw<Dim>& law = step.model().law(node.candidate, contact);
       if (law.frictionless() || law.friction().sticks_always()) continue;
-      const double limit = law.capacity(node.deciding.force.N, node.deciding.area);
+      const double limit = law.capacity(node.deciding);
       if (!(limit > 0)) continue;
       ++use.nodes;
       use.sliding += contact.state == NodeState::SLIDING;

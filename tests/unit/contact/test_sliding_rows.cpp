@@ -68,7 +68,7 @@ TYPED_TEST(SlidingRowsOf, ResidualAtTheForce) {
                                   exact = this->residual(law, this->p.E, this->p.n, this->F, m);
     expect_close(linear, exact, 1, 1e-14, "W'F + constant");
     const SurfaceForce<TestFixture::Dim> force{this->F.dot(this->p.n), this->p.E.transpose() * this->F};
-    EXPECT_NEAR(law.sliding_residual(force, m, AREA), exact.norm(), 1e-14);
+    EXPECT_NEAR(law.sliding_residual({force, AREA}, m), exact.norm(), 1e-14);
   }
 }
 
@@ -135,8 +135,8 @@ TEST(SlidingRowsInSpace, TangentsMayBeTurned) {
     expect_close(b.by_slip, Tensor<2>(Q.transpose() * a.by_slip * Q), 5, 1e-14, "by slip");
     expect_close(b.by_q, Eigen::MatrixXd(Q.transpose() * a.by_q), 5, 1e-14, "by q");
     const SurfaceForce<3> force{5, open.p.E.transpose() * open.F}, same{5, Q.transpose() * force.T};
-    EXPECT_NEAR(law.sliding_residual(same, n, AREA), law.sliding_residual(force, m, AREA), 1e-14);
-    EXPECT_NEAR(law.reserve(same, AREA), law.reserve(force, AREA), 1e-14);
+    EXPECT_NEAR(law.sliding_residual({same, AREA}, n), law.sliding_residual({force, AREA}, m), 1e-14);
+    EXPECT_NEAR(law.reserve({same, AREA}), law.reserve({force, AREA}), 1e-14);
     expect_close(law.slip_against(same.T), Param<3>(Q.transpose() * law.slip_against(force.T)), 1, 1e-15,
                  "slip");
     for (const Param<3>& slip : {Param<3>(0.2, 0.1), Param<3>(-0.3, 0.05), Param<3>(0.1, 0.4)})

@@ -52,8 +52,8 @@ TYPED_TEST(TangentialLaws, InsideAndOutsideTheCone) {
       EXPECT_EQ(T::test(law, state, T::force(8, 2.0011 * sense)), Change::SLIDE);
       EXPECT_EQ(T::test(law, state, T::force(8, 50 * sense)), Change::SLIDE);
     }
-  EXPECT_NEAR(law.reserve(T::force(8, -1.5), AREA), 0.5, 1e-15);
-  EXPECT_NEAR(law.reserve(T::force(8, 2.5), AREA), -0.5, 1e-15);
+  EXPECT_NEAR(law.reserve({T::force(8, -1.5), AREA}), 0.5, 1e-15);
+  EXPECT_NEAR(law.reserve({T::force(8, 2.5), AREA}), -0.5, 1e-15);
   EXPECT_EQ(law.capacity(8, AREA), 2);
 }
 
@@ -64,7 +64,7 @@ TYPED_TEST(TangentialLaws, LawsOfPressureTakeTheArea) {
   EXPECT_EQ(T::test(T::tresca(), NodeState::STICKING, T::force(1, 6.1)), Change::SLIDE);
   const double g = AREA * 0.5 * 20 / 1.5; // p = 20 = p0/2
   EXPECT_NEAR(T::formula().capacity(40, AREA), g, 1e-14);
-  EXPECT_NEAR(T::formula().reserve(T::force(40, 3), AREA), g - 3, 1e-14);
+  EXPECT_NEAR(T::formula().reserve({T::force(40, 3), AREA}), g - 3, 1e-14);
   EXPECT_EQ(T::test(T::formula(), NodeState::STICKING, T::force(40, g - 0.01)), Change::NONE);
   EXPECT_EQ(T::test(T::formula(), NodeState::STICKING, T::force(40, g + 0.01)), Change::SLIDE);
 }
@@ -78,9 +78,9 @@ TYPED_TEST(TangentialLaws, SlipIsAgainstTheTraction) {
                  "tiny");
     EXPECT_EQ(law.slip_against(T::Along::Zero()).norm(), 1) << "no traction: some direction";
     const double g = law.capacity(8, AREA); // T = -m g is balanced
-    EXPECT_NEAR(law.sliding_residual({8, -g * m}, m, AREA), 0, 1e-15);
-    EXPECT_NEAR(law.sliding_residual({8, g * m}, m, AREA), 2 * g, 1e-14) << "along the slip";
-    EXPECT_NEAR(law.sliding_residual({8, T::Along::Zero()}, m, AREA), g, 1e-14);
+    EXPECT_NEAR(law.sliding_residual({{8, -g * m}, AREA}, m), 0, 1e-15);
+    EXPECT_NEAR(law.sliding_residual({{8, g * m}, AREA}, m), 2 * g, 1e-14) << "along the slip";
+    EXPECT_NEAR(law.sliding_residual({{8, T::Along::Zero()}, AREA}, m), g, 1e-14);
   }
 }
 
@@ -119,8 +119,8 @@ TYPED_TEST(TangentialLaws, WithoutPressure) {
   EXPECT_EQ(T::formula().capacity(-4, AREA), 0);
   EXPECT_EQ(T::tresca().capacity(0, AREA), 6);
   EXPECT_EQ(T::tresca().capacity(-4, AREA), 6);
-  EXPECT_NEAR(T::coulomb().reserve(T::force(-4, 0.5), AREA), -1.5, 1e-15);
-  EXPECT_NEAR(T::coulomb().sliding_residual(T::force(-4, 1), T::direction(), AREA), 0, 1e-15);
+  EXPECT_NEAR(T::coulomb().reserve({T::force(-4, 0.5), AREA}), -1.5, 1e-15);
+  EXPECT_NEAR(T::coulomb().sliding_residual({T::force(-4, 1), AREA}, T::direction()), 0, 1e-15);
   EXPECT_EQ(T::test(T::coulomb(), NodeState::STICKING, T::force(0, 2e-3)), Change::SLIDE);
   EXPECT_EQ(T::test(T::tresca(), NodeState::STICKING, T::force(0, 2e-3)), Change::NONE);
 }
@@ -136,7 +136,7 @@ TYPED_TEST(TangentialLaws, Frictionless) {
   EXPECT_EQ(T::test(law, NodeState::SLIDING, T::force(-1, 0)), Change::RELEASE);
   EXPECT_EQ(T::test(law, NodeState::STICKING, T::force(8, 2e-3)), Change::SLIDE);
   EXPECT_EQ(law.capacity(8, AREA), 0);
-  EXPECT_NEAR(law.sliding_residual(T::force(8, 0.7), T::Along::Zero(), AREA), 0.7, 1e-15);
+  EXPECT_NEAR(law.sliding_residual({T::force(8, 0.7), AREA}, T::Along::Zero()), 0.7, 1e-15);
 }
 
 TYPED_TEST(TangentialLaws, StickingAlways) {
@@ -149,7 +149,7 @@ TYPED_TEST(TangentialLaws, StickingAlways) {
     EXPECT_EQ(T::test(law, state, T::force(-2e-3, 5)), Change::RELEASE) << "it never slides";
   }
   EXPECT_EQ(law.capacity(8, AREA), INF);
-  EXPECT_EQ(law.reserve(T::force(8, 1e9), AREA), INF);
+  EXPECT_EQ(law.reserve({T::force(8, 1e9), AREA}), INF);
   EXPECT_FALSE(law.frictionless());
 }
 

@@ -127,16 +127,16 @@ TEST(TiedEdges, SymmetricWithoutFriction) {
 
 TEST(TiedEdges, MadeWhereAnEndSticks) {
   TiedSample s(0.3);
-  tie_edges(s.contact.model, s.contact.state);
+  tie_edges(s.contact.model, s.contact.state.nodes, s.contact.state);
   EXPECT_TRUE(s.node(s.MID).tied);
   EXPECT_FALSE(s.node(s.MID2).tied) << "both ends slide";
   EXPECT_FALSE(s.node(s.A).tied || s.node(s.B).tied || s.node(s.ALONE).tied);
   s.node(s.B).tool = 1;
-  tie_edges(s.contact.model, s.contact.state);
+  tie_edges(s.contact.model, s.contact.state.nodes, s.contact.state);
   EXPECT_FALSE(s.node(s.MID).tied) << "another tool";
   s.node(s.B).tool = 0;
   s.contact.model.laws = {TangentialLaw<2>(std::make_shared<StickingFriction>())};
-  tie_edges(s.contact.model, s.contact.state);
+  tie_edges(s.contact.model, s.contact.state.nodes, s.contact.state);
   EXPECT_FALSE(s.node(s.MID).tied) << "a law without slip";
 }
 
@@ -204,13 +204,14 @@ TEST(TiedEdges, ForcesGoToTheEnds) {
   TiedSample s(0.3);
   std::vector<SurfaceForce<2>> own(7);
   for (int i = 0; i < 7; ++i) own[i] = {1. + i, Param<2>(0.1 * i)};
-  auto deciding = deciding_forces(s.contact.model, s.contact.state, own);
+  auto deciding =
+      deciding_forces(s.contact.model, s.contact.state, s.contact.model.poses(s.contact.state.q), own);
   EXPECT_DOUBLE_EQ(deciding[s.A].force.N, 1 + 0.5 * 2);
   EXPECT_DOUBLE_EQ(deciding[s.B].force.T[0], 0.2 + 0.5 * 0.1);
   EXPECT_DOUBLE_EQ(deciding[s.D].area, 1.0 + 0.5 * 0.9);
   EXPECT_DOUBLE_EQ(deciding[s.ALONE].force.N, 4);
   EXPECT_DOUBLE_EQ(deciding[s.MID].force.N, 2) << "its own: it may be released";
   s.node(s.MID).tied = false;
-  deciding = deciding_forces(s.contact.model, s.contact.state, own);
+  deciding = deciding_forces(s.contact.model, s.contact.state, s.contact.model.poses(s.contact.state.q), own);
   EXPECT_DOUBLE_EQ(deciding[s.A].force.N, 1);
 }

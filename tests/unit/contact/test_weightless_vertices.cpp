@@ -109,3 +109,103 @@ TEST(WeightlessVertices, EdgesAndNeighbors) {
     EXPECT_TRUE(model.neighbors[i].size() == 4 || model.neighbors[i].size() == 6);
   }
 }
+
+// Linear pressure: with every edge tied the shares that decide over friction are exact too.
+TEST(TiesOnTriangles, SharedForcesOfLinearPressure) {
+  PlaneOnBlock s(10);
+  const auto& model = s.setup.model();
+  tie_edges(model, s.state.nodes, s.state);
+  const Eigen::VectorXd expected = s.load([](const Vector<3>& x) { return 1 + 0.7 * x[0] + 0.2 * x[1]; });
+  const auto deciding = deciding_forces(model, s.state, model.poses(s.state.q), s.R);
+  for (int i = 0; i < static_cast<int>(s.state.nodes.size()); ++i) {
+    EXPECT_EQ(s.state.nodes[i].tied, model.is_middle(i)) << "all have touched before";
+    EXPECT_EQ(s.state.nodes[i].has_ties, model.is_weightless(i));
+    if (!model.is_weightless(i)) continue;
+    EXPECT_NEAR(deciding[i].force.N, expected[i], 1e-14);
+    EXPECT_FALSE(deciding[i].unpressed);
+  }
+}
+
+// Only nodes that have touched before the step are tied; a vertex without ties has no friction, one with ties takes up what its mid
+// nodes do.
+TEST(TiesOnTriangles, MadeOfNodesHeldBefore) {
+  PlaneOnBlock s(10);
+  const auto& model = s.setup.model();
+  int middle = 0;
+  while (!model.is_middle(middle)) ++middle;
+  const auto [a, b] = model.edge_ends[middle];
+  for (const int touched : {middle, a}) {
+    auto before = s.state.nodes;
+    make_free(before[touched]);
+    ContactState<3> state = s.state;
+    state.nodes[a].has_ties = true; // in the step before
+    tie_edges(model, before, state);
+    EXPECT_FALSE(state.nodes[middle].tied);
+    if (touched != a) continue;
+    EXPECT_FALSE(state.nodes[a].has_ties);
+    EXPECT_EQ(state.nodes[a].state, NodeState::SLIDING);
+    EXPECT_TRUE(model.law(a, state.nodes[a]).frictionless());
+    EXPECT_FALSE(model.law(b, state.nodes[b]).frictionless());
+  }
+  const Vector<3> zero = Vector<3>::Zero(), along = Vector<3>::UnitX();
+  make_slide(s.state.nodes[a], zero);
+  ContactState<3> state = s.state;
+  tie_edges(model, s.state.nodes, state);
+  EXPECT_EQ(state.nodes[a].state, NodeState::STICKING) << "its mid nodes stick";
+  for (int i = 0; i < static_cast<int>(s.state.nodes.size()); ++i)
+    if (model.is_middle(i)) make_slide(s.state.nodes[i], along);
+  state = s.state;
+  tie_edges(model, s.state.nodes, state);
+  EXPECT_EQ(state.nodes[a].state, NodeState::SLIDING);
+  EXPECT_EQ(state.nodes[a].slip_direction, along);
+}
+
+TEST(TiesOnTriangles, DroppedTieDoesNotReturn) {
+  PlaneOnBlock s(10);
+  const auto& model = s.setup.model();
+  tie_edges(model, s.state.nodes, s.state);
+  int corner = 0;
+  while (!model.is_weightless(corner)) ++corner;
+  const ContactNode<3> before = s.state.nodes[corner];
+  make_free(s.state.nodes[corner]);
+  follow_ends(model, s.state);
+  const auto ties = [&] {
+    int number = 0;
+    for (int i = 0; i < static_cast<int>(s.state.nodes.size()); ++i) {
+      const auto& ends = model.edge_ends[i];
+      if (ends[0] == corner || ends[1] == corner) number += s.state.nodes[i].tied;
+    }
+    return number;
+  };
+  EXPECT_EQ(ties(), 0);
+  s.state.nodes[corner] = before;
+  follow_ends(model, s.state);
+  EXPECT_EQ(ties(), 0) << "in the same step";
+  EXPECT_FALSE(s.state.nodes[corner].has_ties);
+  EXPECT_EQ(s.state.nodes[corner].state, NodeState::SLIDING) << "without ties it does not stick";
+  EXPECT_TRUE(model.law(corner, s.state.nodes[corner]).frictionless());
+}
+
+// A vertex that its tied mid nodes do not press, held all the same by others: it slides, has no friction, and does not stick.
+TEST(TiesOnTriangles, UnpressedVertexSlidesFreely) {
+  PlaneOnBlock s(10);
+  const auto& model = s.setup.model();
+  tie_edges(model, s.state.nodes, s.state);
+  int corner = 0;
+  while (!model.is_weightless(corner)) ++corner;
+  const int node = model.candidates[corner];
+  s.R.segment<3>(3 * node) = Vector<3>(0.2, 0, 1); // pulled: the plane presses downward
+  const auto poses = model.poses(s.state.q);
+  const auto at = deciding_forces(model, s.state, poses, s.R)[corner];
+  ASSERT_TRUE(at.unpressed);
+  const TangentialLaw<3>& law = model.law(corner, s.state.nodes[corner]);
+  ASSERT_FALSE(law.frictionless());
+  const Param<3> m(1, 0), back(-1, 0);
+  const ContactTolerance tolerance{1e-9, 1e-9};
+  EXPECT_EQ(law.test(NodeState::STICKING, 1, at, Param<3>::Zero(), m, tolerance), Change::SLIDE);
+  EXPECT_EQ(law.test(NodeState::SLIDING, 1, at, back, m, tolerance), Change::NONE) << "slipped back";
+  EXPECT_NEAR(law.sliding_residual(at, m), 0.2, 1e-15);
+  EXPECT_EQ(law.capacity(at), 0);
+  EXPECT_EQ(law.cone(at).slope, 0);
+  EXPECT_TRUE(law.turn(at, m, m, Curvature<3>::Identity(), 1).H.isZero(0));
+}
