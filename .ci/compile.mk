@@ -83,7 +83,7 @@ define program_rule
 $(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(CORE) | $(GMSH) $(CAD)
 	@mkdir -p $$(@D)
 	@echo "link    $$@"
-	@$$(CXX) $$(LDFLAGS) $$(filter %.o,$$^) $$(CORE) $(2) -pthread -Wl,--as-needed $$(LIBRARIES) -o $$@.new \
+	@$$(CXX) $$(LDFLAGS) $$(filter %.o,$$^) $$(CORE) $(2) -pthread -Wl,--as-needed $(OCC_MODELING) $$(LIBRARIES) -o $$@.new \
 	  && mv $$@.new $$@
 endef
 $(foreach p,unit verification long,$(eval $(call program_rule,$(p),-lgtest_main -lgtest)))

@@ -8,8 +8,11 @@
 //     chain=    [x0, y0, r0, x1, y1, r1, ...]: lines from corner to corner, each with the radius of its fillet | length | |
 //       r >= 0
 //     closed=   chain: true: back to the first corner, body outside | | false
-//     cad=      curves of a .geo, .step or .brep file, exact, without facets; without a folder: here, else beside
-//       the script | | | a path
+//     cad=      curves of a .geo, .step or .brep file, or faces of a .step or .brep file, exact, without facets; without a
+//       folder: here, else beside the script. A file with faces out of the plane z = 0 is a tool of space, unless curves=,
+//       revolve= or extrude= take its curves | | | a path
+//     faces=    cad: numbers of the faces in the file, those of solids first, that make the tool. Faces join smoothly or the
+//       surface ends at their edge: two that are named must join. The body is out of their solid; faces of none need inside= | - | all
 //     scale=    cad: unit of length of the script over that of the file (STEP: over a mm) | - | 1 | > 0
 //     curves=   cad: numbers of the curves in the file that make the profile | - | all
 //     geo=      cad: numbers for a .geo file, "R=3; H=8" | | ""
@@ -33,6 +36,7 @@
 //     > tool die(chain=[-0.1, 0, 0, 0, 0, 5e-3, 0, -0.1, 0]);
 //     > tool ball(sphere=5);
 //     > tool punch(cylinder=25, length=80, fillet=4);
+//     > tool block(cad="tests/support/cad/rounded.step", scale=1e-3);
 //     > tool ring(chain=[60, 0, 0, 40, 0, 8, 40, -60, 0], revolve=true);
 //     ! number of values in line
 //     ! degrees without fillet; give it a radius > 0
@@ -45,6 +49,11 @@
 //     ! and not at a right angle: a tip without normal
 //     ! rounds the edges of the ends, and without length= there are none
 //     ! rounds the edges of a closed profile, and this one is open
+//     ! meet at a sharp edge of
+//     ! has a tip without normal at
+//     ! has no side of its own
+//     ! meet at one edge, at
+//     ! has no face
 //   rcShapes(dummy)   all kinds of profiles and surfaces with their parameters, a line each
 //     dummy     not read
 //   t.outlinex(n), t.outliney(n)   x, y of the outline where the tool is: n points and its joints | length

@@ -52,6 +52,17 @@ const KindOf<Shape>& chosen_of(const std::vector<KindOf<Shape>>& kinds, const Ar
   return *chosen;
 }
 
+bool names_surface(const Arguments& arguments) {
+  const auto named = [&](const SurfaceKind& kind) { return arguments.has(word_of(kind)); };
+  return std::any_of(surface_kinds().begin(), surface_kinds().end(), named);
+}
+
+// cad= alone: what the file holds decides.
+bool means_all_faces(const Arguments& arguments) {
+  return arguments.has("cad") && !arguments.has("curves") && !arguments.has("geo") &&
+         has_cad_faces(arguments.text("cad"));
+}
+
 template <class Shape> void add(const KindOf<Shape>& kind, std::map<std::string, Parameter>& all) {
   for (const Parameter& parameter : kind.parameters) all.emplace(parameter.name, parameter);
 }
@@ -79,7 +90,7 @@ const std::vector<ShapeKind>& shape_kinds() {
 const std::vector<SurfaceKind>& surface_kinds() {
   static const std::vector<SurfaceKind> kinds{sphere_shape(),  cylinder_shape(), cone_shape(),
                                               torus_shape(),   plane_shape(),    box_shape(),
-                                              revolve_shape(), extrude_shape()};
+                                              revolve_shape(), extrude_shape(),  cad_face_shape()};
   return kinds;
 }
 
@@ -93,8 +104,7 @@ std::vector<Parameter> shape_parameters() {
 }
 
 int shape_dimension(const Arguments& arguments) {
-  const auto named = [&](const SurfaceKind& kind) { return arguments.has(word_of(kind)); };
-  return std::any_of(surface_kinds().begin(), surface_kinds().end(), named) ? 3 : 2;
+  return names_surface(arguments) || means_all_faces(arguments) ? 3 : 2;
 }
 
 std::shared_ptr<const Profile<2>> make_shape(const Arguments& arguments) {
@@ -109,7 +119,11 @@ template <> std::shared_ptr<const Surface<2>> make_surface<2>(const Arguments& a
   return std::make_shared<ProfileSurface>(make_shape(arguments));
 }
 
-template <> std::shared_ptr<const Surface<3>> make_surface<3>(const Arguments& arguments) {
+template <> std::shared_ptr<const Surface<3>> make_surface<3>(const Arguments& given) {
+  Arguments arguments = given;
+  if (arguments.has("faces") && arguments.list("faces").empty())
+    fail("cad", "faces is an empty array: name faces, or leave it out to take all");
+  if (!names_surface(arguments) && means_all_faces(arguments)) arguments.lists["faces"] = {};
   return chosen_of(surface_kinds(), arguments, "surface").make(arguments);
 }
 

@@ -12,7 +12,7 @@ const std::vector<SurfaceKind>& surface_kinds();
 /// Parameters of all kinds, of the plane and of space, each name once.
 std::vector<Parameter> shape_parameters();
 
-/// 3 if the arguments name a surface of space, else 2.
+/// 3 if the arguments name a surface of space, or a CAD file with faces in space and nothing else, else 2.
 int shape_dimension(const Arguments& arguments);
 
 /// The profile that the arguments name.

@@ -61,7 +61,8 @@ inline std::vector<NamedCall> shape_calls() {
                          .number("scale", 0.3)
                          .flag("extrude")
                          .number("length", 3)
-                         .number("fillet", 0.1)}};
+                         .number("fillet", 0.1)},
+      {"CAD body", Call().text("cad", "tests/support/cad/rounded.step").number("scale", 0.5)}};
 }
 
 struct CoordinatesCall {

@@ -29,11 +29,13 @@ CadValue beyond(const CadValue& end, double s) {
 
 } // namespace
 
-CadCurve::CadCurve(const CadSelection& selection)
-    : m_chain(chained(read_curves(selection))), m_start(starts(m_chain.pieces)), m_search(m_chain.pieces) {
+CadCurve::CadCurve(const CadSelection& selection) : CadCurve(read_curves(selection), selection.inside) {}
+
+CadCurve::CadCurve(const std::vector<CadPiece>& curves, bool inside)
+    : m_chain(chained(curves)), m_start(starts(m_chain.pieces)), m_search(m_chain.pieces) {
   check_crossings(m_chain, m_search.cells());
   m_side = closed() && counterclockwise() ? -1 : 1;
-  if (selection.inside) m_side = -m_side;
+  if (inside) m_side = -m_side;
   m_tightest = 1 / sharpest();
 }
 

@@ -23,6 +23,8 @@ public:
   /// length, with points that are not finite or beyond 1e50, with a corner (more than 1e-3 rad) or a sudden
   /// change of speed inside; a chain that crosses or touches itself
   explicit CadCurve(const CadSelection& selection);
+  /// The same of curves at hand. @param inside swaps the side of the body
+  CadCurve(const std::vector<CadPiece>& curves, bool inside);
   const std::vector<CadPiece>& pieces() const { return m_chain.pieces; }
   double length() const { return m_start.back(); }
   bool closed() const { return m_chain.closed; }

@@ -40,7 +40,7 @@ CadPiece::CadPiece(int tag, ExactCurve curve, double scale)
 
 CadValue CadPiece::at(double s) const {
   const double rate = m_reversed ? -m_rate : m_rate;
-  const auto value = m_curve.evaluate(m_begin + m_rate * (m_reversed ? m_length - s : s));
+  const auto value = m_curve.evaluate(parameter(s));
   return {m_scale * value.x.head<2>(), m_scale * rate * value.first.head<2>(),
           m_scale * rate * rate * value.second.head<2>()};
 }

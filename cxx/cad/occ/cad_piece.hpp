@@ -23,6 +23,8 @@ public:
   /// The same at its start and end.
   CadValue start() const { return at(0); }
   CadValue end() const { return at(m_length); }
+  /// The parameter u of the file at s.
+  double parameter(double s) const { return m_begin + m_rate * (m_reversed ? m_length - s : s); }
   /// Parameters of start, knots and end, ascending.
   std::vector<double> knots() const;
 

@@ -131,13 +131,21 @@ Reading read_apart(const std::string& path) {
   return reading;
 }
 
-void read(const std::string& path, TopoDS_Shape& shape) {
+TopoDS_Shape shape_in(const std::string& path) {
   const Reading reading = file_extension(path) == ".brep" ? read_here(path) : read_apart(path);
-  shape = reading.shape;
-  if (reading.said.empty()) return;
-  fail(CAD_SHAPE, "\"" + path + "\": " + reading.said +
-                      (reading.printed.empty() ? "" : "; OpenCASCADE says: " + reading.printed));
+  if (!reading.said.empty())
+    fail(CAD_SHAPE, "\"" + path + "\": " + reading.said +
+                        (reading.printed.empty() ? "" : "; OpenCASCADE says: " + reading.printed));
+  return reading.shape;
 }
+
+/// A file that was read.
+struct ReadFile {
+  std::filesystem::path path;
+  std::filesystem::file_time_type written;
+  std::uintmax_t size = 0;
+  TopoDS_Shape shape;
+};
 
 // "Geom_BSplineCurve" is a BSpline.
 std::string kind_of(const std::string& type) {
@@ -170,9 +178,18 @@ void fill(std::set<int>& tags, const TopTools_IndexedMapOfShape& shapes) {
 
 } // namespace
 
+TopoDS_Shape read_topology(const std::string& path) {
+  static auto& last = *new ReadFile; // OpenCASCADE may be gone before it
+  const auto absolute = std::filesystem::absolute(path);
+  const auto written = std::filesystem::last_write_time(path);
+  const auto size = std::filesystem::file_size(path);
+  if (last.path != absolute || last.written != written || last.size != size)
+    last = {absolute, written, size, shape_in(path)};
+  return last.shape;
+}
+
 CadModel read_shape(const std::string& path) {
-  TopoDS_Shape shape;
-  read(path, shape);
+  const TopoDS_Shape shape = read_topology(path);
   CadModel model;
   if (shape.IsNull()) return model;
   const OccGuard guard;
@@ -191,8 +208,7 @@ CadModel read_shape(const std::string& path) {
 }
 
 std::vector<CadEdge> read_edges(const std::string& path) {
-  TopoDS_Shape shape;
-  read(path, shape);
+  const TopoDS_Shape shape = shape_in(path);
   const OccGuard guard;
   std::vector<CadEdge> edges;
   for (TopoDS_Iterator part(shape); part.More(); part.Next())

@@ -23,6 +23,13 @@ TEST(ShapesInSpace, TheWordsDecideTheDimension) {
   for (const auto& call : {Call().number("circle", 1), Call().list("line", {0, 0, 1, 0}), Call(),
                            Call().list("chain", {0, 0, 0, 1, 0, 0}), Call().text("cad", "die.step")})
     EXPECT_EQ(shape_dimension(call), 2);
+  // of a file alone its faces decide
+  const std::string folder = "tests/support/cad/";
+  for (const char* name : {"rounded.step", "ball.step"})
+    EXPECT_EQ(shape_dimension(Call().text("cad", folder + name)), 3);
+  for (const char* name : {"lobe.step", "circle.brep", "circle.geo"})
+    EXPECT_EQ(shape_dimension(Call().text("cad", folder + name)), 2);
+  EXPECT_EQ(shape_dimension(Call().text("cad", folder + "rounded.step").list("curves", {1})), 2);
   EXPECT_NEAR(make_surface<2>(Call().number("circle", 2))->foot({5, 0}, Param<2>(0.)).gap, 3, 1e-15);
 }
 
@@ -61,6 +68,11 @@ TEST(ShapesInSpace, EachKind) {
   for (const Vector<3>& p : {Vector<3>(2, 0, 0), Vector<3>(0, -3, 0), Vector<3>(0, 0, 4)})
     EXPECT_NEAR(gap(box, p), 1, 1e-15);
   EXPECT_NEAR(gap(box, {1, 2, 3}), 0.5 * (std::sqrt(3.) - 1), 1e-14);
+  EXPECT_NEAR(gap(Call().text("cad", "tests/support/cad/rounded.step"), {0, 0, 3}), 1, 1e-12);
+  EXPECT_NEAR(gap(Call().text("cad", "tests/support/cad/rounded.step").flag("inside"), {0, 0, 1}), 1, 1e-12);
+  EXPECT_NEAR(gap(Call().text("cad", "tests/support/cad/ball.step").list("faces", {1}).number("scale", 2),
+                  {0, 0, 12}),
+              2, 1e-12);
   EXPECT_NEAR(gap(Call().number("circle", 2).flag("revolve"), {0, 3, 4}), 3, 1e-14);
   EXPECT_NEAR(gap(Call().list("line", {2, 1, 2, -1}).flag("revolve"), {3, 0, 0}), 1, 1e-15);
   EXPECT_NEAR(gap(Call().list("line", {0, 0, 4, 0}).flag("extrude"), {1, 2, 77}), 2, 1e-15);
@@ -89,7 +101,7 @@ TEST(ShapesInSpace, TheTipOfACone) {
 TEST(ShapesInSpaceErrors, NoneOrSeveralOrOthersParameters) {
   const std::string surfaces =
       "sphere=R, cylinder=R, cone=[R1,R2,height], torus=[R,r], plane=[x0,y0,z0,nx,ny,nz], "
-      "box=[a,b,c], revolve=true or extrude=true";
+      "box=[a,b,c], revolve=true, extrude=true or faces=[1,2] with cad=\"file\"";
   expect_invalid([] { make_surface<2>(Call()); }, "cad=\"file\"; in space a surface: " + surfaces);
   refuses(Call().number("sphere", 1).number("cylinder", 1), "shape: give exactly one surface: " + surfaces);
   refuses(Call().number("sphere", 1).flag("revolve"), "shape: give exactly one surface");
