@@ -18,7 +18,7 @@ SWEEPS = {
                 "depth=6:12.5:latin mu=0:.2:latin", 50, 10, "largest force, both halves", ""),
     "cup": ("size=1,0.75", lambda v: f"-size {float(v) / 2:g}", 4, "blank=30:42:latin nose=3:8:latin shoulder=3:8:latin "
             "gap=1.1:1.6:latin mu=.02:.15:latin bhf=2000:15000:latin", 50, 25, "largest punch force", ""),
-    "u-channel": ("edges=4,5,6", lambda v: f"-edges {2 * int(v)}", 6, "thickness=.5:2:latin shoulder=1:6:latin nose=1:6:latin "
+    "u-channel": ("edges=6,7,8", lambda v: f"-edges {2 * int(v)}", 6, "thickness=.5:2:latin shoulder=1:6:latin nose=1:6:latin "
                   "clearance=1.05:1.4:latin mu=0:.2:latin bhf=5:80:latin", 67, 24, "mean punch force of the last third", "-jumps 0.01"),
 }
 
