@@ -1,4 +1,4 @@
-// Ties against nodes on their own on T6, where contact is rolled, dragged and taken off: one line of the table in ALGORITHMS.md 8.6 a run,
+// Ties against nodes on their own on T6, where contact is rolled, dragged and taken off: one line of the table in ALGORITHMS.md 5.3 a run,
 // and what both must have in common.
 #include "contact/corner_shares.hpp"
 #include "contact/surface_report.hpp"
