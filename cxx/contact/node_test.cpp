@@ -49,15 +49,24 @@ bool NodeTest<Dim>::test_free(int candidate, const Vector<Dim>& x, ContactNode<D
   return true;
 }
 
+// In the plane that at the start of the step, in space that of touching: a free node's gap closes linearly, ALGORITHMS.md 4.
+template <int Dim>
+SurfacePlace<Dim> NodeTest<Dim>::touching_place(int candidate, const SurfaceFoot<Dim>& foot) const {
+  const ContactNode<Dim>& entry = m_entry.nodes[candidate];
+  const double gap = m_entry.records[candidate].gap;
+  if (Dim == 2 || in_contact(entry.state) || !(gap > 0)) return entry.slip_origin;
+  return m_model.tools[entry.tool]->surface().between(entry.slip_origin, foot.place, gap / (gap - foot.gap));
+}
+
 // Where it would have touched, sticking; or, if it has moved along the tool since then, at its foot, sliding on (METHOD.md 5.4).
 // One that always sticks and could not stay there (released twice in this step) sticks where it is now.
 template <int Dim>
 void NodeTest<Dim>::enter(int candidate, const SurfaceFoot<Dim>& foot, ContactNode<Dim>& node) const {
   const ContactNode<Dim>& entry = m_entry.nodes[candidate];
-  const int releases = m_entry.releases[candidate];
+  const int releases = m_entry.records[candidate].releases;
   const TangentialLaw<Dim>& law = m_model.law(candidate, node);
   const bool sticks_always = law.friction().sticks_always(), known = entry.tool == node.tool;
-  node.slip_origin = known && !(releases > 1 && sticks_always) ? entry.slip_origin : foot.place;
+  node.slip_origin = known && !(releases > 1 && sticks_always) ? touching_place(candidate, foot) : foot.place;
   node.place = foot.place;
   if (law.frictionless()) return make_slide<Dim>(node, Vector<Dim>::Zero());
   if (!sticks_always && releases > 0 && !entry.slip_direction.isZero())
@@ -78,7 +87,7 @@ bool NodeTest<Dim>::operator()(int candidate, const ContactNode<Dim>& solved, co
   const Vector<Dim> direction = node.slip_direction;
   const bool changed = test_contact(candidate, solved, F, deciding, node);
   if (in_contact(node.state)) return changed;
-  ++m_entry.releases[candidate];
+  ++m_entry.records[candidate].releases;
   if (!direction.isZero()) m_entry.nodes[candidate].slip_direction = direction;
   return changed;
 }

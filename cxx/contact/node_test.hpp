@@ -5,11 +5,16 @@
 
 namespace burnish {
 
-/// Where free nodes would stick if they touched now, how often each was released in this step, and how it slid then: the
-/// direction of its slip in `nodes`.
+/// What a step has done to a candidate so far.
+struct EntryRecord {
+  int releases = 0; ///< counted by the tests
+  double gap = 0;   ///< at the start of the step, of a free one [length]
+};
+/// Where free nodes were when the step began, as if they touched there, and how those slid that were released in this step: the
+/// direction of slip in `nodes`.
 template <int Dim> struct EntryPlaces {
   std::vector<ContactNode<Dim>> nodes; ///< per candidate
-  std::vector<int> releases;           ///< per candidate, counted by the tests
+  std::vector<EntryRecord> records;    ///< per candidate
 };
 
 /// Refers to what belongs to the iteration.
@@ -34,6 +39,7 @@ private:
                     const DecidingForce<Dim>& deciding, ContactNode<Dim>& node) const;
   bool test_free(int candidate, const Vector<Dim>& x, ContactNode<Dim>& node) const;
   void enter(int candidate, const SurfaceFoot<Dim>& foot, ContactNode<Dim>& node) const;
+  SurfacePlace<Dim> touching_place(int candidate, const SurfaceFoot<Dim>& foot) const;
 
   const ContactModel<Dim>& m_model;
   const std::vector<Pose<Dim>>& m_poses;

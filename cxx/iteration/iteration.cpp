@@ -31,10 +31,10 @@ Iteration<Dim>::Iteration(const ContactModel<Dim>& model, const BodyView<Dim>& b
 
 template <int Dim>
 void Iteration<Dim>::begin(const PrescribedValues& prescribed, const ContactState<Dim>& predicted,
-                           std::vector<ContactNode<Dim>> entry, bool adapt) {
+                           EntryPlaces<Dim> entry, bool adapt) {
   m_prescribed = prescribed;
   m_state = predicted;
-  m_entry = {std::move(entry), std::vector<int>(m_state.nodes.size(), 0)};
+  m_entry = std::move(entry);
   m_adapt = adapt;
   m_number = m_backtracks = m_unsolved = 0;
   m_first_dq.resize(0);

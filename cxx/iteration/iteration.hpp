@@ -26,10 +26,10 @@ public:
   const ContactModel<Dim>& model() const { return m_model; }
   const BodyView<Dim>& body() const { return m_body; }
 
-  /// Starts a step from a predicted state. @param entry per candidate, where a node touching in this step would stick
+  /// Starts a step from a predicted state. @param entry where candidates are at its start
   /// @param adapt false: contact states stay fixed (event stepping)
-  void begin(const PrescribedValues& prescribed, const ContactState<Dim>& predicted,
-             std::vector<ContactNode<Dim>> entry, bool adapt);
+  void begin(const PrescribedValues& prescribed, const ContactState<Dim>& predicted, EntryPlaces<Dim> entry,
+             bool adapt);
   /// Convergence test at displacement u with residual force R (internal minus external nodal force). May move u half way back
   /// (BACKTRACKED). @returns REFACTORIZE where the convergence asks for a new tangent
   /// @throws std::invalid_argument for wrong sizes or NaN in R

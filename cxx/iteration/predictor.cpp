@@ -149,12 +149,12 @@ PredictedWays Predictor<Dim>::carry_increment(const ContactState<Dim>& state, co
   return result;
 }
 
-// Where each candidate would stick if it touched in this step: contact nodes at their place, free ones at the
-// projection at the start of the step.
+// Where each candidate is when the step begins: contact nodes at their place, free ones at their projection.
 template <int Dim>
-std::vector<ContactNode<Dim>> Predictor<Dim>::entry_nodes(const ContactState<Dim>& state,
-                                                          const Eigen::VectorXd& u) const {
-  std::vector<ContactNode<Dim>> entry = state.nodes;
+EntryPlaces<Dim> Predictor<Dim>::entry_places(const ContactState<Dim>& state,
+                                              const Eigen::VectorXd& u) const {
+  EntryPlaces<Dim> result{state.nodes, std::vector<EntryRecord>(state.nodes.size())};
+  std::vector<ContactNode<Dim>>& entry = result.nodes;
   const auto poses = m_model.poses(state.q);
   for (std::size_t i = 0; i < entry.size(); ++i) {
     if (!in_contact(entry[i].state)) {
@@ -162,10 +162,11 @@ std::vector<ContactNode<Dim>> Predictor<Dim>::entry_nodes(const ContactState<Dim
       const auto nearest = nearest_tool(m_model, poses, x, entry[i], static_cast<int>(i));
       entry[i].tool = nearest.tool;
       entry[i].place = nearest.foot.place;
+      result.records[i].gap = nearest.foot.gap;
     }
     place_at(entry[i], entry[i].place);
   }
-  return entry;
+  return result;
 }
 
 // State of the candidate that stood where this one stands now, seen from the tool.
@@ -241,8 +242,8 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
   const bool known = history.dt > 0 && history.du.size() == u.size();
   const double ratio = known ? dt / history.dt : 0;
   result.u = u;
-  result.entry = entry_nodes(state, u);
-  result.state.nodes = result.entry;
+  result.entry = entry_places(state, u);
+  result.state.nodes = result.entry.nodes;
   result.state.q = predict_coordinates(prescribed, state.q, history, ratio);
   follow(m_model, result.state.q);
   for (auto& node : result.state.nodes)
@@ -261,9 +262,9 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
   // Without a step before, the nodes stay where they are: the first iteration brings them to the tool by an
   // offset.
   if (known)
-    place_contact_nodes(states, result.entry, result.state, result.u);
+    place_contact_nodes(states, result.entry.nodes, result.state, result.u);
   else if (states.tied)
-    tie_edges(m_model, result.entry, result.state);
+    tie_edges(m_model, result.entry.nodes, result.state);
   return result;
 }
 
@@ -282,7 +283,7 @@ Prediction<Dim> Predictor<Dim>::rest(const ContactState<Dim>& state, const Eigen
     node.tied = node.has_ties = false;
     node.slip_origin = node.place;
   }
-  start.entry = start.state.nodes;
+  start.entry = {start.state.nodes, std::vector<EntryRecord>(start.state.nodes.size())};
   return start;
 }
 

@@ -2,7 +2,7 @@
 // Predicted state of a step: the last step's increment and contact states carried along with the tools
 // (ALGORITHMS.md 3).
 #include "contact/body_view.hpp"
-#include "contact/contact_model.hpp"
+#include "contact/node_test.hpp"
 #include "mesh/mesh_locator.hpp"
 #include "mesh/point_tree.hpp"
 
@@ -28,7 +28,7 @@ template <int Dim> struct Prediction {
   Eigen::VectorXd u;
   ContactState<Dim> state;
   PredictedWays ways;
-  std::vector<ContactNode<Dim>> entry; ///< per candidate, where a node touching in this step would stick
+  EntryPlaces<Dim> entry;
 };
 
 /// What becomes of the contact states.
@@ -57,7 +57,7 @@ private:
   PredictedWays carry_increment(const ContactState<Dim>& state, const Eigen::VectorXd& u,
                                 const StepHistory<Dim>& history, const std::vector<CarrierMotion>& motions,
                                 double ratio) const;
-  std::vector<ContactNode<Dim>> entry_nodes(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
+  EntryPlaces<Dim> entry_places(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
   void carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions, bool tied,
                     ContactState<Dim>& state) const;
   void place_contact_nodes(const CarriedStates& states, const std::vector<ContactNode<Dim>>& before,

@@ -13,7 +13,7 @@ struct Springs : EventScene {
   PrescribedValues prescribed{{1, 1, 1}, Eigen::VectorXd::Zero(3)};
   std::vector<int> window = {0, 1, 2, 3, 4, 5};
   ActivePart flexibility;
-  EntryPlaces<2> entry{std::vector<ContactNode<2>>(6), std::vector<int>(6, 0)};
+  EntryPlaces<2> entry{std::vector<ContactNode<2>>(6), std::vector<EntryRecord>(6)};
   WindowProblem<2> problem;
 
   explicit Springs(double mu, double plate = 0) {
@@ -138,7 +138,7 @@ TEST(ActiveSet, FullStickingReturnsTwiceToItsPlace) {
         springs.model.laws = {TangentialLaw<2>(std::make_shared<StickingFriction>())};
       else
         springs.model.laws = {TangentialLaw<2>(make_coulomb(0.3))};
-      springs.entry.releases[2] = times;
+      springs.entry.records[2].releases = times;
       const auto solution = springs.solve();
       EXPECT_NEAR(EventScene::s(solution.state.nodes[2]), sticks_always && times == 2 ? 18 : 18.02, 1e-14);
     }
@@ -146,7 +146,7 @@ TEST(ActiveSet, FullStickingReturnsTwiceToItsPlace) {
   springs.prescribed.value[1] = 0.1; // the plate lifts
   springs.touch(2, NodeState::STICKING, 0);
   springs.solve();
-  EXPECT_EQ(springs.entry.releases[2], 3) << "counted, over all calls of a step";
+  EXPECT_EQ(springs.entry.records[2].releases, 3) << "counted, over all calls of a step";
 }
 
 TEST(ActiveSet, StatesStayInEventStepping) {

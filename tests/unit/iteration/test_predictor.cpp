@@ -70,11 +70,11 @@ TEST(Predictor, FirstStepOnlyMovesTheTool) {
   EXPECT_EQ(result.u, carried.u);
   EXPECT_EQ(result.state.q, Eigen::VectorXd(Vector<3>(0.5, 1, 0))) << "motions to their values, others stay";
   EXPECT_STREQ(name_of(result.state.nodes[3].state), "sticking") << "a touched node is held";
-  for (std::size_t i = 0; i < result.entry.size(); ++i) {
-    EXPECT_EQ(result.entry[i].tool, 0);
-    EXPECT_NEAR(result.entry[i].place.hint[0],
+  for (std::size_t i = 0; i < result.entry.nodes.size(); ++i) {
+    EXPECT_EQ(result.entry.nodes[i].tool, 0);
+    EXPECT_NEAR(result.entry.nodes[i].place.hint[0],
                 20 - carried.body.position(carried.u, carried.model.candidates[i])[0], 1e-13);
-    EXPECT_EQ(result.entry[i].slip_origin.y, result.entry[i].place.y);
+    EXPECT_EQ(result.entry.nodes[i].slip_origin.y, result.entry.nodes[i].place.y);
   }
 }
 
