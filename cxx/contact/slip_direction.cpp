@@ -23,6 +23,19 @@ template <int Dim> double slip_stiffness(const ContactModel<Dim>& model, const N
 }
 
 template <int Dim>
+void begin_turn(const ContactModel<Dim>& model, const std::vector<char>& by_friction,
+                const ContactState<Dim>& state, const std::vector<Pose<Dim>>& poses, int candidate,
+                NodeCones<Dim>& cones) {
+  const ContactNode<Dim>& node = state.nodes[candidate];
+  if (by_friction.empty() || node.state != NodeState::SLIDING || !by_friction[node.tool]) return;
+  if (cones.tied || !cones.turn.H.isZero(0) || model.is_constrained(candidate) ||
+      model.law(candidate, node).frictionless())
+    return;
+  cones.turn = TangentialLaw<Dim>::first_turn(contact_point(model, poses, node).m, slip_of(model, node),
+                                              state.slip_stiffness);
+}
+
+template <int Dim>
 void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, ContactState<Dim>& state) {
   if (Dim == 2) return;
   const auto poses = model.poses(state.q);
@@ -33,7 +46,8 @@ void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, Contac
     if (node.state != NodeState::SLIDING || node.tied || model.law(candidate, node).frictionless()) continue;
     const ContactPoint<Dim> at = contact_point(model, poses, node);
     const Param<Dim> slip = slip_of(model, node);
-    Param<Dim> way = state.slip_stiffness * slip - deciding[i].force.T;
+    const double c = model.law(candidate, node).slip_stiffness(deciding[i], slip, state);
+    Param<Dim> way = c * slip - deciding[i].force.T;
     if (model.is_constrained(candidate)) {
       const Curvature<Dim> free = slip_space(model, candidate, at.surface);
       const Param<Dim> kept = free * at.m;
@@ -49,6 +63,9 @@ void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, Contac
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template double slip_stiffness<Dim>(const ContactModel<Dim>&, const NodeBlockMatrix<Dim>&);                \
+  template void begin_turn<Dim>(const ContactModel<Dim>&, const std::vector<char>&,                          \
+                                const ContactState<Dim>&, const std::vector<Pose<Dim>>&, int,                \
+                                NodeCones<Dim>&);                                                            \
   template void turn_slips<Dim>(const ContactModel<Dim>&, const Eigen::VectorXd&, ContactState<Dim>&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)

@@ -9,6 +9,13 @@ namespace burnish {
 /// where nothing turns [force/length].
 template <int Dim> double slip_stiffness(const ContactModel<Dim>& model, const NodeBlockMatrix<Dim>& K);
 
+/// Lets the slip of a node turn that begins to slide on a tool which friction alone holds, METHOD.md (3.14d).
+/// @param by_friction of held_by_friction; empty: on none @param cones in: of cones_of, with no turn yet
+template <int Dim>
+void begin_turn(const ContactModel<Dim>& model, const std::vector<char>& by_friction,
+                const ContactState<Dim>& state, const std::vector<Pose<Dim>>& poses, int candidate,
+                NodeCones<Dim>& cones);
+
 /// Directions of the nodes that slide by METHOD.md (3.14), from their slips and the forces on them: m along c D - T. Guided nodes keep
 /// the part that their supports leave, those that have slipped against their direction keep it; in the plane all do.
 /// @param R internal minus external nodal force, num_dofs [force]
