@@ -72,7 +72,7 @@ def in_space(folder):
     """Depth and turn of law-in-space.edp on a coarse mesh, by the run of the core and by the loop of the script."""
     with open(os.path.join(TOP, "edp/manual/examples/law-in-space.edp"), encoding="utf-8") as file:
         text = re.sub(r"cube\([^;]*;", "cube(4, 3, 2, [0.8*x - 0.35, 0.6*y - 0.3, 0.4*(z - 1)]);", file.read(), count=1)
-    text = text.replace("friction=0.2", "friction=0.2, tolerance=1e-5").replace("0.1, program", "0.25, program").replace("dtmax=0.1", "dtmax=0.25")
+    text = text.replace("friction=0.2", "friction=0.2, tolerance=1e-5").replace("0.1, program", "0.125, program").replace("dtmax=0.1", "dtmax=0.125")
     script = os.path.join(folder, "space.edp")
     with open(script, "w", encoding="utf-8") as file:
         file.write(text)
