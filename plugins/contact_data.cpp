@@ -89,9 +89,9 @@ struct NodalTraction {
 // x, y or z of the traction in space.
 template <int axis> Array shear(Stack stack, H* const& h) {
   return guarded([&] {
-    return new_array(
-        stack,
-        Eigen::VectorXd(report(of_dimension<3>(h->get(), "contact.shear")).traction_tangential.row(axis)));
+    return new_array(stack, Eigen::VectorXd(report(of_dimension<3>(h->get(), "contact.shear",
+                                                                   "; in the plane it is C.traction"))
+                                                .traction_tangential.row(axis)));
   });
 }
 struct TangentialForce {

@@ -116,7 +116,9 @@ std::vector<Vector<2>> outline_at(ContactOf<2>& contact, int tool, long n) {
 template <int axis>
 KN_<double> outline_of(Stack stack, const Method<H, OutlineTag<axis>>& m, const long& i, const long& n) {
   return guarded([&] {
-    auto& contact = of_dimension<2>(m->get(), "contact.outline");
+    auto& contact =
+        of_dimension<2>(m->get(), "contact.outline",
+                        "; a tool of space has no outline, its surface is in the files of the run");
     const int tool = tool_index(*contact.setup, i, "contact.outline");
     std::vector<double> values;
     for (const auto& x : called("contact.outline", [&] { return outline_at(contact, tool, n); }))

@@ -162,7 +162,11 @@ struct AddTool {
       const auto friction = called("contact.add", [&] {
         return make_friction(arguments_of(a, laws), contact.friction, contact.parameters);
       });
-      auto& object = of_dimension<dim_of<decltype(contact)>>(handle->get(), "contact.add");
+      constexpr int Dim = dim_of<decltype(contact)>;
+      const char* advice = Dim == 2 ? ": circle=, line=, chain= or cad=, without revolve= and extrude="
+                                    : ": sphere=, cylinder=, cone=, torus=, plane=, box=, or a profile with "
+                                      "revolve=true or extrude=true";
+      auto& object = of_dimension<Dim>(handle->get(), "contact.add", advice);
       contact.setup->add_tool(object.tool, friction, reach_of(a, contact));
       object.added = true;
       object.contact = m.object->share();

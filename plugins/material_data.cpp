@@ -92,10 +92,12 @@ long axisymmetric(MaterialHandle* const& h) {
   return on(h, [](auto& material) { return material.workpiece().discretization().axisymmetric ? 1L : 0L; });
 }
 pmesh plane_mesh(MaterialHandle* const& h) {
-  return guarded([&] { return of_dimension<2>(h->get(), "material.Th").mesh.get(); });
+  return guarded(
+      [&] { return of_dimension<2>(h->get(), "material.Th", "; in space it is M.Th3").mesh.get(); });
 }
 pmesh3 mesh_in_space(MaterialHandle* const& h) {
-  return guarded([&] { return of_dimension<3>(h->get(), "material.Th3").mesh.get(); });
+  return guarded(
+      [&] { return of_dimension<3>(h->get(), "material.Th3", "; in the plane it is M.Th").mesh.get(); });
 }
 long dimension(MaterialHandle* const& h) {
   return guarded([&] { return static_cast<long>(h->get().dimension); });

@@ -6,30 +6,31 @@
 //     on        true or false
 //   M.userdefined()   whether it does
 //   M.stress(i)   Kirchhoff stress; with damage of a user-defined law that of the law, which its points carry in part | stress
-//     i         0 xx, 1 yy, 2 zz, 3 xy | - | | 0 to 3
+//     i         0 xx, 1 yy, 2 zz, 3 xy; in space also 4 yz, 5 zx | - | | 0 to 3; in space to 5
 //   M.stress(i, a)   gives it
-//     i         component | - | | 0 to 3
+//     i         component | - | | 0 to 3; in space to 5
 //     a         one per point | stress | | finite
 //     ! the law of this material is not user-defined, nothing can be given
 //     ! there was no update since the last accepted state, call update first
 //   M.cauchy(i)   Cauchy stress, M.stress over the determinant of F; with small strains M.stress | stress
-//     i         0 xx, 1 yy, 2 zz, 3 xy | - | | 0 to 3
+//     i         0 xx, 1 yy, 2 zz, 3 xy; in space also 4 yz, 5 zx | - | | 0 to 3; in space to 5
 //   M.piola(i)   first Piola stress | stress
-//     i         0 xx, 1 xy, 2 yx, 3 yy, 4 zz | - | | 0 to 4
+//     i         0 xx, 1 xy, 2 yx, 3 yy, 4 zz; in space 0 xx, 1 xy, 2 xz, 3 yx, ... 8 zz | - | | 0 to 4; in space to 8
 //   M.piola(i, a)   gives it, in place of M.stress
-//     i         component | - | | 0 to 4
+//     i         component | - | | 0 to 4; in space to 8
 //     a         one per point | stress | | finite
 //   M.moduli(i, j)   dP_i/dF_j, symmetrized | stress
-//     i         component of P | - | | 0 to 4
-//     j         component of F | - | | 0 to 4
+//     i         component of P | - | | 0 to 4; in space to 8
+//     j         component of F | - | | 0 to 4; in space to 8
 //   M.moduli(i, j, value)   the same with a part of elastic moduli in plastic points, or, with an array, gives them; (i, j)
 //       stands for (j, i), too | stress
-//     i         component of P | - | | 0 to 4
-//     j         component of F | - | | 0 to 4
+//     i         component of P | - | | 0 to 4; in space to 8
+//     j         component of F | - | | 0 to 4; in space to 8
 //     value     real: part of elastic moduli; array: dP_i/dF_j | -, stress
-//   M.jacobian(i, j, a)   gives d tau_i/d y_j, y = M.strain(0..3), M.rotation, in place of M.moduli
-//     i         component of the stress | - | | 0 to 3
-//     j         component of y | - | | 0 to 4
+//   M.jacobian(i, j, a)   gives d tau_i/d y_j, y = M.strain(0..3), M.rotation, in space M.strain(0..5) and the spins about x, y, z
+//       (METHOD.md 1.16), in place of M.moduli
+//     i         component of the stress | - | | 0 to 3; in space to 5
+//     j         component of y | - | | 0 to 4; in space to 8
 //     a         one per point | stress | | finite
 //   M.internal(name)   internal variable, component 0 | its own
 //     name      one of M.internalvariables
@@ -41,11 +42,11 @@
 //     i         component | -
 //     a         one per point | its own | | finite
 //   M.backstress(i)   back stress of a law with kinematic hardening | stress
-//     i         0 xx, 1 yy, 2 zz, 3 xy | - | | 0 to 3
+//     i         0 xx, 1 yy, 2 zz, 3 xy; in space also 4 yz, 5 zx | - | | 0 to 3; in space to 5
 //   M.F(i)      deformation gradient | -
-//     i         0 xx, 1 xy, 2 yx, 3 yy, 4 zz | - | | 0 to 4
+//     i         0 xx, 1 xy, 2 yx, 3 yy, 4 zz; in space 0 xx, 1 xy, 2 xz, 3 yx, ... 8 zz | - | | 0 to 4; in space to 8
 //   M.strain(i)   strain increment of the step | -
-//     i         0 xx, 1 yy, 2 zz, 3 xy | - | | 0 to 3
+//     i         0 xx, 1 yy, 2 zz, 3 xy; in space also 4 yz, 5 zx | - | | 0 to 3; in space to 5
 //   M.rotation   in the plane: rotation increment of the step | rad
 //   M.rotationvector(i)   in space: the same, component of a vector along its axis | rad
 //     i         0 x, 1 y, 2 z | - | | 0 to 2
@@ -190,7 +191,8 @@ Array strain(Stack stack, const Method<H, StrainTag>& m, const long& i) {
 }
 Array rotation(Stack stack, H* const& h) {
   return guarded([&] {
-    const auto& body = of_dimension<2>(h->get(), "material.rotation").workpiece();
+    const char* advice = "; in space it is M.rotationvector(i)";
+    const auto& body = of_dimension<2>(h->get(), "material.rotation", advice).workpiece();
     return component(stack, increments_field(body), num_increments<2> - 1, num_increments<2>,
                      "material.rotation");
   });
@@ -198,7 +200,7 @@ Array rotation(Stack stack, H* const& h) {
 Array rotation_vector(Stack stack, const Method<H, RotationTag>& m, const long& i) {
   return guarded([&] {
     const char* where = "material.rotationvector";
-    const auto& body = of_dimension<3>(m->get(), where).workpiece();
+    const auto& body = of_dimension<3>(m->get(), where, "; in the plane it is M.rotation").workpiece();
     require(i >= 0 && i < 3, where, "component", i, "0..2");
     return component(stack, increments_field(body), num_stress<3> + i, num_increments<3>, where);
   });
@@ -228,8 +230,10 @@ Array hardening_slope(Stack stack, const Method<H, SlopeTag>& m, const Array& ep
 Array at_vertices(Stack stack, const Method<H, VertexTag>& m, const Array& a) {
   return guarded([&] {
     const char* where = "material.vertexvalues";
-    return new_array(stack, vertex_values(of_dimension<2>(m->get(), where).workpiece().discretization(),
-                                          to_vector(a, where, "values"), P1DC_PLACES));
+    const char* advice = "; in space numbers at the points are a field of P0 or FEQF23d as they are";
+    return new_array(stack,
+                     vertex_values(of_dimension<2>(m->get(), where, advice).workpiece().discretization(),
+                                   to_vector(a, where, "values"), P1DC_PLACES));
   });
 }
 

@@ -56,13 +56,18 @@
 //     ! has no face
 //   rcShapes(dummy)   all kinds of profiles and surfaces with their parameters, a line each
 //     dummy     not read
-//   t.outlinex(n), t.outliney(n)   x, y of the outline where the tool is: n points and its joints | length
+//   t.outlinex(n), t.outliney(n)   in the plane: x, y of the outline where the tool is: n points and its joints | length
 //     n         number of points | - | | 2 to 1000000
 //   t.tightestradius   smallest radius of curvature, inf for lines | length
 //   t.closest(x, y)   closest point of the profile: [x, y, gap, normal x, y, tangent x, y, curvature] | length, -, 1/length
 //     x         place; gap < 0 inside the tool, the normal points out of it | length | | finite
 //     y         place | length | | finite
-//   t.closest(x, y, gap, nx, ny, curvature)   the same for arrays of points; returns the smallest gap | length
+//   t.closest(x, y, z)   the same of a surface in space: [x, y, z, gap, normal x, y, z, tangents x1, y1, z1, x2, y2, z2, curvatures
+//       11, 12, 22 in them] | length, -, 1/length
+//     x         place; gap < 0 inside the tool, the normal points out of it | length | | finite
+//     y         place | length | | finite
+//     z         place | length | | finite
+//   t.closest(x, y, gap, nx, ny, curvature)   in the plane the same for arrays of points; returns the smallest gap | length
 //       Beyond the end of an open tool the gap is the distance to that end
 //     x         places | length | | finite
 //     y         places | length | | as many as x
@@ -92,7 +97,10 @@ struct OutlineXTag {};
 struct OutlineYTag {};
 KN_<double> outline_of(Stack stack, ToolHandle* handle, long n, int component) {
   return guarded([&] {
-    DrivenTool<2>& tool = *of_dimension<2>(handle->get(), "tool.outline").tool;
+    DrivenTool<2>& tool =
+        *of_dimension<2>(handle->get(), "tool.outline",
+                         "; a tool of space has no outline, its surface is in the files of the run")
+             .tool;
     const auto points = called("tool.outline", [&] { return outline(tool.tool(), tool.q(), n); });
     std::vector<double> values;
     for (const auto& x : points) values.push_back(x[component]);
@@ -108,16 +116,34 @@ KN_<double> outline_y(Stack stack, const Method<ToolHandle, OutlineYTag>& m, con
 
 struct ClosestTag {};
 using ClosestMethod = Method<ToolHandle, ClosestTag>;
-std::vector<ToolFoot<2>> feet_of(DrivenTool<2>& tool, const std::vector<Vector<2>>& points) {
-  return called("tool.closest", [&] { return tool_feet(tool.tool(), tool.q(), points); });
+// Feet of points on a tool of their dimension.
+template <int Dim>
+std::vector<ToolFoot<Dim>> feet_of(ToolHandle* handle, const std::vector<Vector<Dim>>& points) {
+  const char* where = "tool.closest";
+  const char* advice = Dim == 2 ? "; in space a point is x, y, z" : "; in the plane a point is x, y";
+  for (const Vector<Dim>& x : points)
+    for (int c = 0; c < Dim; ++c)
+      require(std::isfinite(x[c]), where, std::string(1, "xyz"[c]).c_str(), x[c], "a finite number");
+  auto& tool = *of_dimension<Dim>(handle->get(), where, advice).tool;
+  return called(where, [&] { return tool_feet(tool.tool(), tool.q(), points); });
 }
 KN_<double> closest_to_point(Stack stack, const ClosestMethod& m, const double& x, const double& y) {
   return guarded([&] {
-    require(std::isfinite(x), "tool.closest", "x", x, "a finite number");
-    require(std::isfinite(y), "tool.closest", "y", y, "a finite number");
-    const ToolFoot<2> f = feet_of(*of_dimension<2>(m->get(), "tool.closest").tool, {{x, y}}).front();
+    const ToolFoot<2> f = feet_of<2>(m.object, {{x, y}}).front();
     return new_array(
         stack, std::vector<double>{f.x[0], f.x[1], f.gap, f.n[0], f.n[1], f.E(0, 0), f.E(1, 0), f.B(0, 0)});
+  });
+}
+KN_<double> closest_in_space(Stack stack, const ClosestMethod& m, const double& x, const double& y,
+                             const double& z) {
+  return guarded([&] {
+    const ToolFoot<3> f = feet_of<3>(m.object, {{x, y, z}}).front();
+    std::vector<double> values(f.x.begin(), f.x.end());
+    values.push_back(f.gap);
+    values.insert(values.end(), f.n.begin(), f.n.end());
+    for (int k = 0; k < 2; ++k) values.insert(values.end(), f.E.col(k).begin(), f.E.col(k).end());
+    for (const double b : {f.B(0, 0), f.B(0, 1), f.B(1, 1)}) values.push_back(b);
+    return new_array(stack, values);
   });
 }
 struct ClosestToPoints {
@@ -138,7 +164,7 @@ struct ClosestToPoints {
     for (long i = 0; i < x.N(); ++i) points.emplace_back(px[i], py[i]);
     double smallest = std::numeric_limits<double>::infinity();
     long i = 0;
-    for (const ToolFoot<2>& foot : feet_of(*of_dimension<2>(m->get(), where).tool, points)) {
+    for (const ToolFoot<2>& foot : feet_of<2>(m.object, points)) {
       gap[i] = foot.gap;
       nx[i] = foot.n[0];
       ny[i] = foot.n[1];
@@ -178,6 +204,7 @@ void register_tool_shapes() {
   using Array = KN_<double>;
   add_method<ToolHandle, ClosestTag>(
       "closest", [] { return new OneOperator3s_<Array, ClosestMethod, double, double>(closest_to_point); },
+      [] { return new OneOperator4s_<Array, ClosestMethod, double, double, double>(closest_in_space); },
       [] {
         return new NamedOperator<ClosestToPoints, double, ClosestMethod, Array, Array, Array, Array, Array,
                                  Array>;

@@ -139,11 +139,13 @@ template <class Object, class F> auto visit(Object& object, F&& f) {
 template <class Object, class F> auto on(const Handle<Object>* handle, F&& f) {
   return guarded([&] { return visit(handle->get(), f); });
 }
-/// The object as one of this dimension. @throws std::invalid_argument "where: ..." if it is of the other one
-template <int Dim, class Object> auto& of_dimension(Object& object, const char* where) {
+/// The object as one of this dimension. @param advice what to do else, ends the message
+/// @throws std::invalid_argument "where: ..." if it is of the other one
+template <int Dim, class Object>
+auto& of_dimension(Object& object, const char* where, const char* advice = "") {
   if (object.dimension != Dim)
     fail(where, std::string("a ") + Object::TYPE + " of " + name_of_dimension(object.dimension) +
-                    ", expected one of " + name_of_dimension(Dim));
+                    ", expected one of " + name_of_dimension(Dim) + advice);
   return static_cast<typename Object::template Of<Dim>&>(object);
 }
 

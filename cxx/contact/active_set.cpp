@@ -5,8 +5,6 @@
 namespace burnish {
 namespace {
 
-// In space nodes may all slide, in different directions: a tool is supported by a node that sticks so often at most.
-constexpr int MAX_SUPPORTS = 8;
 constexpr int MAX_NEUTRAL_TRIALS = 4; // a neutral point is looked for that often (stick_at_neutral_point)
 
 } // namespace
@@ -18,7 +16,7 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   const WindowSolver<Dim> solver(problem);
   ContactState<Dim> trial = state;
   std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
-  int trials = 0, supports = Dim == 3 && solver.held_by_turning() ? MAX_SUPPORTS : 0;
+  int trials = 0, supports = solver.held_by_turning() ? MAX_SUPPORTS : 0;
   PassChoice<Dim> choice(model, *problem.window);
   std::vector<double> severity(state.nodes.size());
   WindowSolution<Dim> best;

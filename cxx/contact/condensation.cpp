@@ -1,7 +1,7 @@
 #include "contact/condensation.hpp"
 #include "base/error.hpp"
 #include "contact/coupling.hpp"
-#include "contact/tied_edges.hpp"
+#include "contact/slip_direction.hpp"
 #include <algorithm>
 
 namespace burnish {
@@ -55,8 +55,10 @@ template <int Dim> void Condensation<Dim>::linearize(const CondensedProblem<Dim>
     const int node = m_model.candidates[i];
     const Vector<Dim> Rn = R.template segment<Dim>(Dim * node);
     m_contact_of[node] = static_cast<int>(m_nodes.size());
-    const NodeCones<Dim> cones =
-        cones_of(m_model, state, poses, deciding, static_cast<int>(i), problem.tangent);
+    NodeCones<Dim> cones = cones_of(m_model, state, poses, deciding, static_cast<int>(i), problem.tangent);
+    if (problem.tangent == FrictionTangent::CONSISTENT)
+      begin_turn(m_model, BeginningSlips<Dim>{problem.by_friction, state, poses, deciding},
+                 static_cast<int>(i), cones);
     m_nodes.push_back(
         linearize_node(m_model, state.nodes[i], static_cast<int>(i), poses, Rn, problem.terms, &cones));
     if (!m_model.couplings.empty()) eliminate_followers(m_model, state.q, problem.terms, m_nodes.back());

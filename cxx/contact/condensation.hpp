@@ -36,6 +36,8 @@ template <int Dim> struct CondensedProblem {
   RightHandSide right = RightHandSide::TOTAL;
   bool half = false; ///< lower triangle only: no friction or a LAGGED tangent of it, COMPLETE or NONE terms
   FrictionTangent tangent = FrictionTangent::CONSISTENT;
+  std::vector<char> by_friction =
+      {}; ///< tools that friction alone holds, of held_by_friction; empty: states stay
 };
 
 /// Unknowns: dof d of a free node at position d; a sliding node has its Dim-1 slips at its first dofs and zero at

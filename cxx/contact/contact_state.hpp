@@ -60,6 +60,8 @@ template <int Dim> struct ContactState {
   Eigen::VectorXd q;                   ///< coordinates of all tools, one after another
   double slip_stiffness =
       0; ///< c of METHOD.md (3.14), in space [force/length]; 0: directions of slip stay as they are
+  bool fixed =
+      false; ///< the states of the nodes stay through the step: c of a sliding node is as large as its slip needs
 };
 
 /// What the program prescribes at an instant, one value per coordinate of all tools.

@@ -95,13 +95,25 @@ double touch_fraction(const ContactModel<Dim>& model, const BodyView<Dim>& body,
   return f;
 }
 
+// Fraction at which a sticking node leaves the cone. In space T turns: |T0 + f (T1 - T0)| = g0 + f (g1 - g0), METHOD.md (4.1a).
+template <int Dim>
+double slip_fraction(const TangentialLaw<Dim>& law, const DecidingForce<Dim>& start,
+                     const DecidingForce<Dim>& end, double tolerance) {
+  const double reserve0 = law.reserve(start), reserve1 = law.reserve(end);
+  const double f = crossing(reserve0, reserve1, tolerance);
+  if (Dim == 2 || !(f > 0 && f < 1)) return f;
+  const Param<Dim>&T = start.force.T, dT = end.force.T - T;
+  const double g = reserve0 + T.norm(), dg = reserve1 + end.force.T.norm() - g;
+  const double a = dT.squaredNorm() - dg * dg, b = T.dot(dT) - g * dg, c = T.squaredNorm() - g * g;
+  return -c / (b + std::sqrt(std::max(b * b - a * c, 0.))); // c < 0: the first root above zero
+}
+
 // Instant at which the slip rate changes sign: rates are means of steps, so they belong to the middles.
 // A node that begins to slide has no rate before: the step has to become shorter.
-// @param m direction of the slip in the tangents at the start of the step
+// @param slip of the step; @param m its direction, in the same tangents
 template <int Dim>
-double stick_fraction(const Surface<Dim>& surface, const ContactNode<Dim>& start, const ContactNode<Dim>& end,
-                      const Param<Dim>& m, double dt, const EventSearch& tolerance) {
-  const Param<Dim> slip = -surface.slip(end.place, start.place); // in the tangents at the start
+double stick_fraction(const ContactNode<Dim>& start, const Param<Dim>& slip, const Param<Dim>& m, double dt,
+                      const EventSearch& tolerance) {
   if (!TangentialLaw<Dim>::slips_back(slip, m, tolerance.slip_of(start.tool))) return NEVER;
   const double before = start.slip_rate, now = TangentialLaw<Dim>::advance(slip, m) / dt;
   if (before == 0) return tolerance.closer;
@@ -146,10 +158,12 @@ ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<D
     // only released: its ends decide over stick and slip
   } else if (n0.state == NodeState::SLIDING) {
     kind = EventKind::SLIP_TO_STICK;
-    if (!law.frictionless()) change = stick_fraction(surface, n0, n1, a.m, step.dt, tolerance);
+    const bool plane = Dim == 2; // in space the power of friction, whose direction turns, at the end
+    const Param<Dim> slip =
+        plane ? Param<Dim>(-surface.slip(n1.place, n0.place)) : surface.slip(n0.place, n1.place);
+    if (!law.frictionless()) change = stick_fraction(n0, slip, plane ? a.m : b.m, step.dt, tolerance);
   } else if (!support && !law.friction().sticks_always()) {
-    change =
-        crossing(law.reserve(ends.deciding0[i]), law.reserve(ends.deciding1[i]), tolerance.force_of(n0.tool));
+    change = slip_fraction(law, ends.deciding0[i], ends.deciding1[i], tolerance.force_of(n0.tool));
     if (release < NEVER && change == NEVER) change = release; // a sticking node slides before it is released
     release = NEVER;
   }

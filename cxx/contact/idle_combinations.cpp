@@ -1,5 +1,6 @@
 #include "contact/idle_combinations.hpp"
 #include "contact/driving_force.hpp"
+#include "contact/tool_support.hpp"
 
 namespace burnish {
 namespace {
@@ -87,5 +88,23 @@ std::vector<int> idle_combinations<3>(const ContactModel<3>& model, const Prescr
   }
   return result;
 }
+
+template <int Dim>
+PrescribedValues with_idle_given(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                                 const ContactState<Dim>& state) {
+  std::vector<int> idle = idle_coordinates(model, prescribed, state);
+  for (const int k : idle_combinations(model, prescribed, state)) idle.push_back(k);
+  PrescribedValues result = prescribed;
+  for (const int k : idle) {
+    result.is_motion[k] = 1;
+    result.value[k] = state.q[k];
+  }
+  return result;
+}
+
+template PrescribedValues with_idle_given<2>(const ContactModel<2>&, const PrescribedValues&,
+                                             const ContactState<2>&);
+template PrescribedValues with_idle_given<3>(const ContactModel<3>&, const PrescribedValues&,
+                                             const ContactState<3>&);
 
 } // namespace burnish

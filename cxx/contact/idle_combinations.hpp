@@ -13,4 +13,9 @@ template <int Dim>
 std::vector<int> idle_combinations(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                    const ContactState<Dim>& state);
 
+/// Prescriptions in which all idle coordinates, of tools that touch nothing and those above, are under motion and stay at state.q.
+template <int Dim>
+PrescribedValues with_idle_given(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                                 const ContactState<Dim>& state);
+
 } // namespace burnish

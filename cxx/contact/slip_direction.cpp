@@ -23,6 +23,22 @@ template <int Dim> double slip_stiffness(const ContactModel<Dim>& model, const N
 }
 
 template <int Dim>
+void begin_turn(const ContactModel<Dim>& model, const BeginningSlips<Dim>& slips, int candidate,
+                NodeCones<Dim>& cones) {
+  if (slips.by_friction.empty()) return;
+  const auto turn_of = [&](int i, SlipTurn<Dim>& turn) {
+    const ContactNode<Dim>& node = slips.state.nodes[i];
+    if (node.state != NodeState::SLIDING || !slips.by_friction[node.tool] || slips.deciding[i].unpressed)
+      return;
+    if (!turn.H.isZero(0) || model.is_constrained(i) || model.law(i, node).frictionless()) return;
+    turn = TangentialLaw<Dim>::first_turn(contact_point(model, slips.poses, node).m, slip_of(model, node),
+                                          slips.state.slip_stiffness);
+  };
+  if (!cones.tied) turn_of(candidate, cones.turn);
+  for (auto& end : cones.ends) turn_of(end.candidate, end.turn);
+}
+
+template <int Dim>
 void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, ContactState<Dim>& state) {
   if (Dim == 2) return;
   const auto poses = model.poses(state.q);
@@ -33,7 +49,8 @@ void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, Contac
     if (node.state != NodeState::SLIDING || node.tied || model.law(candidate, node).frictionless()) continue;
     const ContactPoint<Dim> at = contact_point(model, poses, node);
     const Param<Dim> slip = slip_of(model, node);
-    Param<Dim> way = state.slip_stiffness * slip - deciding[i].force.T;
+    const double c = model.law(candidate, node).slip_stiffness(deciding[i], slip, state);
+    Param<Dim> way = c * slip - deciding[i].force.T;
     if (model.is_constrained(candidate)) {
       const Curvature<Dim> free = slip_space(model, candidate, at.surface);
       const Param<Dim> kept = free * at.m;
@@ -49,6 +66,7 @@ void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, Contac
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template double slip_stiffness<Dim>(const ContactModel<Dim>&, const NodeBlockMatrix<Dim>&);                \
+  template void begin_turn<Dim>(const ContactModel<Dim>&, const BeginningSlips<Dim>&, int, NodeCones<Dim>&); \
   template void turn_slips<Dim>(const ContactModel<Dim>&, const Eigen::VectorXd&, ContactState<Dim>&);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)

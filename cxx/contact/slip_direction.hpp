@@ -9,6 +9,21 @@ namespace burnish {
 /// where nothing turns [force/length].
 template <int Dim> double slip_stiffness(const ContactModel<Dim>& model, const NodeBlockMatrix<Dim>& K);
 
+/// Refers to what begin_turn looks at.
+template <int Dim> struct BeginningSlips {
+  const std::vector<char>& by_friction; ///< tools, of held_by_friction; empty: none
+  const ContactState<Dim>& state;
+  const std::vector<Pose<Dim>>& poses;             ///< of its tools
+  const std::vector<DecidingForce<Dim>>& deciding; ///< of its candidates
+};
+
+/// Lets the slip of a node, or of the ends that it is tied to, turn that begins to slide on a tool which friction alone holds, METHOD.md
+/// (3.14d). What its forces do not press does not turn.
+/// @param cones in: of cones_of, with no turn yet
+template <int Dim>
+void begin_turn(const ContactModel<Dim>& model, const BeginningSlips<Dim>& slips, int candidate,
+                NodeCones<Dim>& cones);
+
 /// Directions of the nodes that slide by METHOD.md (3.14), from their slips and the forces on them: m along c D - T. Guided nodes keep
 /// the part that their supports leave, those that have slipped against their direction keep it; in the plane all do.
 /// @param R internal minus external nodal force, num_dofs [force]

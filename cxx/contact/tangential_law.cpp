@@ -98,6 +98,14 @@ SlipTurn<Dim> TangentialLaw<Dim>::turn(const DecidingForce<Dim>& deciding, const
 }
 
 template <int Dim>
+double TangentialLaw<Dim>::slip_stiffness(const DecidingForce<Dim>& deciding, const Param<Dim>& slip,
+                                          const ContactState<Dim>& state) const {
+  const double c = state.slip_stiffness, size = slip.norm();
+  if (!state.fixed || !(c > 0) || !(size > 0)) return c;
+  return std::max(c, capacity(deciding.force.N, deciding.area) / size);
+}
+
+template <int Dim>
 SlipTurn<Dim> TangentialLaw<Dim>::first_turn(const Param<Dim>& m, const Param<Dim>& slip, double c) {
   SlipTurn<Dim> turn;
   if (Dim == 2 || !(c > 0) || slips_back(slip, m, 0)) return turn;

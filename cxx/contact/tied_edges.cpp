@@ -118,7 +118,9 @@ SlipTurn<Dim> turn_of(const ContactModel<Dim>& model, const ContactState<Dim>& s
   const SurfaceFrame<Dim> frame = surface.frame(node.place);
   const double lift = frame.n.dot(node.place.y - node.slip_origin.y);
   const Curvature<Dim> by_eta = Curvature<Dim>::Identity() - lift * frame.B;
-  return model.law(i, node).turn(deciding, at.m, slip_of(model, node), by_eta, state.slip_stiffness);
+  const TangentialLaw<Dim>& law = model.law(i, node);
+  const Param<Dim> slip = slip_of(model, node);
+  return law.turn(deciding, at.m, slip, by_eta, law.slip_stiffness(deciding, slip, state));
 }
 
 } // namespace

@@ -167,6 +167,13 @@ std::vector<char> held_by_friction(const ContactModel<Dim>& model, const Prescri
 }
 
 template <int Dim>
+bool held_by_turning(const std::vector<char>& by_friction, const ContactState<Dim>& state) {
+  return Dim == 3 && !by_friction.empty() &&
+         std::none_of(state.nodes.begin(), state.nodes.end(),
+                      [&](const auto& node) { return sticks(node.state) && by_friction[node.tool]; });
+}
+
+template <int Dim>
 std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                const ContactState<Dim>& state) {
   std::vector<int> result;
@@ -196,6 +203,7 @@ std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedV
                                                   const ContactState<Dim>&);                                 \
   template std::vector<char> held_by_friction<Dim>(const ContactModel<Dim>&, const PrescribedValues&,        \
                                                    const ContactState<Dim>&);                                \
+  template bool held_by_turning<Dim>(const std::vector<char>&, const ContactState<Dim>&);                    \
   template std::vector<int> sole_supports<Dim>(const ContactModel<Dim>&, const PrescribedValues&,            \
                                                const ContactState<Dim>&);
 BURNISH_INSTANTIATE(2)

@@ -4,6 +4,10 @@
 
 namespace burnish {
 
+/// In space nodes may all slide, in different directions: a tool is supported by a node that sticks so often at most in the passes
+/// of an iteration (ALGORITHMS.md 5.3).
+constexpr int MAX_SUPPORTS = 8;
+
 /// Makes one node of a tool stick where a coordinate under force would otherwise only meet sliding friction:
 /// the sliding node with the smallest slip.
 /// @param refused per candidate: sticking was tried and exceeded the friction, taken last; may be empty
@@ -41,6 +45,10 @@ std::vector<int> idle_coordinates(const ContactModel<Dim>& model, const Prescrib
 template <int Dim>
 std::vector<char> held_by_friction(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                    const ContactState<Dim>& state);
+
+/// On every tool that friction alone holds all nodes slide: their turning directions resist it (METHOD.md 5.5).
+/// @param by_friction of held_by_friction; empty, or in the plane: false
+template <int Dim> bool held_by_turning(const std::vector<char>& by_friction, const ContactState<Dim>& state);
 
 /// Candidates whose stick is the only one that supports their tool.
 template <int Dim>

@@ -2,6 +2,7 @@
 #include "contact/coupling.hpp"
 #include "contact/driving_force.hpp"
 #include "contact/idle_combinations.hpp"
+#include "contact/slip_direction.hpp"
 #include "contact/tool_support.hpp"
 #include <algorithm>
 
@@ -42,23 +43,7 @@ WindowSolver<Dim>::WindowSolver(const WindowProblem<Dim>& problem)
 }
 
 template <int Dim> bool WindowSolver<Dim>::held_by_turning() const {
-  const auto& nodes = m_problem.start->nodes;
-  return Dim == 3 && !m_problem.first && std::none_of(nodes.begin(), nodes.end(), [this](const auto& node) {
-           return sticks(node.state) && m_by_friction[node.tool];
-         });
-}
-
-// How the slip of a node turns that begins to slide, on a tool that friction holds, METHOD.md (3.14d).
-template <int Dim>
-SlipTurn<Dim> WindowSolver<Dim>::first_turn(const ContactState<Dim>& trial,
-                                            const std::vector<Pose<Dim>>& poses, int candidate) const {
-  const ContactNode<Dim>& node = trial.nodes[candidate];
-  if (m_by_friction.empty() || node.state != NodeState::SLIDING || !m_by_friction[node.tool] ||
-      m_problem.friction_tangent != FrictionTangent::CONSISTENT || m_model.is_constrained(candidate) ||
-      m_model.law(candidate, node).frictionless())
-    return {};
-  return TangentialLaw<Dim>::first_turn(contact_point(m_model, poses, node).m, slip_of(m_model, node),
-                                        trial.slip_stiffness);
+  return !m_problem.first && burnish::held_by_turning(m_by_friction, *m_problem.start);
 }
 
 // The window's nodes that the block is made of: in contact, or with added stiffness.
@@ -109,11 +94,8 @@ std::vector<NodeLinearization<Dim>> WindowSolver<Dim>::linearize(const ContactSt
     if (!nodes.back().in_contact) continue;
     const ContactNode<Dim>& node = trial.nodes[candidate];
     NodeCones<Dim> cones = cones_of(m_model, trial, poses, deciding, candidate, m_problem.friction_tangent);
-    const auto begin_turn = [&](int i, SlipTurn<Dim>& turn) {
-      if (turn.H.isZero(0) && !deciding[i].unpressed) turn = first_turn(trial, poses, i);
-    };
-    if (!cones.tied) begin_turn(candidate, cones.turn);
-    for (auto& end : cones.ends) begin_turn(end.candidate, end.turn);
+    if (m_problem.friction_tangent == FrictionTangent::CONSISTENT)
+      begin_turn(m_model, BeginningSlips<Dim>{m_by_friction, trial, poses, deciding}, candidate, cones);
     nodes.back() = linearize_node(m_model, node, candidate, poses, force(candidate), m_problem.terms, &cones);
     if (!m_model.couplings.empty())
       eliminate_followers(m_model, m_problem.start->q, m_problem.terms, nodes.back());
@@ -157,13 +139,7 @@ bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim
   if (m_problem.added_stiffness.size() > 0)
     input.added_stiffness = of_nodes<Dim>(m_problem.added_stiffness, active);
   input.test_stability = m_problem.test_stability;
-  PrescribedValues prescribed = *m_problem.prescribed;
-  std::vector<int> idle = idle_coordinates(m_model, prescribed, trial);
-  for (const int k : idle_combinations(m_model, prescribed, trial)) idle.push_back(k);
-  for (const int k : idle) {
-    prescribed.is_motion[k] = 1;
-    prescribed.value[k] = m_problem.start->q[k];
-  }
+  PrescribedValues prescribed = with_idle_given(m_model, *m_problem.prescribed, trial);
   const auto block = solved_with_idle(prescribed, input);
   out.unstable = block.unstable;
   out.singular = block.singular;

@@ -58,8 +58,6 @@ public:
            std::vector<double>& severity) const;
 
 private:
-  SlipTurn<Dim> first_turn(const ContactState<Dim>& trial, const std::vector<Pose<Dim>>& poses,
-                           int candidate) const;
   std::vector<int> active_positions(const ContactState<Dim>& trial) const;
   std::vector<NodeLinearization<Dim>>
   linearize(const ContactState<Dim>& trial, const std::vector<int>& active, Eigen::VectorXd& offset) const;

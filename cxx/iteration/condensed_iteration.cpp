@@ -8,6 +8,29 @@ namespace {
 
 constexpr int MAX_PASSES = 40; // each of them a sparse factor
 
+// Deciding forces of a solution. severity, per candidate in contact: its tension over the tolerance.
+// @param F force of the tool on every candidate [force]
+template <int Dim>
+std::vector<DecidingForce<Dim>>
+predicted_forces(const ContactModel<Dim>& model, const ContactState<Dim>& solved,
+                 const std::vector<Pose<Dim>>& poses, const Eigen::VectorXd& F, const Tolerances& tolerances,
+                 std::vector<double>& severity) {
+  std::vector<SurfaceForce<Dim>> own(solved.nodes.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const ContactNode<Dim>& node = solved.nodes[i];
+    if (!in_contact(node.state)) continue;
+    const auto p = model.tools[node.tool]->point(poses[node.tool], node.place);
+    own[i] = nodal_force(model, static_cast<int>(i), p, Vector<Dim>(F.template segment<Dim>(Dim * i))).part;
+  }
+  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, solved, poses, own);
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (in_contact(solved.nodes[i].state)) {
+      const double N = model.is_weightless(static_cast<int>(i)) ? deciding[i].normal : own[i].N;
+      severity[i] = -N / tolerances.of(solved.nodes[i].tool).force;
+    }
+  return deciding;
+}
+
 } // namespace
 
 template <int Dim>
@@ -26,14 +49,21 @@ template <int Dim> void CondensedIteration<Dim>::begin_passes() {
   m_passes = 0;
   m_refused.assign(m_candidates.size(), 0);
   m_choice.emplace(m_iteration.model(), m_candidates);
+  m_by_friction.clear();
+  WindowProblem<Dim> problem;
+  m_iteration.state_problem(problem);
+  if (Dim == 3 && problem.adapt)
+    m_by_friction = held_by_friction(m_iteration.model(), m_iteration.prescribed(), m_iteration.state());
+  m_supports = !problem.first && held_by_turning(m_by_friction, m_iteration.state()) ? MAX_SUPPORTS : 0;
 }
 
 template <int Dim> void CondensedIteration<Dim>::prepare() {
   WindowProblem<Dim> problem;
   m_iteration.state_problem(problem);
-  while (problem.adapt && stick_unsupported(m_iteration.model(), m_iteration.prescribed(),
-                                            m_iteration.state(), m_refused, true) >= 0)
-    continue;
+  while (problem.adapt && (Dim == 2 || m_supports < MAX_SUPPORTS) &&
+         stick_unsupported(m_iteration.model(), m_iteration.prescribed(), m_iteration.state(), m_refused,
+                           true) >= 0)
+    ++m_supports;
   follow_ends(m_iteration.model(), m_iteration.state());
 }
 
@@ -52,19 +82,12 @@ int CondensedIteration<Dim>::change_states(const typename Condensation<Dim>::Exp
   const auto poses = model.poses(solved.q), start_poses = model.poses(state.q);
   const NodeTest<Dim> test(model, poses, problem.tolerances, *problem.entry);
   const ContactState<Dim> before = state;
-  std::vector<SurfaceForce<Dim>> own(m_candidates.size());
   std::vector<double> severity(m_candidates.size(), 0);
   const auto place_of = [&](int i, const ContactState<Dim>& at, const Vector<Dim>& x, const auto& tools) {
     return model.tools[at.nodes[i].tool]->foot(tools[at.nodes[i].tool], x, at.nodes[i].place.hint);
   };
-  for (const int i : m_candidates)
-    if (in_contact(before.nodes[i].state)) {
-      const ContactNode<Dim>& node = before.nodes[i];
-      const auto p = model.tools[node.tool]->point(poses[node.tool], solved.nodes[i].place);
-      own[i] = nodal_force(model, i, p, Vector<Dim>(increment.F.template segment<Dim>(Dim * i))).part;
-      severity[i] = -own[i].N / problem.tolerances.of(node.tool).force;
-    }
-  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, solved, poses, own);
+  const std::vector<DecidingForce<Dim>> deciding =
+      predicted_forces(model, solved, poses, increment.F, problem.tolerances, severity);
   int changes = 0;
   for (const int i : m_candidates) {
     const int node = model.candidates[i];
@@ -95,12 +118,12 @@ void CondensedIteration<Dim>::advance(const typename Condensation<Dim>::Expansio
   m_again = contradictions > 0 && ++m_passes < MAX_PASSES;
   if (m_again) return;
   state = present; // that were solved with
-  begin_passes();
   m_gave_up = m_iteration.solved(contradictions) == StepStatus::FAILED;
   m_iteration.leave(u, {});
   u += increment.du;
   move_by(m_iteration.model(), increment, state);
   m_iteration.arrive(u);
+  begin_passes();
 }
 
 template class CondensedIteration<2>;

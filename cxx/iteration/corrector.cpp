@@ -41,6 +41,7 @@ template <int Dim> void Corrector<Dim>::begin(bool keep_factor) {
   m_indefinite = false;
   m_mixer = AndersonMixer(m_iteration.options().anderson_memory);
   if (m_has_factor) take_flexibility(); // nothing of the last step but its state
+  if (m_has_factor && keep_factor) m_iteration.state().slip_stiffness = m_tangent->slip_stiffness;
 }
 
 template <int Dim> void Corrector<Dim>::restore(const FactorMemory<Dim>& memory) {
@@ -103,11 +104,11 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
   if (m_window.empty() || !std::includes(m_window.begin(), m_window.end(), needed.begin(), needed.end()))
     m_window = near_contact(it.model(), it.body(), it.state(), u, 1, it.options());
   it.balance().memory().rounding = rounding_of_forces(K, it.body().X);
-  it.state().slip_stiffness = slip_stiffness(it.model(), K);
   m_age = 0;
   forget_mixing();
   make_tangent(K.num_nodes);
   m_tangent->window = m_window;
+  m_tangent->slip_stiffness = it.state().slip_stiffness = slip_stiffness(it.model(), K);
   IterationCounts& counts = it.counts();
   FactorStatus status;
   {

@@ -14,6 +14,7 @@ template <int Dim> struct FactoredTangent {
   /// C over the window, Dim*window square; some columns may not be there yet, see complete() [length/force]
   std::shared_ptr<Eigen::MatrixXd> flexibility;
   Eigen::VectorXd added_stiffness; ///< Dim*window, see ContactBlockInput; empty: none [force/length]
+  double slip_stiffness = 0;       ///< of ContactState, while the factor serves [force/length]
 
   /// Factor of K for this window.
   /// @param stiffen the supports leave a rigid motion free, or the body is not stable without its tools: stiffness is

@@ -34,6 +34,7 @@ void Iteration<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
                            EntryPlaces<Dim> entry, bool adapt) {
   m_prescribed = prescribed;
   m_state = predicted;
+  m_state.fixed = !adapt;
   m_entry = std::move(entry);
   m_adapt = adapt;
   m_number = m_backtracks = m_unsolved = 0;

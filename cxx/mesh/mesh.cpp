@@ -111,7 +111,7 @@ std::vector<Facet<Dim>> facets_with(const Mesh<Dim>& mesh, const std::vector<lon
   }
   if (!found.empty()) return found;
   std::ostringstream text;
-  text << "no boundary edge bears the label";
+  text << "no boundary " << (Dim == 2 ? "edge" : "face") << " bears the label";
   for (const long label : labels) text << " " << label;
   text << "; the mesh has the labels";
   for (const long label : known) text << " " << label;

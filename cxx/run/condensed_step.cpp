@@ -1,5 +1,7 @@
 #include "run/condensed_step.hpp"
 #include "base/error.hpp"
+#include "contact/idle_combinations.hpp"
+#include "contact/slip_direction.hpp"
 #include "contact/slip_motion.hpp"
 
 namespace burnish {
@@ -28,10 +30,17 @@ const CondensedSystem& CondensedStep<Dim>::condense(const NodeBlockMatrix<Dim>& 
           "number of dofs");
   if (!R.allFinite()) fail("contact.condense", "the force array contains NaN or Inf");
   ++m_iteration.counts().condensations;
+  const ContactModel<Dim>& model = m_iteration.model();
+  ContactState<Dim>& state = m_iteration.state();
+  const NodeBlockMatrix<Dim>& sprung = K.size() == dofs ? m_loads.with_springs(K, m_step.end()) : K;
+  // one number for all iterations of a step: the directions of slip have been taken with it. K of another size is refused below
+  const bool first = m_iteration.number() == 0 || state.slip_stiffness == 0;
+  if (first && K.size() == dofs) state.slip_stiffness = slip_stiffness(model, sprung);
   m_way.prepare();
-  return m_condensation.condense(
-      {m_loads.with_springs(K, m_step.end()), m_iteration.state(), m_step.prescribed, m_step.prescribed_start,
-       u, m_loads.residual(u, m_step.end(), R), terms, right, half, m_iteration.options().friction_tangent});
+  const PrescribedValues end = with_idle_given(model, m_step.prescribed, state);
+  return m_condensation.condense({sprung, state, end, m_step.prescribed_start, u,
+                                  m_loads.residual(u, m_step.end(), R), terms, right, half,
+                                  m_iteration.options().friction_tangent, m_way.by_friction()});
 }
 
 template <int Dim> double CondensedStep<Dim>::expand(const Eigen::VectorXd& z, Eigen::VectorXd& u) {

@@ -17,6 +17,10 @@ namespace {
 
 constexpr int EVENT_STEPS_PER_FACTOR = 2; // event steps that one factor serves
 
+template <int Dim> bool slides_with_friction(const TangentialLaw<Dim>& law) {
+  return !law.frictionless() && !law.friction().sticks_always();
+}
+
 Failure without_value(const FormulaDomainError& error) {
   Failure failure(Cause::FORMULA);
   failure.text = error.what();
@@ -146,6 +150,10 @@ template <int Dim> void ContactRun<Dim>::begin_body(double t, Stepping stepping,
   m_loads.hold.begin(t, u);
   m_loads.external.begin();
   if (stepping != Stepping::RATES) return;
+  const auto& laws = m_setup->model().laws;
+  if (Dim == 3 && std::any_of(laws.begin(), laws.end(), slides_with_friction<Dim>))
+    fail("contact.begin", "pure rates in space have no equation for the direction of slip, which turns; take "
+                          "the scheme implicit or event, or no friction");
   if (m_iteration.options().friction_tangent != FrictionTangent::CONSISTENT)
     fail("contact.begin", "pure rates are solved once and need frictiontangent=\"consistent\"");
   if (m_loads.supports.move(u))

@@ -3,7 +3,8 @@
 own_laws.py FOLDER takes of each example all that stands before its supports (the law and its forms), on 2 x 2 cells, and presses the
 block by 5 % (15 % of soil, which is softer) in 100 steps. Its stress is uniform and one of its principal values zero, so that the flow leaves the thickness where
 flow and elasticity have come to rest: s_zz = 0 for flow without volume, and |s_yy| = 2/sqrt(3) q. The stress of flow q is a formula of
-the plastic strain, the rate, or the mean stress. Compared at the end: |s_yy| to 1e-3, that which is left of the elastic part."""
+the plastic strain, the rate, or the mean stress. Compared at the end: |s_yy| to 1e-3, that which is left of the elastic part.
+law-in-space.edp runs on a coarse mesh, by rcCondensedRunLaw and by its own loop: the same depth and turn."""
 import math
 import os
 import re
@@ -67,6 +68,24 @@ def soil(A, B, k):
     return abs(2 * p - zz)
 
 
+def in_space(folder):
+    """Depth and turn of law-in-space.edp on a coarse mesh, by the run of the core and by the loop of the script."""
+    with open(os.path.join(TOP, "edp/manual/examples/law-in-space.edp"), encoding="utf-8") as file:
+        text = re.sub(r"cube\([^;]*;", "cube(4, 3, 2, [0.8*x - 0.35, 0.6*y - 0.3, 0.4*(z - 1)]);", file.read(), count=1)
+    text = text.replace("friction=0.2", "friction=0.2, tolerance=1e-5").replace("0.1, program", "0.125, program").replace("dtmax=0.1", "dtmax=0.125")
+    script = os.path.join(folder, "space.edp")
+    with open(script, "w", encoding="utf-8") as file:
+        file.write(text)
+    found = []
+    for loop in ("0", "1"):
+        done = subprocess.run([os.environ["BURNISH"], script, "-loop", loop], capture_output=True, text=True, check=False)
+        numbers = re.search(r"^depth (\S+) mm, turned (\S+) rad", done.stdout, re.M)
+        if not numbers or done.returncode not in (0, 4):
+            sys.exit(f"law-in-space -loop {loop}: exit status {done.returncode}\n{done.stdout[-1500:]}{done.stderr[-1500:]}")
+        found.append([float(x) for x in numbers.groups()])
+    return found
+
+
 def main(folder):
     # of the plastic strain, 1/s: the stress rises by hardening, and with it the elastic strain
     rate = SLAB * 0.05 / (1 + SLAB**2 * 500 * (1 - 0.33**2) / 7e4)
@@ -86,6 +105,10 @@ def main(folder):
         error = stress / answer(ep) - 1
         wrong += abs(error) > TOLERANCE
         print(f"law-{name} {options}: {stress:.6g} MPa, expected {answer(ep):.6g}, off by {error:.1e}, plastic strain {ep:.5f}")
+    run, loop = in_space(folder)
+    apart = max(abs(b / a - 1) for a, b in zip(run, loop))
+    wrong += apart > TOLERANCE
+    print(f"law-in-space: depth {run[0]}, turn {run[1]}, its own loop is off by {apart:.1e}")
     sys.exit(wrong > 0)
 
 

@@ -87,7 +87,7 @@ def declarations(path, text):
         code = line.split("//")[0] if not line.startswith("macro") else line
         function, macro, declared = FUNCTION.match(code), MACRO.match(code), DECLARED.match(code)
         if function:
-            pairs = [argument(one) for one in function[3].split(",")]
+            pairs = [argument(one) for one in re.split(r",(?![^\[]*\])", function[3])]
             types, names = [pair[0] for pair in pairs], [pair[1] for pair in pairs]
             yield Callable("function", function[2], types, function[1], names, "", path)
         elif macro and not GUARD.match(macro[1]):

@@ -34,7 +34,7 @@ TEST(MeshInSpace, FacetsAndTheirNodes) {
       const Vector<3> middle = 0.5 * (mesh.node(facet.vertex[a]) + mesh.node(facet.vertex[b]));
       EXPECT_LE((mesh.node(facet.middle[e]) - middle).norm(), 1e-15);
     }
-  expect_invalid([&] { facets_with<3>(mesh, {9}, "here"); }, "here: no boundary edge bears the label 9");
+  expect_invalid([&] { facets_with<3>(mesh, {9}, "here"); }, "here: no boundary face bears the label 9");
   Discretization<3> wrong = mesh;
   wrong.connectivity[3] = 99;
   expect_invalid([&] { require_valid<3>(wrong, "here"); }, "here: node of element 0 = 99");
