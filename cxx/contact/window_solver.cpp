@@ -109,7 +109,8 @@ std::vector<NodeLinearization<Dim>> WindowSolver<Dim>::linearize(const ContactSt
     if (!nodes.back().in_contact) continue;
     const ContactNode<Dim>& node = trial.nodes[candidate];
     NodeCones<Dim> cones = cones_of(m_model, trial, poses, deciding, candidate, m_problem.friction_tangent);
-    if (!cones.tied && cones.turn.H.isZero(0)) cones.turn = first_turn(trial, poses, candidate);
+    const bool pressed = deciding[candidate].force.N > 0; // else no friction holds it across its slip
+    if (!cones.tied && pressed && cones.turn.H.isZero(0)) cones.turn = first_turn(trial, poses, candidate);
     nodes.back() = linearize_node(m_model, node, candidate, poses, force(candidate), m_problem.terms, &cones);
     if (!m_model.couplings.empty())
       eliminate_followers(m_model, m_problem.start->q, m_problem.terms, nodes.back());
@@ -117,6 +118,13 @@ std::vector<NodeLinearization<Dim>> WindowSolver<Dim>::linearize(const ContactSt
         offset_to(m_model, candidate, nodes.back().point, m_body.position(*m_problem.u, mesh_node));
   }
   return nodes;
+}
+
+// A coordinate that nothing resists goes to its place at rest, wherever an iteration in which few nodes were left has taken it.
+template <int Dim> void WindowSolver<Dim>::rest(int coordinate, PrescribedValues& prescribed) const {
+  prescribed.is_motion[coordinate] = 1;
+  prescribed.value[coordinate] =
+      m_problem.resting ? (*m_problem.resting)[coordinate] : m_problem.start->q[coordinate];
 }
 
 // In space a coordinate without a force of its own that turns out to be unresisted keeps its place in this pass: all nodes may
@@ -130,8 +138,7 @@ ContactBlockSolution<Dim> WindowSolver<Dim>::solved_with_idle(PrescribedValues& 
   while (block.singular && block.weakest_coordinate >= 0) {
     const int k = block.weakest_coordinate;
     if (prescribed.is_motion[k] || prescribed.is_held(k) || m_model.coupling_of(k) || drive[k] != 0) break;
-    prescribed.is_motion[k] = 1;
-    prescribed.value[k] = m_problem.start->q[k];
+    rest(k, prescribed);
     block = solve_contact_block(m_model, prescribed, m_problem.start->q, input);
   }
   return block;
@@ -156,10 +163,7 @@ bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim
   PrescribedValues prescribed = *m_problem.prescribed;
   std::vector<int> idle = idle_coordinates(m_model, prescribed, trial);
   for (const int k : idle_combinations(m_model, prescribed, trial)) idle.push_back(k);
-  for (const int k : idle) {
-    prescribed.is_motion[k] = 1;
-    prescribed.value[k] = m_problem.start->q[k];
-  }
+  for (const int k : idle) rest(k, prescribed);
   const auto block = solved_with_idle(prescribed, input);
   out.unstable = block.unstable;
   out.singular = block.singular;

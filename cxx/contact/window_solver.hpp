@@ -13,6 +13,8 @@ template <int Dim> struct WindowProblem {
   const BodyView<Dim>* body = nullptr;
   const PrescribedValues* prescribed = nullptr;
   const ContactState<Dim>* start = nullptr; ///< at the linearization point
+  const Eigen::VectorXd* resting =
+      nullptr; ///< where coordinates that nothing resists stay; null: where they are at the start
   const std::vector<int>* window = nullptr; ///< candidate numbers (index into ContactModel::candidates)
   ActivePart* flexibility = nullptr;        ///< C over the window, Dim*window square; its selection changes
   Eigen::VectorXd added_stiffness;          ///< see ContactBlockInput, Dim*window, or empty
@@ -63,6 +65,7 @@ private:
   std::vector<int> active_positions(const ContactState<Dim>& trial) const;
   std::vector<NodeLinearization<Dim>>
   linearize(const ContactState<Dim>& trial, const std::vector<int>& active, Eigen::VectorXd& offset) const;
+  void rest(int coordinate, PrescribedValues& prescribed) const;
   ContactBlockSolution<Dim> solved_with_idle(PrescribedValues& prescribed,
                                              const ContactBlockInput<Dim>& input) const;
   template <class Force>

@@ -34,6 +34,7 @@ void Iteration<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
                            std::vector<ContactNode<Dim>> entry, bool adapt) {
   m_prescribed = prescribed;
   m_state = predicted;
+  m_predicted_q = predicted.q;
   m_entry = {std::move(entry), std::vector<int>(m_state.nodes.size(), 0)};
   m_adapt = adapt;
   m_number = m_backtracks = m_unsolved = 0;
@@ -84,6 +85,7 @@ template <int Dim> void Iteration<Dim>::state_problem(WindowProblem<Dim>& proble
   problem.body = &m_body;
   problem.prescribed = &m_prescribed;
   problem.start = &m_state;
+  problem.resting = &m_predicted_q;
   problem.R = &m_R;
   problem.entry = &m_entry;
   problem.first = m_number == 0;

@@ -2,6 +2,7 @@
 #include "contact/corner_shares.hpp"
 #include "contact/surface_report.hpp"
 #include "contact/tied_edges.hpp"
+#include "contact/tool_support.hpp"
 #include "geometry/plane_surface.hpp"
 #include "support/pressed_body.hpp"
 #include "unit/finite_difference.hpp"
@@ -108,4 +109,30 @@ TEST(WeightlessVertices, EdgesAndNeighbors) {
     EXPECT_LE((x(i) - 0.5 * (x(a) + x(b))).norm(), 1e-15);
     EXPECT_TRUE(model.neighbors[i].size() == 4 || model.neighbors[i].size() == 6);
   }
+}
+
+// A vertex that alone holds a tool under force bears friction until a node with a weight sticks.
+TEST(WeightlessVertices, BearUntilAnotherNodeSticks) {
+  PlaneOnBlock s(10);
+  const auto& model = s.setup.model();
+  int middle = -1;
+  for (int i = 0; i < static_cast<int>(s.state.nodes.size()); ++i)
+    if (model.is_weightless(i))
+      make_slide<3>(s.state.nodes[i], Vector<3>::Zero());
+    else
+      make_free(s.state.nodes[middle = i]);
+  PrescribedValues prescribed{{0, 1, 1}, Eigen::VectorXd::Zero(3)};
+  const int bearing = stick_unsupported(model, prescribed, s.state);
+  ASSERT_GE(bearing, 0);
+  relieve_vertices(model, s.state);
+  EXPECT_TRUE(s.state.nodes[bearing].bears) << "nothing else holds the tool";
+  make_slide<3>(s.state.nodes[middle], Vector<3>::UnitX());
+  relieve_vertices(model, s.state);
+  EXPECT_TRUE(s.state.nodes[bearing].bears) << "a node that slides does not";
+  make_stick(s.state.nodes[middle]);
+  relieve_vertices(model, s.state);
+  EXPECT_FALSE(s.state.nodes[bearing].bears);
+  EXPECT_STREQ(name_of(s.state.nodes[bearing].state), "sliding");
+  EXPECT_TRUE(s.state.nodes[bearing].slip_direction.isZero());
+  EXPECT_STREQ(name_of(s.state.nodes[middle].state), "sticking");
 }
