@@ -29,11 +29,11 @@ def ball():
 def ball_rolling():
     """Creep and moment of every load against what is known."""
     rows = []
-    for options in ("-n 2", "", "-n 4", "-n 2 -share 0.75", "-n 2 -what driven", "-n 2 -what free"):
+    for options in ("-n 2", "", "-n 4", "-share 0.75", "-what driven", "-what free"):
         r = run("ball-rolling", f"{options} -check 0".strip())
         found = r.summary["results"]
         dual = found.get("moment from the turn off, over mu P R")
-        rows.append([f"`{options}`" if options else "default: braked, 0.5, n = 3", r.nodes, f"{r.result('creep over 3 mu P/(2 G a^2)'):.4f}",
+        rows.append([f"`{options}`" if options else "default: braked, Q = 0.5 mu P, n = 3", r.nodes, f"{r.result('creep over 3 mu P/(2 G a^2)'):.4f}",
                      off(r, "creep over the last 2 a"), f"{r.result('center of the pressure ahead'):.4f} a",
                      f"{dual['value']:.1e}" if dual else "", f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()])
     return table(["run", "nodes", "creep over 3 mu P/(2 G a^2)", "off", "center of the pressure", "duality", "steps (rejected)", "CPU s", ""], rows)
