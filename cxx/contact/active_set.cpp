@@ -21,6 +21,7 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   std::vector<double> severity(state.nodes.size());
   WindowSolution<Dim> best;
   for (solution.passes = 1;; ++solution.passes) {
+    if (problem.adapt) relieve_vertices(model, trial);
     while (problem.adapt && (Dim == 2 || supports < MAX_SUPPORTS) &&
            stick_unsupported(model, *problem.prescribed, trial, refused, true) >= 0)
       ++supports;

@@ -91,20 +91,20 @@ std::vector<int> idle_combinations<3>(const ContactModel<3>& model, const Prescr
 
 template <int Dim>
 PrescribedValues with_idle_given(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                                 const ContactState<Dim>& state) {
+                                 const ContactState<Dim>& state, const Eigen::VectorXd& resting) {
   std::vector<int> idle = idle_coordinates(model, prescribed, state);
   for (const int k : idle_combinations(model, prescribed, state)) idle.push_back(k);
   PrescribedValues result = prescribed;
   for (const int k : idle) {
     result.is_motion[k] = 1;
-    result.value[k] = state.q[k];
+    result.value[k] = resting[k];
   }
   return result;
 }
 
 template PrescribedValues with_idle_given<2>(const ContactModel<2>&, const PrescribedValues&,
-                                             const ContactState<2>&);
+                                             const ContactState<2>&, const Eigen::VectorXd&);
 template PrescribedValues with_idle_given<3>(const ContactModel<3>&, const PrescribedValues&,
-                                             const ContactState<3>&);
+                                             const ContactState<3>&, const Eigen::VectorXd&);
 
 } // namespace burnish

@@ -13,9 +13,10 @@ template <int Dim>
 std::vector<int> idle_combinations(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                    const ContactState<Dim>& state);
 
-/// Prescriptions in which all idle coordinates, of tools that touch nothing and those above, are under motion and stay at state.q.
+/// Prescriptions in which all idle coordinates, of tools that touch nothing and those above, are under motion.
+/// @param resting coordinates of all tools: where the idle ones stay, wherever an iteration with fewer nodes has taken them
 template <int Dim>
 PrescribedValues with_idle_given(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                                 const ContactState<Dim>& state);
+                                 const ContactState<Dim>& state, const Eigen::VectorXd& resting);
 
 } // namespace burnish

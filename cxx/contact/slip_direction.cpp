@@ -28,7 +28,7 @@ void begin_turn(const ContactModel<Dim>& model, const BeginningSlips<Dim>& slips
   if (slips.by_friction.empty()) return;
   const auto turn_of = [&](int i, SlipTurn<Dim>& turn) {
     const ContactNode<Dim>& node = slips.state.nodes[i];
-    if (node.state != NodeState::SLIDING || !slips.by_friction[node.tool] || slips.deciding[i].unpressed)
+    if (node.state != NodeState::SLIDING || !slips.by_friction[node.tool] || !(slips.deciding[i].force.N > 0))
       return;
     if (!turn.H.isZero(0) || model.is_constrained(i) || model.law(i, node).frictionless()) return;
     turn = TangentialLaw<Dim>::first_turn(contact_point(model, slips.poses, node).m, slip_of(model, node),

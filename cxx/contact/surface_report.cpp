@@ -35,6 +35,15 @@ void read_forces(const ContactModel<Dim>& model, const BodyView<Dim>& body, cons
   }
 }
 
+// A vertex on a plane of symmetry has in its shares what one side pulls across the plane; the other side, which is not there, takes
+// it off again.
+void leave_given_components(const ContactModel<3>& model, SurfaceReport<3>& report) {
+  for (Eigen::Index i = 0; i < report.traction_tangential.cols(); ++i)
+    for (int c = 0; c < 3; ++c)
+      if (model.is_constrained(static_cast<int>(i)) && model.constrained[static_cast<std::size_t>(i)][c])
+        report.traction_tangential(c, i) = 0;
+}
+
 // See SurfaceReport::stick_share.
 template <int Dim>
 double share_that_sticks(const ContactModel<Dim>& model, const ContactState<Dim>& state,
@@ -85,6 +94,7 @@ SurfaceReport<Dim> surface_report(const ContactModel<Dim>& model, const BodyView
   for (int a = 0; a < SHEAR_COMPONENTS<Dim>; ++a)
     report.traction_tangential.row(a) =
         shares.traction(report.tangential_force.row(a), report.nodal_traction.row(a)).transpose();
+  if constexpr (Dim == 3) leave_given_components(model, report);
   return report;
 }
 

@@ -89,6 +89,21 @@ int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& pr
   return -1;
 }
 
+template <int Dim> void relieve_vertices(const ContactModel<Dim>& model, ContactState<Dim>& state) {
+  std::vector<char> supported(model.tools.size(), 0);
+  const auto bears = [](const ContactNode<Dim>& node) { return in_contact(node.state) && node.bears; };
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    const auto& node = state.nodes[i];
+    if (sticks(node.state) && !bears(node) && !model.law(static_cast<int>(i), node).frictionless())
+      supported[node.tool] = 1;
+  }
+  for (auto& node : state.nodes)
+    if (bears(node) && supported[node.tool]) {
+      make_slide<Dim>(node, Vector<Dim>::Zero());
+      node.bears = false;
+    }
+}
+
 template <int Dim>
 bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& state,
                             const std::vector<char>& refused) {
@@ -195,6 +210,7 @@ std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedV
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template int stick_unsupported<Dim>(const ContactModel<Dim>&, const PrescribedValues&, ContactState<Dim>&, \
                                       const std::vector<char>&, bool);                                       \
+  template void relieve_vertices<Dim>(const ContactModel<Dim>&, ContactState<Dim>&);                         \
   template bool stick_at_neutral_point<Dim>(const ContactModel<Dim>&, ContactState<Dim>&,                    \
                                             const std::vector<char>&);                                       \
   template void support_after_events<Dim>(const ContactModel<Dim>&, const PrescribedValues&,                 \

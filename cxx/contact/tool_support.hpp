@@ -18,6 +18,10 @@ template <int Dim>
 int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                       ContactState<Dim>& state, const std::vector<char>& refused = {}, bool geared = false);
 
+/// Weightless vertices that were made to stick (ContactNode::bears) slide without friction again where another node of their tool
+/// sticks: what carries friction must not depend on the order in which nodes came (METHOD.md 3.19).
+template <int Dim> void relieve_vertices(const ContactModel<Dim>& model, ContactState<Dim>& state);
+
 /// A body that only its tools support slides one way before the neutral point of a tool, the other way behind it.
 /// If no node sticks there, nothing but the curvature of the contact supports it along the tool, and the solution
 /// is far off: the node that slipped least sticks, unless it could not before. @returns whether one was chosen

@@ -117,7 +117,7 @@ ContactBlockSolution<Dim> WindowSolver<Dim>::solved_with_idle(PrescribedValues& 
     const int k = block.weakest_coordinate;
     if (prescribed.is_motion[k] || prescribed.is_held(k) || m_model.coupling_of(k) || drive[k] != 0) break;
     prescribed.is_motion[k] = 1;
-    prescribed.value[k] = m_problem.start->q[k];
+    prescribed.value[k] = m_problem.resting ? (*m_problem.resting)[k] : m_problem.start->q[k];
     block = solve_contact_block(m_model, prescribed, m_problem.start->q, input);
   }
   return block;
@@ -139,7 +139,8 @@ bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim
   if (m_problem.added_stiffness.size() > 0)
     input.added_stiffness = of_nodes<Dim>(m_problem.added_stiffness, active);
   input.test_stability = m_problem.test_stability;
-  PrescribedValues prescribed = with_idle_given(m_model, *m_problem.prescribed, trial);
+  const Eigen::VectorXd& resting = m_problem.resting ? *m_problem.resting : m_problem.start->q;
+  PrescribedValues prescribed = with_idle_given(m_model, *m_problem.prescribed, trial, resting);
   const auto block = solved_with_idle(prescribed, input);
   out.unstable = block.unstable;
   out.singular = block.singular;

@@ -13,6 +13,8 @@ template <int Dim> struct WindowProblem {
   const BodyView<Dim>* body = nullptr;
   const PrescribedValues* prescribed = nullptr;
   const ContactState<Dim>* start = nullptr; ///< at the linearization point
+  const Eigen::VectorXd* resting =
+      nullptr; ///< where coordinates that nothing resists stay; null: where they are at the start
   const std::vector<int>* window = nullptr; ///< candidate numbers (index into ContactModel::candidates)
   ActivePart* flexibility = nullptr;        ///< C over the window, Dim*window square; its selection changes
   Eigen::VectorXd added_stiffness;          ///< see ContactBlockInput, Dim*window, or empty

@@ -60,6 +60,7 @@ template <int Dim> void CondensedIteration<Dim>::begin_passes() {
 template <int Dim> void CondensedIteration<Dim>::prepare() {
   WindowProblem<Dim> problem;
   m_iteration.state_problem(problem);
+  if (problem.adapt) relieve_vertices(m_iteration.model(), m_iteration.state());
   while (problem.adapt && (Dim == 2 || m_supports < MAX_SUPPORTS) &&
          stick_unsupported(m_iteration.model(), m_iteration.prescribed(), m_iteration.state(), m_refused,
                            true) >= 0)

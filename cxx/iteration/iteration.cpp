@@ -35,6 +35,7 @@ void Iteration<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
   m_prescribed = prescribed;
   m_state = predicted;
   m_state.fixed = !adapt;
+  m_predicted_q = predicted.q;
   m_entry = std::move(entry);
   m_adapt = adapt;
   m_number = m_backtracks = m_unsolved = 0;
@@ -85,6 +86,7 @@ template <int Dim> void Iteration<Dim>::state_problem(WindowProblem<Dim>& proble
   problem.body = &m_body;
   problem.prescribed = &m_prescribed;
   problem.start = &m_state;
+  problem.resting = &m_predicted_q;
   problem.R = &m_R;
   problem.entry = &m_entry;
   problem.first = m_number == 0;

@@ -76,6 +76,7 @@ private:
   IterationCounts m_counts;
   Failure m_failure;
   int m_number = 0, m_backtracks = 0, m_unsolved = 0;
+  Eigen::VectorXd m_predicted_q;
   Eigen::VectorXd m_u_before, m_q_before; // iterate before the last iteration, for backtracking
   Eigen::VectorXd m_first_dq, m_R;        // m_R: of the last check
 };

@@ -37,7 +37,9 @@ const CondensedSystem& CondensedStep<Dim>::condense(const NodeBlockMatrix<Dim>& 
   const bool first = m_iteration.number() == 0 || state.slip_stiffness == 0;
   if (first && K.size() == dofs) state.slip_stiffness = slip_stiffness(model, sprung);
   m_way.prepare();
-  const PrescribedValues end = with_idle_given(model, m_step.prescribed, state);
+  WindowProblem<Dim> problem;
+  m_iteration.state_problem(problem);
+  const PrescribedValues end = with_idle_given(model, m_step.prescribed, state, *problem.resting);
   return m_condensation.condense({sprung, state, end, m_step.prescribed_start, u,
                                   m_loads.residual(u, m_step.end(), R), terms, right, half,
                                   m_iteration.options().friction_tangent, m_way.by_friction()});

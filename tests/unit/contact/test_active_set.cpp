@@ -59,6 +59,17 @@ TEST(ActiveSet, PenetratingNodesStickWhereTheyEnter) {
   EXPECT_NEAR(solution.state.q[1], -0.1, 1e-15);
 }
 
+// What nothing resists is where it rests, wherever the iteration before has taken it.
+TEST(ActiveSet, IdleCoordinateGoesToItsPlaceAtRest) {
+  Springs springs(0.3, 0.1); // out of reach
+  springs.prescribed.is_motion[0] = 0;
+  springs.start.q[0] = 0.5;
+  const Eigen::VectorXd resting = Eigen::Vector3d(0.25, 0, 0);
+  EXPECT_EQ(springs.solve().state.q[0], 0.5);
+  springs.problem.resting = &resting;
+  EXPECT_EQ(springs.solve().state.q[0], 0.25);
+}
+
 TEST(ActiveSet, WithoutFrictionNodesSlide) {
   Springs springs(0, -0.1);
   const auto solution = springs.solve();

@@ -2,6 +2,7 @@
 #include "contact/corner_shares.hpp"
 #include "contact/surface_report.hpp"
 #include "contact/tied_edges.hpp"
+#include "contact/tool_support.hpp"
 #include "geometry/plane_surface.hpp"
 #include "support/pressed_body.hpp"
 #include "unit/finite_difference.hpp"
@@ -18,10 +19,10 @@ struct PlaneOnBlock {
   ContactState<3> state;
   Eigen::VectorXd u, R;
 
-  explicit PlaneOnBlock(int nodes_per_element)
+  /// @param symmetric the plane y = 0 is one of symmetry
+  explicit PlaneOnBlock(int nodes_per_element, bool symmetric = false)
       : mesh(tetrahedra(block_of_tetrahedra({0, 0.7, 1.5, 2}, {0, 1, 1.6}, {-1, 0}, nodes_per_element))),
-        setup(mesh, mesh.facets, std::vector<char>(static_cast<std::size_t>(mesh.num_dofs()), 0),
-              std::make_shared<FaceMeasure>()),
+        setup(mesh, mesh.facets, supports(symmetric), std::make_shared<FaceMeasure>()),
         u(Eigen::VectorXd::Zero(mesh.num_dofs())), R(u) {
     auto tool = std::make_shared<DrivenTool<3>>(
         "plane", std::make_shared<PlaneSurface>(Vector<3>(0, 0, 0), Vector<3>(0, 0, -1), 1));
@@ -38,6 +39,11 @@ struct PlaneOnBlock {
       place.y = mesh.node(setup.candidates()[i]);
       place_at(state.nodes[i], place);
     }
+  }
+  std::vector<char> supports(bool symmetric) const {
+    std::vector<char> fixed(static_cast<std::size_t>(mesh.num_dofs()), 0);
+    for (int a = 0; a < mesh.num_nodes; ++a) fixed[3 * a + 1] = symmetric && mesh.node(a)[1] < 1e-9;
+    return fixed;
   }
   /// Forces of the pressure p(x), linear on every triangle, and shares of the vertices by hand.
   Eigen::VectorXd load(const std::function<double(const Vector<3>&)>& p) {
@@ -208,4 +214,52 @@ TEST(TiesOnTriangles, UnpressedVertexSlidesFreely) {
   EXPECT_EQ(law.capacity(at), 0);
   EXPECT_EQ(law.cone(at).slope, 0);
   EXPECT_TRUE(law.turn(at, m, m, Curvature<3>::Identity(), 1).H.isZero(0));
+}
+
+// A vertex that alone holds a tool under force bears friction until a node with a weight sticks.
+TEST(WeightlessVertices, BearUntilAnotherNodeSticks) {
+  PlaneOnBlock s(10);
+  const auto& model = s.setup.model();
+  int middle = -1;
+  for (int i = 0; i < static_cast<int>(s.state.nodes.size()); ++i)
+    if (model.is_weightless(i))
+      make_slide<3>(s.state.nodes[i], Vector<3>::Zero());
+    else
+      make_free(s.state.nodes[middle = i]);
+  PrescribedValues prescribed{{0, 1, 1}, Eigen::VectorXd::Zero(3)};
+  const int bearing = stick_unsupported(model, prescribed, s.state);
+  ASSERT_GE(bearing, 0);
+  relieve_vertices(model, s.state);
+  EXPECT_TRUE(s.state.nodes[bearing].bears) << "nothing else holds the tool";
+  make_slide<3>(s.state.nodes[middle], Vector<3>::UnitX());
+  relieve_vertices(model, s.state);
+  EXPECT_TRUE(s.state.nodes[bearing].bears) << "a node that slides does not";
+  make_stick(s.state.nodes[middle]);
+  relieve_vertices(model, s.state);
+  EXPECT_FALSE(s.state.nodes[bearing].bears);
+  EXPECT_STREQ(name_of(s.state.nodes[bearing].state), "sliding");
+  EXPECT_TRUE(s.state.nodes[bearing].slip_direction.isZero());
+  EXPECT_STREQ(name_of(s.state.nodes[middle].state), "sticking");
+}
+
+// Half of a body: the traction across the plane of symmetry is zero on it, the one along it what it is.
+TEST(WeightlessVertices, TractionOnAPlaneOfSymmetry) {
+  PlaneOnBlock s(10, true);
+  const auto& model = s.setup.model();
+  s.load([](const Vector<3>&) { return 2.; });
+  for (const int node : model.candidates) {
+    const double N = -s.R[3 * node + 2];
+    s.R.segment<2>(3 * node) << 0.2 * N, 0.1 * N;
+  }
+  const SurfaceReport<3> report = surface_report(model, s.setup.body(), s.state, s.mesh.facets, s.u, s.R);
+  for (int i = 0; i < static_cast<int>(s.state.nodes.size()); ++i) {
+    if (!model.is_weightless(i)) continue;
+    const bool on_plane = s.mesh.node(model.candidates[i])[1] < 1e-9;
+    EXPECT_NEAR(report.traction_tangential(0, i), 0.4, 1e-13);
+    if (on_plane) {
+      EXPECT_EQ(report.traction_tangential(1, i), 0);
+    } else {
+      EXPECT_GE(report.traction_tangential(1, i), 0.1);
+    }
+  }
 }
