@@ -43,10 +43,10 @@ def burnishing():
     """The same tracks on three meshes."""
     names = ("depth of the middle track", "ridges over its bottom", "pile-up beside the last track", "residual stress along, surface",
              "residual stress across, surface", "lowest along", "lowest across")
-    meshes = [run("burnishing", options) for options in ("-n 1", "-n 1.5", "")]
+    meshes = [run("burnishing", options) for options in ("-n 1", "-n 1.5", "", "-n 2.5")]
     rows = [[f"n = {n}", r.nodes, *(f"{r.result(name):.2f}" if k < 3 else f"{r.result(name):.0f}" for k, name in enumerate(names)),
              f"{r.final['plastic_strain_eq_p99']:.3f}", f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()]
-            for n, r in zip(("1", "1.5", "2 (default)"), meshes)]
+            for n, r in zip(("1", "1.5", "2 (default)", "2.5"), meshes)]
     return table(["mesh", "nodes", "depth um", "ridges um", "pile-up um", "along, surface MPa", "across, surface MPa", "lowest along MPa",
                   "lowest across MPa", "99 % of the plastic strain", "steps (rejected)", "CPU s", ""], rows)
 
