@@ -49,7 +49,7 @@
 //     ! and not at a right angle: a tip without normal
 //     ! rounds the edges of the ends, and without length= there are none
 //     ! rounds the edges of a closed profile, and this one is open
-//     ! meet at a sharp edge of
+//     ! meet at a sharp edge
 //     ! has a tip without normal at
 //     ! has no side of its own
 //     ! meet at one edge, at

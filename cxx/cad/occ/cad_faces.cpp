@@ -6,6 +6,7 @@
 #include "cad/occ/cad_surface.hpp"
 #include "cad/occ/occ_guard.hpp"
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -25,6 +26,18 @@ namespace {
 
 constexpr const char* CAD_FACES = "CadSurface";
 
+bool is_closed(const TopoDS_Shape& shell) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndAncestors(shell, TopAbs_EDGE, TopAbs_FACE, faces);
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    const TopoDS_Edge edge = TopoDS::Edge(faces.FindKey(i));
+    const auto& around = faces(i);
+    if (BRep_Tool::Degenerated(edge) || edge.Orientation() == TopAbs_INTERNAL) continue;
+    if (around.Extent() < 2 && !BRep_Tool::IsClosed(edge, TopoDS::Face(around.First()))) return false;
+  }
+  return faces.Extent() > 0;
+}
+
 /// All faces of a file, in the order of their numbers.
 struct AllFaces {
   std::vector<TopoDS_Face> faces;
@@ -38,36 +51,49 @@ struct AllFaces {
       sided.push_back(has_side);
     }
   }
+  void add_solid(TopoDS_Solid solid) {
+    const bool has_side = is_closed(solid) && BRepLib::OrientClosedSolid(solid);
+    add(solid, has_side);
+  }
+  void add_shell(const TopoDS_Shape& shell) {
+    TopoDS_Solid solid;
+    BRep_Builder().MakeSolid(solid);
+    BRep_Builder().Add(solid, shell);
+    add_solid(solid);
+  }
   TopTools_IndexedMapOfShape known;
 };
 
-bool is_closed(const TopoDS_Shape& shell) {
-  TopTools_IndexedDataMapOfShapeListOfShape faces;
-  TopExp::MapShapesAndAncestors(shell, TopAbs_EDGE, TopAbs_FACE, faces);
-  for (int i = 1; i <= faces.Extent(); ++i) {
-    const TopoDS_Edge edge = TopoDS::Edge(faces.FindKey(i));
-    const auto& around = faces(i);
-    if (BRep_Tool::Degenerated(edge) || edge.Orientation() == TopAbs_INTERNAL) continue;
-    if (around.Extent() < 2 && !BRep_Tool::IsClosed(edge, TopoDS::Face(around.First()))) return false;
+// Faces of no closed shell are sewn: files have sheets whose neighbors have an edge each. What becomes closed has a side.
+void sew(AllFaces& all) {
+  constexpr double tolerance = 1e-6;
+  BRepBuilderAPI_Sewing sewing(tolerance);
+  for (std::size_t i = 0; i < all.faces.size(); ++i)
+    if (!all.sided[i]) sewing.Add(all.faces[i]);
+  sewing.Perform();
+  TopoDS_Shape sewn = sewing.SewedShape();
+  if (sewn.IsNull()) return;
+  AllFaces found;
+  for (TopExp_Explorer shell(sewn, TopAbs_SHELL); shell.More(); shell.Next())
+    found.add_shell(shell.Current());
+  for (std::size_t i = 0; i < all.faces.size(); ++i) {
+    if (all.sided[i] || !sewing.IsModifiedSubShape(all.faces[i])) continue;
+    const int at = found.known.FindIndex(sewing.ModifiedSubShape(all.faces[i]));
+    if (at == 0) continue;
+    all.faces[i] = found.faces[static_cast<std::size_t>(at - 1)];
+    all.sided[i] = found.sided[static_cast<std::size_t>(at - 1)];
   }
-  return faces.Extent() > 0;
 }
 
 // Solids first, then other shells, then single faces, as gmsh counts.
 AllFaces faces_of(const TopoDS_Shape& shape) {
   AllFaces all;
-  const auto add_solid = [&](TopoDS_Solid solid) {
-    all.add(solid, is_closed(solid) && BRepLib::OrientClosedSolid(solid));
-  };
   for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
-    add_solid(TopoDS::Solid(solid.Current()));
-  for (TopExp_Explorer shell(shape, TopAbs_SHELL, TopAbs_SOLID); shell.More(); shell.Next()) {
-    TopoDS_Solid solid;
-    BRep_Builder().MakeSolid(solid);
-    BRep_Builder().Add(solid, shell.Current());
-    add_solid(solid);
-  }
+    all.add_solid(TopoDS::Solid(solid.Current()));
+  for (TopExp_Explorer shell(shape, TopAbs_SHELL, TopAbs_SOLID); shell.More(); shell.Next())
+    all.add_shell(shell.Current());
   all.add(shape, false);
+  if (std::count(all.sided.begin(), all.sided.end(), 0) > 1) sew(all);
   return all;
 }
 

@@ -38,7 +38,7 @@ constexpr const char* CAD_SHAPE = "CadFile";
 constexpr const char* DAMAGED = "the text is damaged or cut short";
 // Memory that reading may take [bytes]; a STEP file of 7 MB takes 36 MB.
 constexpr double MEMORY = 5e8, MEMORY_PER_BYTE = 200;
-constexpr unsigned SECONDS = 60; // that reading a STEP file may take
+constexpr unsigned SECONDS = 60; // that reading a file may take
 
 // The first failure of a list of checks, with the entity that it is about.
 std::string first_fail(Interface_CheckIterator checks, const Handle(Interface_InterfaceModel) & model) {
@@ -99,7 +99,7 @@ Reading read_here(const std::string& path) {
 }
 
 // In a process of its own: a damaged STEP file leaves OpenCASCADE's reader in a state in which it may be busy for ever with
-// the next one.
+// the next one; with a parameter of 1e300 in a BREP file it is itself.
 Reading read_apart(const std::string& path) {
   const TemporaryFolder folder;
   const ChildEnd end = run_in_child(
@@ -127,12 +127,15 @@ Reading read_apart(const std::string& path) {
   reading.printed.resize(printed);
   text.read(reading.said.data(), static_cast<std::streamsize>(said));
   text.read(reading.printed.data(), static_cast<std::streamsize>(printed));
-  if (reading.said.empty()) BinTools::Read(reading.shape, text);
+  if (!reading.said.empty()) return reading;
+  const OccGuard guard;
+  const std::string thrown = guard.run([&] { BinTools::Read(reading.shape, text); });
+  if (!thrown.empty()) reading.said = std::string(DAMAGED) + " (" + thrown + ")";
   return reading;
 }
 
 TopoDS_Shape shape_in(const std::string& path) {
-  const Reading reading = file_extension(path) == ".brep" ? read_here(path) : read_apart(path);
+  const Reading reading = read_apart(path);
   if (!reading.said.empty())
     fail(CAD_SHAPE, "\"" + path + "\": " + reading.said +
                         (reading.printed.empty() ? "" : "; OpenCASCADE says: " + reading.printed));

@@ -15,7 +15,8 @@ struct CadFaceSource {
 
 /// Faces of .step, .stp and .brep files, trimmed, from exact surfaces, no facets. Planes, balls, cylinders, cones and rings have
 /// closed forms, curves turned or swept the plane's search, all others cells with bounds and Newton's method. Of a solid the
-/// body is OUTSIDE; `inside` swaps the side. Faces that are in no closed shell have no side of their own: it must be given.
+/// body is OUTSIDE; `inside` swaps the side. Faces of no closed shell are sewn first (1e-6 of the file's unit); what is not closed
+/// then has no side of its own: it must be given.
 /// Neighbors must join smoothly (1e-3 rad), or end at their common edge: then no surface goes on there, and a foot on the edge is
 /// an end. STEP files arrive in mm, whatever their unit. The hint of a place: number of the face and the place on it.
 class CadSurface final : public Surface<3> {

@@ -1,5 +1,7 @@
 // Places of a CAD surface for checks and pictures, and its triangles.
+#include "base/child_process.hpp"
 #include "base/error.hpp"
+#include "base/temporary.hpp"
 #include "cad/occ/cad_surface.hpp"
 #include "cad/occ/occ_guard.hpp"
 #include "geometry/spread.hpp"
@@ -9,6 +11,8 @@
 #include <Poly_Triangulation.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <cstring>
+#include <unistd.h>
 
 namespace burnish {
 
@@ -36,6 +40,34 @@ void add_triangles(SurfaceMesh& mesh, const TopoDS_Face& face, bool turned, doub
     if (backwards) std::swap(b, c);
     mesh.triangles.push_back({first + a, first + b, first + c});
   }
+}
+
+// The bytes of a mesh behind the number of its points.
+std::string packed(const SurfaceMesh& mesh) {
+  const std::size_t count = mesh.points.size();
+  std::string bytes(reinterpret_cast<const char*>(&count), sizeof count);
+  for (const Vector<3>& point : mesh.points)
+    bytes.append(reinterpret_cast<const char*>(point.data()), 3 * sizeof(double));
+  for (const auto& triangle : mesh.triangles)
+    bytes.append(reinterpret_cast<const char*>(triangle.data()), sizeof triangle);
+  return bytes;
+}
+
+SurfaceMesh unpacked(const std::string& bytes) {
+  SurfaceMesh mesh;
+  std::size_t count = 0, at = sizeof count;
+  std::memcpy(&count, bytes.data(), sizeof count);
+  mesh.points.resize(count);
+  for (Vector<3>& point : mesh.points) {
+    std::memcpy(point.data(), bytes.data() + at, 3 * sizeof(double));
+    at += 3 * sizeof(double);
+  }
+  mesh.triangles.resize((bytes.size() - at) / sizeof(mesh.triangles[0]));
+  for (auto& triangle : mesh.triangles) {
+    std::memcpy(triangle.data(), bytes.data() + at, sizeof triangle);
+    at += sizeof triangle;
+  }
+  return mesh;
 }
 
 } // namespace
@@ -96,17 +128,28 @@ std::vector<SurfacePlace<3>> CadSurface::outline(int n) const {
   return places;
 }
 
+// In a process of its own: OpenCASCADE may be busy for ever with a face whose borders cross.
 SurfaceMesh CadSurface::mesh(const Eigen::AlignedBox3d& window) const {
   constexpr double margin = 0.8; // of what is allowed: OpenCASCADE's own estimate
+  constexpr unsigned seconds = 60;
   const double sagitta = margin * MESH_SAGITTA * window.sizes().maxCoeff() / m_scale;
-  const OccGuard guard;
-  SurfaceMesh mesh;
-  const std::string thrown = guard.run([&] {
-    for (const TrimmedFace& face : m_faces)
-      add_triangles(mesh, TopoDS::Face(triangulated(face.data().face, sagitta)), face.data().turned, m_scale);
-  });
-  if (!thrown.empty()) fail("CadSurface::mesh", "OpenCASCADE cannot divide the faces: " + thrown);
-  return mesh;
+  const TemporaryFolder folder;
+  const ChildEnd end = run_in_child(
+      [&] {
+        alarm(seconds);
+        const OccGuard guard;
+        SurfaceMesh mesh;
+        const std::string thrown = guard.run([&] {
+          for (const TrimmedFace& face : m_faces)
+            add_triangles(mesh, TopoDS::Face(triangulated(face.data().face, sagitta)), face.data().turned,
+                          m_scale);
+        });
+        return thrown.empty() ? packed(mesh) : "";
+      },
+      folder.path() + "/log");
+  if (!end.returned || end.result.empty())
+    fail("CadSurface::mesh", "OpenCASCADE cannot divide the faces into triangles");
+  return unpacked(end.result);
 }
 
 } // namespace burnish

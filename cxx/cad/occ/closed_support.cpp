@@ -5,6 +5,7 @@ namespace burnish {
 namespace {
 
 constexpr double END_SLACK = 1e-9; // of the size of a face
+constexpr double WHOLE_TURN = 2 * M_PI - 1e-9;
 
 } // namespace
 
@@ -14,6 +15,7 @@ ClosedSupport::ClosedSupport(const FaceData& data, const Make& make, Parameters 
   const auto middle = m_surface->foot(data.x, Param<3>::Zero()).place;
   if (m_surface->frame(middle).n.dot(data.n) < 0) m_surface = make(true);
   m_middle = m_surface->foot(data.x, Param<3>::Zero()).place.hint;
+  if (data.u1 - data.u0 > WHOLE_TURN) m_middle[1] = 0; // all directions are alike: as the core's own shapes
 }
 
 SupportFoot ClosedSupport::foot(const Vector<3>& p, const Param<3>* near, bool& taken) const {

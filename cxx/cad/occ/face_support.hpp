@@ -10,11 +10,11 @@ namespace burnish {
 
 /// A local foot point.
 struct SupportFoot {
-  Vector<3> y;         ///< the point [length of the file]
-  Param<3> hint;       ///< where the support finds it again; the first number in [0, 1)
-  gp_Pnt2d uv;         ///< OpenCASCADE's parameters of the face, for trimming
-  double distance = 0; ///< [length of the file]
-  bool normal = true;  ///< false: the tip of a cone
+  Vector<3> y = Vector<3>::Zero();  ///< the point [length of the file]
+  Param<3> hint = Param<3>::Zero(); ///< where the support finds it again; the first number in [0, 1)
+  gp_Pnt2d uv;                      ///< OpenCASCADE's parameters of the face, for trimming
+  double distance = 0;              ///< [length of the file]
+  bool normal = true;               ///< false: the tip of a cone
 };
 
 class FaceSupport {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double ON_BORDER = 1e-9; // in parameters: on a border is within it
 constexpr double LARGEST_FACE = 1e50;
+constexpr double LARGEST_PARAMETER = 1e10; // OpenCASCADE brings parameters into a period turn by turn
 
 Eigen::AlignedBox3d box_of(const TopoDS_Face& face, const std::string& name) {
   Bnd_Box box;
@@ -75,8 +76,9 @@ TrimmedFace::TrimmedFace(int tag, const TopoDS_Face& face, bool turned) : m_tag(
   m_box = box_of(face, m_data.name);
   m_data.size = m_box.diagonal().norm();
   BRepTools::UVBounds(face, m_data.u0, m_data.u1, m_data.v0, m_data.v1);
-  if (!(m_data.u1 > m_data.u0 && m_data.v1 > m_data.v0))
-    fail("CadSurface", m_data.name + " has no range of its parameters");
+  const double most = std::max({-m_data.u0, m_data.u1, -m_data.v0, m_data.v1});
+  if (!(m_data.u1 > m_data.u0 && m_data.v1 > m_data.v0 && most < LARGEST_PARAMETER))
+    fail("CadSurface", m_data.name + " has no range of its parameters, or one beyond 1e10");
   find_middle(m_data);
   m_borders = std::make_unique<BRepTopAdaptor_FClass2d>(face, ON_BORDER);
   m_support = analytic_support(m_data);

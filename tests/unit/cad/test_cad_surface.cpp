@@ -5,6 +5,7 @@
 #include "unit/cad/cad_bodies.hpp"
 #include "unit/finite_difference.hpp"
 #include "unit/geometry/surface_samples.hpp"
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
@@ -210,6 +211,22 @@ TEST(CadSurface, RationalSplines) {
     EXPECT_NEAR(surface.tightest_radius(), 1, 1e-9);
     EXPECT_TRUE(surface.ends().empty());
   }
+}
+
+// Faces that have an edge each where they meet.
+TEST(CadSurface, SeparateFacesAreSewn) {
+  TopoDS_Compound loose;
+  BRep_Builder().MakeCompound(loose);
+  for (TopExp_Explorer face(rounded_box(8, 6, 4, 1), TopAbs_FACE); face.More(); face.Next())
+    BRep_Builder().Add(loose, BRepBuilderAPI_Copy(face.Current()).Shape());
+  const CadSurface surface = read_surface(brep_text(loose), ".brep");
+  EXPECT_TRUE(surface.closed());
+  EXPECT_TRUE(surface.ends().empty());
+  EXPECT_EQ(surface.tags().size(), 26u);
+  EXPECT_NEAR(surface.foot({0, 0, 3}, ANY).gap, 1, 1e-12);
+  EXPECT_NEAR(surface.foot({5, 4, 3}, ANY).gap, std::sqrt(12.) - 1, 1e-9);
+  const CadSurface half = read_surface(brep_text(loose), ".brep", named_faces({surface.tags()[0]}));
+  EXPECT_EQ(half.ends().size(), 4u * CadSurface::RIM_PLACES);
 }
 
 TEST(CadSurface, PiecesAndEnds) {
