@@ -49,7 +49,7 @@ bool NodeTest<Dim>::test_free(int candidate, const Vector<Dim>& x, ContactNode<D
   return true;
 }
 
-// In the plane that at the start of the step, in space that of touching: a free node's gap closes linearly, ALGORITHMS.md 4.
+// In space with ties that of touching, a free node's gap closes linearly; else that at the start of the step, ALGORITHMS.md 4.
 template <int Dim>
 SurfacePlace<Dim> NodeTest<Dim>::touching_place(int candidate, const SurfaceFoot<Dim>& foot) const {
   const ContactNode<Dim>& entry = m_entry.nodes[candidate];

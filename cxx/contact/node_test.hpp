@@ -8,7 +8,7 @@ namespace burnish {
 /// What a step has done to a candidate so far.
 struct EntryRecord {
   int releases = 0; ///< counted by the tests
-  double gap = 0;   ///< at the start of the step, of a free one [length]
+  double gap = 0;   ///< at the start of the step, of a free one; 0: it enters where it was then [length]
 };
 /// Where free nodes were when the step began, as if they touched there, and how those slid that were released in this step: the
 /// direction of slip in `nodes`.

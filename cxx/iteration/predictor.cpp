@@ -244,6 +244,8 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
   result.u = u;
   result.entry = entry_places(state, u);
   result.state.nodes = result.entry.nodes;
+  if (!states.tied)
+    result.entry.records.assign(state.nodes.size(), {}); // without ties it is their projection
   result.state.q = predict_coordinates(prescribed, state.q, history, ratio);
   follow(m_model, result.state.q);
   for (auto& node : result.state.nodes)

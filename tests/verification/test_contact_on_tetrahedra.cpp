@@ -93,12 +93,12 @@ TEST_P(ContactOnT6, HalfOfABall) {
     expect_rules(*scene, 0.2);
     EXPECT_EQ(ties(*scene) > 0, options.tied);
   }
-  // measured: 1e-4, 2.3e-4, 2.3e-4; the ways through the states differ, and so do the passes in which nodes enter and take
-  // their places of touching
-  EXPECT_NEAR(half->depth(), whole->depth(), 2e-4 * whole->depth());
-  EXPECT_NEAR(half->theta(), whole->theta(), 5e-4 * whole->theta());
+  // measured: 1.5e-6; the ways through the states differ, and so does what sticks within its tolerance. With ties 1e-4, 4e-5,
+  // 2.3e-4: nodes that enter take the place of touching of a pass
+  EXPECT_NEAR(half->depth(), whole->depth(), (options.tied ? 2e-4 : 3e-6) * whole->depth());
+  EXPECT_NEAR(half->theta(), whole->theta(), (options.tied ? 1e-4 : 1e-6) * whole->theta());
   const double force = whole->tool->generalized_force()[0];
-  EXPECT_NEAR(2 * half->tool->generalized_force()[0], force, 5e-4 * std::abs(force));
+  EXPECT_NEAR(2 * half->tool->generalized_force()[0], force, (options.tied ? 5e-4 : 1e-5) * std::abs(force));
   EXPECT_GE(std::abs(force), 0.02 * whole->load) << "it is driven";
 }
 
