@@ -35,7 +35,8 @@ struct Held {
   void begin() {
     ContactState<2> predicted = contact.state;
     predicted.q = contact.prescribed.value;
-    iteration->begin(contact.prescribed, predicted, predicted.nodes, false);
+    iteration->begin(contact.prescribed, predicted,
+                     {predicted.nodes, std::vector<EntryRecord>(predicted.nodes.size())}, false);
     corrector->begin(false);
   }
   /// Iterates to the end. @returns the last status
