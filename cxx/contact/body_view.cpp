@@ -1,4 +1,5 @@
 #include "contact/body_view.hpp"
+#include "base/symmetric_eigen.hpp"
 #include "mesh/point_tree.hpp"
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,7 @@ template <int Dim> bool constrains_rigid_motions(const BodyView<Dim>& body) {
         motion[mode] = d % Dim == i ? -lever[j] : d % Dim == j ? lever[i] : 0;
     gram += motion * motion.transpose();
   }
-  const Motion eigenvalues = gram.template selfadjointView<Eigen::Lower>().eigenvalues();
+  const Eigen::VectorXd eigenvalues = symmetric_eigen(gram).values;
   return eigenvalues[0] > least * std::max(eigenvalues[modes - 1], 1.);
 }
 

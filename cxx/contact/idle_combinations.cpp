@@ -1,4 +1,5 @@
 #include "contact/idle_combinations.hpp"
+#include "base/symmetric_eigen.hpp"
 #include "contact/driving_force.hpp"
 #include "contact/tool_support.hpp"
 
@@ -52,10 +53,10 @@ std::vector<int> unseen(Eigen::MatrixXd seen, const Eigen::VectorXd& size, std::
   std::vector<int> result;
   seen = (size.cwiseInverse().asDiagonal() * seen * size.cwiseInverse().asDiagonal()).eval();
   while (!candidates.empty()) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(seen(candidates, candidates));
-    if (eigen.eigenvalues()[0] > UNSEEN) break;
+    const SymmetricEigen eigen = symmetric_eigen(seen(candidates, candidates));
+    if (eigen.values[0] > UNSEEN) break;
     Eigen::Index most = 0;
-    eigen.eigenvectors().col(0).cwiseAbs().maxCoeff(&most);
+    eigen.vectors.col(0).cwiseAbs().maxCoeff(&most);
     result.push_back(candidates[static_cast<std::size_t>(most)]);
     candidates.erase(candidates.begin() + most);
   }

@@ -30,8 +30,9 @@ AxisFrame turned_frame(const char* where, const Vector<3>& direction) {
   constexpr double opposite = 1e-9;
   AxisFrame frame = axis_frame(where, Vector<3>::Zero(), direction);
   const Vector<3> axis = frame.base.col(2);
-  if (axis.head<2>().norm() > opposite || axis[2] > 0)
-    frame.base = Eigen::Quaterniond::FromTwoVectors(Vector<3>::UnitZ(), axis).toRotationMatrix();
+  if (axis.head<2>().norm() > opposite ||
+      axis[2] > 0) // by half the angle from z to the axis, about what is across both
+    frame.base = Eigen::Quaterniond(1 + axis[2], -axis[1], axis[0], 0).normalized().toRotationMatrix();
   else
     frame.base = Vector<3>(1, -1, -1).asDiagonal();
   return frame;

@@ -69,8 +69,13 @@ template <int Dim> Vector<Dim> outward(const ContactSetup<Dim>& setup, int node,
     const Vector<Dim> a = setup.body().position(u, vertex[0]);
     Tangents<Dim> along;
     for (int v = 1; v < Dim; ++v) along.col(v - 1) = setup.body().position(u, vertex[v]) - a;
-    const Vector<Dim> away = a - setup.body().position(u, opposite);
-    sum += (away - along * along.colPivHouseholderQr().solve(away)).normalized();
+    Vector<Dim> away = a - setup.body().position(u, opposite);
+    for (int v = 0; v < Dim - 1; ++v) { // what is left of it across the facet
+      for (int w = 0; w < v; ++w) along.col(v) -= along.col(w).dot(along.col(v)) * along.col(w);
+      along.col(v).normalize();
+      away -= along.col(v).dot(away) * along.col(v);
+    }
+    sum += away.normalized();
   }
   return sum.stableNormalized();
 }

@@ -1,5 +1,6 @@
 #include "diagnosis/before/floating_check.hpp"
 #include "base/error.hpp"
+#include "base/symmetric_eigen.hpp"
 #include "contact/tool_support.hpp"
 #include "diagnosis/rigid_modes.hpp"
 #include <algorithm>
@@ -73,10 +74,10 @@ void check_not_floating(const ContactSetup<Dim>& setup, const ContactState<Dim>&
   for (double& s : scale)
     if (s == 0) s = 1;
   sum = scale.cwiseInverse().asDiagonal() * sum * scale.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(sum);
+  const SymmetricEigen eigen = symmetric_eigen(sum);
   for (Eigen::Index k = 0; k < sum.rows(); ++k) {
-    if (solver.eigenvalues()[k] > NONE * solver.eigenvalues()[sum.rows() - 1]) return;
-    const Eigen::VectorXd motion = solver.eigenvectors().col(k);
+    if (eigen.values[k] > NONE * eigen.values[sum.rows() - 1]) return;
+    const Eigen::VectorXd motion = eigen.vectors.col(k);
     if (motion.head(count).norm() < SHARE) continue; // a tool alone: another check
     std::string names;
     for (std::size_t f = 0; f < free.size(); ++f)

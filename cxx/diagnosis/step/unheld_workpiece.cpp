@@ -1,7 +1,7 @@
 #include "diagnosis/step/unheld_workpiece.hpp"
+#include "base/symmetric_eigen.hpp"
 #include "diagnosis/observers.hpp"
 #include "diagnosis/rigid_modes.hpp"
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 namespace burnish {
@@ -50,8 +50,8 @@ bool unheld(const ContactSetup<Dim>& setup, const ContactState<Dim>& state, cons
     resisted +=
         sticks(node.state) ? (m.transpose() * m).eval() : (m.transpose() * n * n.transpose() * m).eval();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, modes, modes>> solver(resisted);
-  return !(solver.eigenvalues()[0] > UNRESISTED * solver.eigenvalues()[modes - 1]);
+  const Eigen::VectorXd eigenvalues = symmetric_eigen(resisted).values;
+  return !(eigenvalues[0] > UNRESISTED * eigenvalues[modes - 1]);
 }
 
 template bool unheld<2>(const ContactSetup<2>&, const ContactState<2>&, const Eigen::VectorXd&);

@@ -6,14 +6,16 @@
 
 namespace burnish::test {
 
-/// Orthogonal matrix without reflection.
+/// A rotation by any angle about any axis.
 template <int Dim> Tensor<Dim> any_rotation(unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  const Tensor<Dim> A = Tensor<Dim>::NullaryExpr([&] { return normal(random); });
-  Tensor<Dim> Q = Eigen::HouseholderQR<Tensor<Dim>>(A).householderQ();
-  if (Q.determinant() < 0) Q.col(0) = -Q.col(0);
-  return Q;
+  if constexpr (Dim == 2) {
+    return Eigen::Rotation2Dd(normal(random)).toRotationMatrix();
+  } else {
+    const Eigen::Vector4d axis = Eigen::Vector4d::NullaryExpr([&] { return normal(random); });
+    return Eigen::Quaterniond(axis.normalized()).toRotationMatrix();
+  }
 }
 
 /// The graph z = c' B c/2 - cubic over the tangent plane at a point, turned by `base`; its normal falls away from z, so
