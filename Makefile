@@ -101,9 +101,9 @@ case-%: build ## run cases/NAME/NAME.edp, options in OPTIONS="..."
 	$(if $(wildcard cases/$*/$*.edp),,$(error no case $*; there are: $(CASES)))
 	@$(WRAPPER) cases/$*/$*.edp $(OPTIONS)
 
-figures: packages ## draw the pictures of out/CASE again, CASE=rolling unless given; CASE=all: runs of cases/figures.csv, pictures in the tree
+figures: packages ## draw all pictures of out/CASE, CASE=rolling unless given; CASE=all: runs of cases/figures.csv, pictures in the tree
 	$(if $(filter all,$(CASE)),@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) cases/figures.py '$(OPTIONS)',\
-	  $(PYTHON) cases/$(CASE)/plot.py out/$(CASE))
+	  $(PYTHON) $(or $(wildcard cases/$(CASE)/plot.py),cases/plotting/scene.py) out/$(CASE))
 
 tables: build ## measure the tables in the READMEs of rolling, planetary, bending, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch again, OPTIONS="--keep rolling"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) cases/tables.py $(OPTIONS)

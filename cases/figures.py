@@ -91,7 +91,7 @@ def main():
     for picture, words, name in chosen:
         source = folder(words) / name
         if name == "gallery.png" and not bad[words]:
-            called([sys.executable, "cases/plotting/scene.py", str(source.parent), "gallery"], words, source.parent, {})
+            subprocess.run([sys.executable, "cases/plotting/scene.py", str(source.parent), "gallery"], cwd=TOP, stdout=subprocess.DEVNULL)
         if bad[words]:
             wrong.append(f"{picture}: left as it is, its run failed")
         elif source.is_file():

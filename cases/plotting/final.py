@@ -23,6 +23,7 @@ FEWEST, MOST_LEVELS = 1e-3, 16
 FLOWING = 0.1                  # of the first level, below which the workpiece keeps its color
 GHOST = (0, (4, 2.5))
 GALLERY = (690, 460)           # pixels
+LONG = 2.0                     # width over height of what the gallery shows, at most
 
 
 class Shown:
@@ -213,24 +214,39 @@ def final_figure(run):
     return figure
 
 
-def busiest(run):
-    """Instant and field of the last frame with at least a fifth of the nodes in contact that ever were; the end if there are no frames."""
-    if not run.series:
+def at_work(run):
+    """Instant and field of the last frame in which as many tools touch as ever; the end if none does."""
+    history = run.history
+    names = [n for n in history if n.endswith(".contact")] or ["sticking", "sliding"]
+    touching = sum((history[n] > 0).astype(int) for n in names)
+    if not run.series or not touching.max() > 0:
         return run.t, run.field
-    nodes = run.history["sticking"] + run.history["sliding"]
-    last = run.history["t"][np.flatnonzero(nodes >= 0.2 * nodes.max())[-1]]
-    t, path = min(run.series, key=lambda pair: abs(pair[0] - last))
+    shown = [(np.interp(t, history["t"], touching), t, path) for t, path in run.series]
+    _, t, path = max(shown, key=lambda frame: (round(frame[0]), frame[1]))
     return t, run.read_field(path)
+
+
+def cropped(box, outlines):
+    """Of a long scene the part about its tools."""
+    x0, x1, y0, y1 = box
+    if x1 - x0 < LONG * (y1 - y0):
+        return box
+    middles = [middle(o.points)[0] for o in outlines if tools.closed(o.points)] or [0.5 * (x0 + x1)]
+    half = 0.5 * LONG * (y1 - y0)
+    center = np.clip(np.mean(middles), x0 + half, x1 - half)
+    return center - half, center + half, y0, y1
 
 
 def gallery_figure(run):
     """The process at a look, without words: all pictures of this kind have one size."""
-    shown = Shown(run, *busiest(run))
+    shown = Shown(run, *at_work(run))
+    shown.ways, shown.first = [], shown.outlines
     figure = Figure(figsize=(GALLERY[0] / 150, GALLERY[1] / 150), dpi=150, layout="none")
     FigureCanvasAgg(figure)
     figure.placed = True
     axes = figure.add_axes((0, 0, 1, 1))
-    draw_panel(axes, shown, fitted(fields.view_of(run, shown.smooth.mesh, shown.outlines), GALLERY[0] / GALLERY[1]))
+    box = cropped(fields.view_of(run, shown.smooth.mesh, shown.outlines), shown.outlines)
+    draw_panel(axes, shown, fitted(box, GALLERY[0] / GALLERY[1]))
     axes.set_axis_off()
     return figure
 
