@@ -65,12 +65,12 @@ export OPENBLAS_NUM_THREADS ?= 1
 
 # --- commands --------------------------------------------------------------------------------------------------
 # Recursion with all cores, unless the user said -j; the lock keeps two makes out of one folder.
-COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock $(MAKE) -s --no-print-directory \
-          $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
+COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock .ci/build $(BUILD) $(MAKE) -s --no-print-directory \
+          $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) --
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
 .PHONY: build run run-fine figures tables sweep explore stability chart matrices references chart-quick bench-peers test $(SUITES:%=test-%) bench bench-growth install uninstall docs packages format format-check clean help FORCE
-.PHONY: compile programs compile-programs sanitize sanitized fuzz test-alone
+.PHONY: compile compile-run programs compile-programs sanitize sanitized fuzz test-alone
 .DELETE_ON_ERROR:
 .SUFFIXES:
 
@@ -80,14 +80,17 @@ build: packages ## build the core, the plugin and the wrapper build/burnish (als
 programs: packages ## build the test programs of make test
 	$(COMPILE) compile compile-programs
 
-compile: $(CORE) $(WRAPPER) $(PLUGIN) $(GMSH) $(CAD)
+compile: compile-run $(GMSH) $(CAD)
+compile-run: $(CORE) $(WRAPPER) $(PLUGIN)
 compile-programs: $(call program,unit) $(call program,verification)
 
 # twice only where nothing is asked for
 FORMS_FOLDER := out/rolling-forms
 FORMS := -forms 1 -solver UMFPACK -inner 4 -outer 40 -sides 8 -pictures 0 -series 0 -out $(FORMS_FOLDER)
-run: build ## example 1 of the article, by forms of the script through UMFPACK (coarse), then by the core: results in out/rolling
-	$(if $(strip $(OPTIONS)),,@$(WRAPPER) cases/rolling/rolling.edp $(FORMS))
+run: packages ## example 1 of the article, by forms of the script through UMFPACK (coarse), then by the core: results in out/rolling
+	$(COMPILE) compile-run
+	$(if $(strip $(OPTIONS)),,@mkdir -p $(FORMS_FOLDER) && echo "example 1 of the article by law and forms of the script, coarse mesh" && \
+	  $(WRAPPER) cases/rolling/rolling.edp $(FORMS) >$(FORMS_FOLDER)/log.txt || { tail -n 20 $(FORMS_FOLDER)/log.txt; exit 1; })
 	@$(WRAPPER) cases/rolling/rolling.edp $(OPTIONS)
 	$(if $(strip $(OPTIONS)),,@$(PYTHON) cases/rolling/twice.py $(FORMS_FOLDER) out/rolling)
 
@@ -98,11 +101,11 @@ case-%: build ## run cases/NAME/NAME.edp, options in OPTIONS="..."
 	$(if $(wildcard cases/$*/$*.edp),,$(error no case $*; there are: $(CASES)))
 	@$(WRAPPER) cases/$*/$*.edp $(OPTIONS)
 
-figures: packages ## draw the pictures of out/CASE again, CASE=rolling unless given; CASE=all: runs of cases/figures.csv, pictures in the tree
+figures: packages ## draw all pictures of out/CASE, CASE=rolling unless given; CASE=all: runs of cases/figures.csv, pictures in the tree
 	$(if $(filter all,$(CASE)),@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) cases/figures.py '$(OPTIONS)',\
-	  $(PYTHON) cases/$(CASE)/plot.py out/$(CASE))
+	  $(PYTHON) $(or $(wildcard cases/$(CASE)/plot.py),cases/plotting/scene.py) out/$(CASE))
 
-tables: build ## measure the tables in the READMEs of rolling, planetary, bending, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing again, OPTIONS="--keep rolling"
+tables: build ## measure the tables in the READMEs of rolling, planetary, bending, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch again, OPTIONS="--keep rolling"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) cases/tables.py $(OPTIONS)
 
 sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3", or find the option BY for a TARGET: cases/sweep/sweep.sh

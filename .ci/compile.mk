@@ -1,7 +1,10 @@
 # How Burnish is compiled: included by the Makefile, which has the places and the products.
 # gcc collects garbage a tenth of its time otherwise
 COLLECT := $(if $(findstring clang,$(shell $(CXX) --version)),,--param ggc-min-heapsize=1000000)
-FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -ffp-contract=off -Wall -Wextra -Wno-subobject-linkage $(COLLECT) -I. -Icxx \
+# what was compiled before need not be compiled again, where there is a ccache; it takes headers that are read before with these words
+CCACHE := $(shell command -v ccache)
+export CCACHE_SLOPPINESS ?= pch_defines,time_macros,include_file_mtime,include_file_ctime
+FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -ffp-contract=off -Wall -Wextra -Wno-subobject-linkage$(if $(CCACHE), -fpch-preprocess) $(COLLECT) -I. -Icxx \
         -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) -isystem $(OCC_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)
 PLUGIN_FLAGS = -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
 
@@ -23,9 +26,10 @@ ALL_SOURCES := $(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(PLUGIN_SOURCES) $
 # --- rules of compilation ----------------------------------------------------------------------------------------
 # $(call keep,TEXT): write TEXT to the target only if it changed, so that only real changes rebuild
 keep = @mkdir -p $(@D) && { [ -f $@ ] && printf '%s\n' "$(1)" | cmp -s - $@ || printf '%s\n' "$(1)" >$@; }
-$(BUILD)/flags: FORCE
+# (.ci/build counts what is to be done after both are there)
+$(BUILD)/flags: $(if $(COUNTING),,FORCE)
 	$(call keep,$(CXX) $(FLAGS) $(TEST_OPTIMIZE) $(PLUGIN_FLAGS) $(LIBRARIES))
-$(BUILD)/sources: FORCE
+$(BUILD)/sources: $(if $(COUNTING),,FORCE)
 	$(call keep,$(ALL_SOURCES))
 $(WRAPPER): FORCE
 	@.ci/wrapper '$(CURDIR)' '$(abspath $(BUILD)/plugins)' '$(abspath $@)' >$@.new && chmod +x $@.new
@@ -36,9 +40,9 @@ $(BUILD)/obj/tests/%:   GROUP_FLAGS = -Itests $(TEST_OPTIMIZE)
 $(foreach g,$(call groups,$(ALL_SOURCES)),$(eval $(call object,$(g)): $(call members,$(g))))
 $(BUILD)/obj/%.o: $(BUILD)/flags .ci/group
 	@mkdir -p $(@D)
-	@echo "compile $(patsubst $(BUILD)/obj/%.o,%,$@)"
+	@.ci/said $(BUILD) "compile $(patsubst $(BUILD)/obj/%.o,%,$@)"
 	@.ci/group $(filter %.cpp,$^) >$(@:.o=.cc)
-	@$(CXX) $(FLAGS) $(GROUP_FLAGS) $(READ_BEFORE) -MMD -MP -c $(@:.o=.cc) -o $@
+	@$(CCACHE) $(CXX) $(FLAGS) $(GROUP_FLAGS) $(READ_BEFORE) -MMD -MP -c $(@:.o=.cc) -o $@
 
 # Eigen and the standard library are read once for the core, once with FreeFEM's headers for the plugin, and once with GoogleTest
 # for the tests: a third of the time.
@@ -56,9 +60,9 @@ $(BUILD)/read/tests.hpp.gch: tests/support/precompiled.hpp cxx/base/precompiled.
 $(BUILD)/read/tests.hpp.gch: GROUP_FLAGS = -Itests $(TEST_OPTIMIZE)
 $(BUILD)/read/%.hpp.gch: $(BUILD)/flags
 	@mkdir -p $(@D)
-	@echo "read    $(firstword $(filter %/precompiled.hpp,$^))"
+	@.ci/said $(BUILD) "read    $(firstword $(filter %/precompiled.hpp,$^))"
 	@cp $(firstword $(filter %/precompiled.hpp,$^)) $(BUILD)/read/$*.hpp
-	@$(CXX) $(FLAGS) $(GROUP_FLAGS) -x c++-header $(BUILD)/read/$*.hpp -o $@
+	@$(CCACHE) $(CXX) $(FLAGS) $(GROUP_FLAGS) -x c++-header $(BUILD)/read/$*.hpp -o $@
 
 # Linked under another name and moved: a program that is running keeps the old file.
 $(CORE): $(call objects,$(CXX_SOURCES)) $(BUILD)/sources
@@ -66,23 +70,23 @@ $(CORE): $(call objects,$(CXX_SOURCES)) $(BUILD)/sources
 $(PLUGIN): $(call objects,$(PLUGIN_SOURCES)) $(CORE)
 	$(if $(PLUGIN_SOURCES),,$(error no sources in plugins/))
 	@mkdir -p $(@D)
-	@echo "link    $@"
+	@.ci/said $(BUILD) "link    $@"
 	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
 
 $(CAD): $(call objects,$(CAD_SOURCES)) $(CORE)
 	@mkdir -p $(@D)
-	@echo "link    $@"
+	@.ci/said $(BUILD) "link    $@"
 	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
 
 $(GMSH): $(call objects,$(GMSH_SOURCES))
 	@mkdir -p $(@D)
-	@echo "link    $@"
+	@.ci/said $(BUILD) "link    $@"
 	@$(CXX) -shared $(LDFLAGS) $^ -lgmsh -o $@.new && mv $@.new $@
 
 define program_rule
 $(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(CORE) | $(GMSH) $(CAD)
 	@mkdir -p $$(@D)
-	@echo "link    $$@"
+	@.ci/said $(BUILD) "link    $$@"
 	@$$(CXX) $$(LDFLAGS) $$(filter %.o,$$^) $$(CORE) $(2) -pthread -Wl,--as-needed $(OCC_MODELING) $$(LIBRARIES) -o $$@.new \
 	  && mv $$@.new $$@
 endef

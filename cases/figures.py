@@ -73,7 +73,7 @@ OTHER = {"sweep": sweep, "lab": lab}
 
 
 def run(words, out):
-    return called([BURNISH, f"cases/{words[0]}/{words[0]}.edp", *words[1:], "-out", str(out)], words, out, {})
+    return called([BURNISH, f"cases/{words[0]}/{words[0]}.edp", *words[1:], "-pictures", "2", "-out", str(out)], words, out, {})
 
 
 def main():
@@ -90,6 +90,8 @@ def main():
     wrong = [text for text in bad.values() if text]
     for picture, words, name in chosen:
         source = folder(words) / name
+        if name == "gallery.png" and not bad[words]:
+            subprocess.run([sys.executable, "cases/plotting/scene.py", str(source.parent), "gallery"], cwd=TOP, stdout=subprocess.DEVNULL)
         if bad[words]:
             wrong.append(f"{picture}: left as it is, its run failed")
         elif source.is_file():

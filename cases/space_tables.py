@@ -1,4 +1,4 @@
-"""What cases/tables.py measures of the cases in space: ball, ball-rolling, burnishing."""
+"""What cases/tables.py measures of the cases in space: ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch."""
 from measured import brief, run, table
 
 
@@ -51,4 +51,76 @@ def burnishing():
                   "lowest across MPa", "99 % of the plastic strain", "steps (rejected)", "CPU s", ""], rows)
 
 
-TABLES = {"ball": {"known": ball}, "ball-rolling": {"known": ball_rolling}, "burnishing": {"meshes": burnishing}}
+def share(x):
+    return f"{100 * x:.2g} %"
+
+
+def checked(r, names, digits=5):
+    """Rows of results: computed, expected, off, allowed."""
+    rows = []
+    for name, label in names:
+        found = r.summary["results"][name]
+        unit = found["unit"].strip("-")
+        relative = found["expected"] != 0
+        rows.append([label, f"{found['value']:.{digits}g} {unit}".strip(), f"{found['expected']:.{digits}g} {unit}".strip() if relative else "0",
+                     share(found["error"]) if relative else f"{found['error']:.1g}", share(found["tolerance"]) if relative else f"{found['tolerance']:.2g}"])
+    return rows
+
+
+SLAB = (("depth, rolled", "depth at the end of the way"), ("turn", "turn"), ("force along the way", "force on the axis along the way"),
+        ("largest plastic strain", "largest plastic strain"), ("depth, pressed", "depth when pressed, before the way"))
+
+
+def slab():
+    """The default against the plane's own run."""
+    return table(["", "Space", "Plane", "Off", "Allowed"], checked(run("slab", "-series 0"), SLAB))
+
+
+def slab_meshes():
+    """The same on other meshes: how far space is off the plane."""
+    rows = []
+    for options in ("-n 24 -layers 4 -steps 20", "-steps 20", "", "-n 48 -layers 8 -width 6 -force 400 -brake 600"):
+        r = run("slab", f"{options} -series 0 -check 0".strip())
+        rows.append([f"`{options}`" if options else "default", r.nodes, *(share(r.summary["results"][name]["error"]) for name, _ in SLAB),
+                     f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()])
+    return table(["options", "nodes", *(label for _, label in SLAB), "steps (rejected)", "CPU s", ""], rows)
+
+
+def block_upsetting():
+    """Force and width against the closed forms, on P2 and P1."""
+    rows = []
+    runs = [run("block-upsetting", options) for options in ("-series 0", "-element P1 -series 0")]
+    for shortened in ("0.95", "0.9", "0.8"):
+        elastic, rigid = (runs[0].summary["results"][name] for name in (f"F/(Y A0), h/h0 = {shortened}", f"  the same at {shortened}"))
+        rows.append([f"F/(Y A0) at h/h0 = {shortened}", *(f"{r.result(f'F/(Y A0), h/h0 = {shortened}'):.5f}" for r in runs),
+                     f"{elastic['expected']:.5f} ({share(elastic['error'])} off)", f"{rigid['expected']:.5f} ({share(rigid['error'])})"])
+    wide = runs[0].summary["results"]["half width along x"]
+    rows.append(["half width at 0.8", *(f"{r.result('half width along x'):.5f} mm" for r in runs), f"{wide['expected']:.5f} mm ({share(wide['error'])})", ""])
+    rows.append(["nodes, steps, CPU s", *(f"{r.nodes}, {r.steps}, {r.cpu}" for r in runs), "", ""])
+    return table(["", "P2", "P1", "(2), elastic part; of P2", "(1), rigid-plastic; of P2"], rows)
+
+
+PUNCH = (("depth", "depth"), ("tilt toward the force", "tilt toward the force"), ("tilt across, over that toward", "tilt across over that toward"),
+         ("pressure inside 0.7 a, rms", "pressure inside 0.7 a, rms"))
+
+
+def tilted_punch():
+    r = run("tilted-punch", "-series 0")
+    turned = (("depth, turned by -turn / as it was", "depth turned over depth"), ("tilt, turned / as it was", "the same of the tilt"),
+              ("tilt across, difference over tilt", "tilt across, difference over the tilt"))
+    return table(["", "Computed", "Expected", "Off", "Allowed"], checked(r, PUNCH, 4) + checked(r, turned, 4))
+
+
+def tilted_punch_meshes():
+    rows = []
+    for edge, inner in ((0.4, 0.5), (0.3, 0.4), (0.2, 0.3), (0.12, 0.4)):
+        options = "" if (edge, inner) == (0.2, 0.3) else f"-edge {edge} -inner {inner} -check 0"
+        r = run("tilted-punch", f"{options} -series 0".strip())
+        rows.append([f"{edge}, {inner}", r.nodes, *(share(r.summary["results"][name]["error"]) for name, _ in PUNCH[:2]),
+                     share(r.result("pressure inside 0.7 a, rms")), f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()])
+    return table(["`-edge`, `-inner`", "nodes", "depth", "tilt", "pressure inside 0.7 a", "steps (rejected)", "CPU s, two runs", ""], rows)
+
+
+TABLES = {"ball": {"known": ball}, "ball-rolling": {"known": ball_rolling}, "burnishing": {"meshes": burnishing},
+          "slab": {"plane": slab, "meshes": slab_meshes}, "block-upsetting": {"known": block_upsetting},
+          "tilted-punch": {"known": tilted_punch, "meshes": tilted_punch_meshes}}

@@ -1,7 +1,7 @@
 // What the plugin has registered, read from FreeFEM's own tables.
 //   rcCallables(dummy)   a line for each type, constant, function, constructor, method, member and named parameter with its
 //                        types; tests/shell/test_reference.sh holds it against edp/manual/reference/callables.txt
-//     dummy   not read: FreeFEM knows no function without arguments
+//     dummy   not read
 #include "callables.hpp"
 #include "named.hpp"
 #include "types.hpp"

@@ -14,6 +14,11 @@
 //     file      path
 //   M.savefields(file)   .vtu file for ParaView: fields of the accepted state on the reference mesh, double precision, whole
 //     file      path
+//   rcUnits(length, stress)   says in which units the script's numbers are: pictures, movies, pages, summary.json and the files' field
+//       data (meters_per_length, pascals_per_stress) have them. No number is converted. Call it before rcCase
+//     length    of lengths | | | "m", "cm", "mm", "um"
+//     stress    of stresses | | | "Pa", "kPa", "MPa", "GPa"
+//     ! rcUnits: unit of
 //   C.savesurface(file)   .vtp file: the contact surface with pressure, friction, gap, state
 //     file      path
 //   C.savetools(file)   .vtp file: outlines of all tools where they are
@@ -26,6 +31,7 @@
 //   internal: rcRemoveResults
 #include "base/run_folder.hpp"
 #include "base/whole_file.hpp"
+#include "file_units.hpp"
 #include "output/contact_files.hpp"
 #include "output/workpiece_file.hpp"
 #include "script_options.hpp"
@@ -35,7 +41,17 @@
 #include <fstream>
 
 namespace burnish {
+
+FileUnits& units_of_files() {
+  static FileUnits units;
+  return units;
+}
+
 namespace {
+
+bool set_units(string* const& length, string* const& stress) {
+  return guarded([&] { return units_of_files() = file_units(*length, *stress), true; });
+}
 
 bool make_folder(string* const& path) {
   return guarded([&] { return make_run_folder(*path, "rcMakeFolder"), true; });
@@ -64,7 +80,8 @@ struct SurfaceTag {};
 struct ToolsTag {};
 struct SupportsTag {};
 bool save_fields_of(const Method<MaterialHandle, SaveTag>& m, string* const& path) {
-  return on(m.object, [&](auto& material) { return save_fields(material.workpiece(), *path), true; });
+  return on(m.object,
+            [&](auto& material) { return save_fields(material.workpiece(), *path, units_of_files()), true; });
 }
 bool save_surface_of(const Method<ContactHandle, SurfaceTag>& m, string* const& path) {
   return on(m.object, [&](auto& contact) { return save_surface(contact.run(), *path), true; });
@@ -94,7 +111,7 @@ string* save_stopped(Stack stack, const Method<StepControlHandle, StoppedTag>& m
       if (run.options.forms_only)
         save_displacement(body.discretization(), contact.run().accepted().u, file.string());
       else
-        save_fields(body, file.string());
+        save_fields(body, file.string(), units_of_files());
     });
     return new_string(stack, file.string());
   });
@@ -104,6 +121,7 @@ string* save_stopped(Stack stack, const Method<StepControlHandle, StoppedTag>& m
 
 void register_files() {
   std::signal(SIGXFSZ, SIG_IGN); // a file at the limit of its size is an error of writing it
+  Global.Add("rcUnits", "(", new OneOperator2_<bool, string*, string*>(set_units));
   Global.Add("rcMakeFolder", "(", new OneOperator1_<bool, string*>(make_folder));
   Global.Add("rcRemoveResults", "(", new OneOperator1_<bool, string*>(remove_older));
   Global.Add("rcNewName", "(", new OneOperator1s_<string*, string*>(name_of_new));

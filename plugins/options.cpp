@@ -1,6 +1,6 @@
 // Options of a script, -name value after its name on the command line; read all of them in one block.
 //   > real R = rcReal("-R", 15e-3, "m", "radius of the roller");  int n = rcInt("-n", 10);
-//   > rcPositive("-R");  rcRange("-n", 1, 1000);  rcOptionsEnd(0);
+//   > rcPositive("-R");  rcRange("-n", 1, 1000);  rcOptionsEnd();
 //   rcReal(name, otherwise), rcInt(name, otherwise), rcText(name, otherwise)   the option's value, or its default
 //     name      with its dash | | | a dash and a word, none of FreeFEM's own options
 //     otherwise   the default
@@ -21,10 +21,9 @@
 //     ! it has not been read as a number, its range cannot be checked
 //   rcPositive(names)   refuses values that are not > 0, or in one unit and more than a factor of 1e8 apart
 //     names     "-R -E", options read before
-//   rcOptionsEnd(dummy)   refuses unknown options; those named like a setting of rcContact, stepcontrol or rcMaterial, -stepsperfactor 2, go
+//   rcOptionsEnd()   refuses unknown options; those named like a setting of rcContact, stepcontrol or rcMaterial, -stepsperfactor 2, go
 //       before what the script gives there; with -h the help is printed and the script ends there, with -options list
 //       all options with their values, as one line of JSON
-//     dummy     not read
 //   rcOptionUsed(name, words)   whether the script uses one of the names, outside of comments; if not, the option is refused
 //     name      of an option that would have no say otherwise
 //     words     "rcScheme", or several
@@ -76,7 +75,7 @@ string* text_with_help(Stack stack, string* const& name, string* const& otherwis
   return guarded(
       [&] { return new_string(stack, script_options().text(*name, *otherwise, *unit, *meaning)); });
 }
-bool options_end(const long&) {
+bool options_end() {
   return guarded([&] {
     const std::string list =
         script_options().text("-options", "", "", "list: prints all options with their values, as JSON");
@@ -112,9 +111,22 @@ bool positive(string* const& names) {
 }
 string* script_folder(Stack stack, const long&) { return new_string(stack, script_options().folder()); }
 
+// FreeFEM says "syntax error" alone.
+void refuse_names_of_types() {
+  const std::string& script = script_options().script();
+  const std::string found = declared_name(script, "tool contact material stepcontrol");
+  if (found.empty()) return;
+  cout << "burnish: " << script << ": " << found
+       << " is the name of a type of Burnish (tool, contact, material, stepcontrol): "
+       << "expected another name for what is declared there, such as " << found.substr(0, found.find(' '))
+       << "1" << endl;
+  leave(20);
+}
+
 } // namespace
 
 void register_options() {
+  refuse_names_of_types();
   Global.Add("rcReal", "(", new OneOperator2_<double, string*, double>(real_option));
   Global.Add("rcReal", "(", new OneOperator4_<double, string*, double, string*, string*>(real_with_help));
   Global.Add("rcInt", "(", new OneOperator2_<long, string*, long>(int_option));
@@ -124,7 +136,7 @@ void register_options() {
   Global.Add("rcRange", "(", new OneOperator3_<bool, string*, double, double>(range));
   Global.Add("rcPositive", "(", new OneOperator1_<bool, string*>(positive));
   Global.Add("rcOptionUsed", "(", new OneOperator2_<bool, string*, string*>(option_used));
-  Global.Add("rcOptionsEnd", "(", new OneOperator1_<bool, long>(options_end));
+  Global.Add("rcOptionsEnd", "(", new OneOperator0<bool>(options_end));
   Global.Add("rcScriptFolder", "(", new OneOperator1s_<string*, long>(script_folder));
 }
 

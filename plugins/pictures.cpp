@@ -1,5 +1,7 @@
 // Programs beside the scripts, started without a shell by $PYTHON or python3. Failing is a warning.
-//   rcPictures(folder)   draws the pictures of a run's results, by a plot.py beside the script, else those of any scene; 0: drawn
+//   rcPicture(folder)   draws final.png of a run's results: workpiece, field and tools at its end; 0: drawn
+//     folder    of the results
+//   rcPictures(folder)   draws all pictures of a run's results, by a plot.py beside the script, else those of any scene; 0: drawn
 //     folder    of the results
 //   rcMovie(folder)   movie.html and movie.gif of a run's series of fields, by the same programs; 0: made
 //     folder    of the results
@@ -42,12 +44,18 @@ int run(std::vector<std::string> words) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-long pictures(string* const& folder) {
+long drawn(const std::vector<std::string>& words) {
   cout.flush();
-  const int code = run({environment("PYTHON", "python3"), plot_program(), *folder});
+  const int code = run(words);
   if (code != 0)
     cout << "burnish: warning: the pictures could not be drawn (exit status " << code << ")" << endl;
   return code;
+}
+long picture(string* const& folder) {
+  return drawn({environment("PYTHON", "python3"), scene_program(), *folder, "final"});
+}
+long pictures(string* const& folder) {
+  return drawn({environment("PYTHON", "python3"), plot_program(), *folder});
 }
 
 long movie(string* const& folder) {
@@ -74,6 +82,7 @@ long leaner(string* const& folder) {
 } // namespace
 
 void register_pictures() {
+  Global.Add("rcPicture", "(", new OneOperator1_<long, string*>(picture));
   Global.Add("rcPictures", "(", new OneOperator1_<long, string*>(pictures));
   Global.Add("rcMovie", "(", new OneOperator1_<long, string*>(movie));
   Global.Add("rcLeaner", "(", new OneOperator1_<long, string*>(leaner));

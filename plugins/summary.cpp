@@ -1,6 +1,7 @@
 // summary.json, see edp/cases/rcSummary.idp: what a script knows of its run, and the file with what the run does.
 //   internal: rcSummaryNote rcSummarySave
 #include "output/summary.hpp"
+#include "file_units.hpp"
 #include "named.hpp"
 #include "script_options.hpp"
 #include "step_control.hpp"
@@ -39,6 +40,8 @@ bool note_part(string* const& section, string* const& name, string* const& part,
 // What the run knows of itself, then what the script has told, which comes first where a key is that of both.
 void save(Json summary, const std::string& file) {
   summary.merge_patch(told());
+  const FileUnits& units = units_of_files();
+  if (!units.length.empty()) summary["units"] = {{"length", units.length}, {"stress", units.stress}};
   summary["versions"] = versions();
   summary["options"] = options();
   save_summary(summary, file);

@@ -54,8 +54,7 @@
 //     ! has no side of its own
 //     ! meet at one edge, at
 //     ! has no face
-//   rcShapes(dummy)   all kinds of profiles and surfaces with their parameters, a line each
-//     dummy     not read
+//   rcShapes()   all kinds of profiles and surfaces with their parameters, a line each
 //   t.outlinex(n), t.outliney(n)   in the plane: x, y of the outline where the tool is: n points and its joints | length
 //     n         number of points | - | | 2 to 1000000
 //   t.tightestradius   smallest radius of curvature, inf for lines | length
@@ -91,7 +90,18 @@ const std::vector<Parameter>& parameters() {
   return list;
 }
 
-string* help(Stack stack, const long&) { return new_string(stack, shape_help()); }
+// A function without arguments, which needs the stack for its text.
+class ShapesHelp : public OneOperator {
+  struct Text : E_F0 {
+    AnyType operator()(Stack stack) const override {
+      return SetAny<string*>(new_string(stack, shape_help()));
+    }
+  };
+
+public:
+  ShapesHelp() : OneOperator(map_type[typeid(string*).name()]) {}
+  E_F0* code(const basicAC_F0&) const override { return new Text; }
+};
 
 struct OutlineXTag {};
 struct OutlineYTag {};
@@ -209,7 +219,7 @@ void register_tool_shapes() {
         return new NamedOperator<ClosestToPoints, double, ClosestMethod, Array, Array, Array, Array, Array,
                                  Array>;
       });
-  Global.Add("rcShapes", "(", new OneOperator1s_<string*, long>(help));
+  Global.Add("rcShapes", "(", new ShapesHelp);
   Add<ToolHandle*>("tightestradius", ".", new OneOperator1_<double, ToolHandle*>(tightest_radius));
 }
 

@@ -30,4 +30,4 @@ def creep(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", columns={"creep": ("creep", "-", 1.0), "Q_over_muP": ("Q/(mu P)", "-", 1.0)}, pictures=[creep]))
+sys.exit(main(sys.argv[1:], columns={"creep": ("creep", "-", 1.0), "Q_over_muP": ("Q/(mu P)", "-", 1.0)}, pictures=[creep]))

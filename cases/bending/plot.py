@@ -25,5 +25,5 @@ def springback(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", mu="mu", pictures=(springback,), without=("pressure",),
+sys.exit(main(sys.argv[1:], mu="mu", pictures=(springback,), without=("pressure",),
               columns={"leg_angle": ("angle of one leg", "deg", 1.0), "punch_force": None}))

@@ -77,5 +77,5 @@ def profile(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", columns={"depth": ("depth", "mm", 1.0), "track": None},
+sys.exit(main(sys.argv[1:], columns={"depth": ("depth", "mm", 1.0), "track": None},
               pictures=[residual_stress, profile], without=["pressure", "section"]))

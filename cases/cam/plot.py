@@ -48,6 +48,6 @@ def groove(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", mu="mu", pictures=(height, groove),
+sys.exit(main(sys.argv[1:], mu="mu", pictures=(height, groove),
               columns={"depth": ("depth under the cam", "µm", 1e3), "rigid_height": None, "rigid_travel": None,
                        "torque": None, "rigid_torque": None}))

@@ -45,6 +45,6 @@ def thickness(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", mu="mu", pictures=(force, thickness), without=("pressure",),
+sys.exit(main(sys.argv[1:], mu="mu", pictures=(force, thickness), without=("pressure",),
               columns={"stroke": None, "punch_force": None, "siebel": None, "rim": ("radius of the rim", "mm", 1.0),
                        "thinnest": ("smallest thickness", "mm", 1.0)}))

@@ -49,5 +49,5 @@ def integrity(run):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:], length="mm", mu="mu", without=("history", "pressure"), pictures=(force, integrity),
+    sys.exit(main(sys.argv[1:], mu="mu", without=("history", "pressure"), pictures=(force, integrity),
                   columns={"depth": None, "force": ("force", "N/mm", 1.0), "damaged": None, "least": None}))

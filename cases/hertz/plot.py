@@ -55,5 +55,5 @@ def convergence(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", without=("stress", "sequence", "history", "pressure"),
+sys.exit(main(sys.argv[1:], without=("stress", "sequence", "history", "pressure"),
               pictures=(near_contact, pressure, convergence)))

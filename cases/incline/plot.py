@@ -27,4 +27,4 @@ def ratio(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", without=("sequence", "history"), pictures=(ratio,)))
+sys.exit(main(sys.argv[1:], without=("sequence", "history"), pictures=(ratio,)))

@@ -80,4 +80,4 @@ def main(arguments, draw, scene=True):
     status = draw_lab(folder, os.path.join(folder, "plot.png"), draw, patient=scene)
     if not scene:
         return status
-    return max(status, draw_all(Run(folder, "mm"), DEFAULT, folder, patient=True))
+    return max(status, draw_all(Run(folder), DEFAULT, folder, patient=True))

@@ -23,6 +23,6 @@ def curvature(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", mu="mu", pictures=(curvature,), without=("pressure",),
+sys.exit(main(sys.argv[1:], mu="mu", pictures=(curvature,), without=("pressure",),
               columns={"way": ("way of the rolls", "mm", 1.0), "press": ("press of the upper rolls", "N/mm", 1.0),
                        "pull": ("pull along the strip", "N/mm", 1.0), "torque": ("torque of the rolls", "N", 1.0)}))

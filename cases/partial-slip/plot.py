@@ -48,5 +48,5 @@ def slips(run):
                          "The stick zone shrinks as Q grows")
 
 
-sys.exit(main(sys.argv[1:], length="mm", without=("stress", "sequence", "history", "pressure"),
+sys.exit(main(sys.argv[1:], without=("stress", "sequence", "history", "pressure"),
               pictures=(near_contact, traction, slips)))

@@ -4,13 +4,12 @@
     sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
     from plotting.case import main; sys.exit(main(sys.argv[1:]))
 
-main(arguments, length="m", mu=None, columns=None, pictures=(), without=())
-    length    unit of the script's lengths: "m" (forces N/m, stresses Pa) or "mm" (N/mm, MPa)
+main(arguments, mu=None, columns=None, pictures=(), without=())
     mu        name of the option that holds the friction coefficient, for the bounds in the pressure picture
     columns   {column: (label, unit, factor)} of the history, None to leave it out; see plotting/units.py
     pictures  functions of the run that return a figure, drawn after the default ones into function-name.png
     without   names of default pictures not wanted
-Default pictures: scene, stress, plastic_strain, stress_error, sequence, history, pressure, expected (see DEFAULT below); of a run in space those
+Default pictures: final (plotting/final.py), scene, stress, plastic_strain, stress_error, sequence, history, pressure, expected (see DEFAULT below); of a run in space those
 of space/case.py. A script without a
 plot.py gets them from plotting/scene.py.
 """
@@ -20,10 +19,19 @@ import sys
 
 from plotting import curves, fields
 from plotting.figure import apply_style, save
+from plotting.final import final_figure, gallery_figure
 from plotting.inputs import InputError, MissingInput
 from plotting.movie import write_movie
 from plotting.run import Run
 from plotting.start import start_figure
+
+
+def final(run):
+    return final_figure(run)
+
+
+def gallery(run):
+    return gallery_figure(run)
 
 
 def scene(run):
@@ -66,7 +74,7 @@ def expected(run):
     return curves.expected_figure(run)
 
 
-DEFAULT = (scene, stress, plastic_strain, stress_error, sequence, history, pressure, expected)
+DEFAULT = (final, scene, stress, plastic_strain, stress_error, sequence, history, pressure, expected)
 
 
 def say(text):
@@ -116,20 +124,24 @@ def as_in_space(run, pictures):
         from plotting.space import case
     except ImportError as error:
         raise InputError(f"{error}; pictures of a run in space need the Debian packages python3-vtk9 and xvfb") from None
+    if tuple(pictures) in ((final,), (gallery,)):
+        return case.space_run(run), [getattr(case, pictures[0].__name__)], case.write_movie
     left_out = {p.__name__ for p in DEFAULT} - {p.__name__ for p in pictures}
     chosen = [p for p in case.DEFAULT if p.__name__ not in left_out] + [p for p in pictures if p not in DEFAULT]
     return case.space_run(run), chosen, case.write_movie
 
 
 def draw(arguments, read_run, pictures, patient=False, read_movie=None):
-    """The body of a plot.py OUTDIR [movie]: reads the run and draws its pictures, or its movie; returns the exit code.
-    read_movie: reads the Run of the movie where read_run makes something else."""
+    """The body of a plot.py OUTDIR [PICTURE|movie]: reads the run and draws its pictures, the one of that name alone, gallery too, or its
+    movie; returns the exit code. read_movie: reads the Run of the movie where read_run makes something else."""
     for name in (signal.SIGINT, signal.SIGPIPE):
         signal.signal(name, signal.SIG_DFL)  # stop quietly
-    movie = arguments[1:] == ["movie"]
-    if len(arguments) != 1 + movie or arguments[0].startswith("-"):
-        print(f"usage: {os.path.basename(sys.argv[0])} OUTDIR [movie]    (the folder of a run's results)", file=sys.stderr)
+    movie, named = arguments[1:] == ["movie"], {p.__name__.replace("_", "-"): p for p in (gallery, *pictures)}
+    if not 0 < len(arguments) < 3 or arguments[0].startswith("-") or arguments[1:] and not movie and arguments[1] not in named:
+        print(f"usage: {os.path.basename(sys.argv[0])} OUTDIR [movie|{'|'.join(named)}]    (the folder of a run's results)", file=sys.stderr)
         return 2
+    if arguments[1:] and not movie:
+        pictures = (named[arguments[1]],)
     try:
         run, write = (read_movie if movie and read_movie else read_run)(arguments[0]), write_movie
         if isinstance(run, Run) and run.in_space:
@@ -140,14 +152,14 @@ def draw(arguments, read_run, pictures, patient=False, read_movie=None):
     return make_movie(run, arguments[0], write) if movie else draw_all(run, pictures, arguments[0], patient)
 
 
-def read_case(folder, length, mu, columns):
+def read_case(folder, mu, columns):
     """A run of a case; an InputError names every file that is missing."""
     missing = [path for path in (os.path.join(folder, name) for name in Run.FILES) if not os.path.isfile(path)]
     if os.path.isdir(folder) and missing:
         raise MissingInput("missing: " + ", ".join(missing))
-    return Run(folder, length, mu, columns)
+    return Run(folder, mu, columns)
 
 
-def main(arguments, length="m", mu=None, columns=None, pictures=(), without=()):
+def main(arguments, mu=None, columns=None, pictures=(), without=()):
     chosen = [p for p in DEFAULT if p.__name__ not in without] + list(pictures)
-    return draw(arguments, lambda folder: read_case(folder, length, mu, columns), chosen)
+    return draw(arguments, lambda folder: read_case(folder, mu, columns), chosen)

@@ -9,6 +9,8 @@ from plotting.figure import (BLUE, GRAY, GREEN, MICRON, MM, MPA, ORANGE, PURPLE,
 from plotting.maps import WHITE_EDGE
 
 IN_CONTACT = ("touched", "sliding", "sticking")
+# number in the files: name, color, marker; the same in maps, movies and curves
+STATES = {3: ("sticking", GREEN, "^"), 2: ("sliding", RED, "o"), 1: ("touched", BLUE, "s")}
 
 # event: color, marker, size
 EVENT_MARKS = {"touch": (BLUE, "o", 1.0), "release": (ORANGE, "s", 1.0), "slip-to-stick": (GREEN, "^", 1.2),
@@ -108,7 +110,7 @@ def shade_sticking(axes, arc, surface):
     border = np.r_[arc[0], (arc[1:] + arc[:-1]) / 2, arc[-1]]
     parts = runs(surface["state"] == "sticking")
     for part in parts:
-        axes.axvspan(border[part.start], border[part.stop], color=SKY, alpha=0.25, linewidth=0, zorder=0)
+        axes.axvspan(border[part.start], border[part.stop], color=GREEN, alpha=0.2, linewidth=0, zorder=0)
     return bool(parts)
 
 
@@ -147,7 +149,7 @@ def traction_figure(surface, mu, title):
                               label=f"$\\pm\\mu p$, $\\mu$ = {mu:g}", zorder=1.5)
         handles.append(line)
     if shade_sticking(axes, arc, surface):
-        handles.append(Patch(color=SKY, alpha=0.25, label="sticking nodes"))
+        handles.append(Patch(color=GREEN, alpha=0.2, label="sticking nodes"))
     axes.axhline(0, color="black", linewidth=0.8)
     axes.set_xlim(-reach, reach)
     axes.set_xlabel("length along the arc from the middle of the contact, clockwise [mm]")

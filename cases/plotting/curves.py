@@ -37,15 +37,20 @@ def draw_column(axes, run, column, against, style, change=False, exponent=0):
               linewidth=1.0 if y.kind == u.NODES else 1.5)
 
 
+OF_STATES = {name: color for name, color, _ in contact.STATES.values()}
+
+
 def styles(labels):
-    """Color and dashes of each curve: of several tools, "die: x", a color each, and dashes for the coordinate."""
+    """Color and dashes of each curve: of several tools, "die: x", a color each, and dashes for the coordinate; of a state of nodes that which it
+    has everywhere."""
+    free = [c for c in COLORS if c not in OF_STATES.values() or not OF_STATES.keys() & set(labels)]
     tools = list(dict.fromkeys(label.split(": ")[0] for label in labels if ": " in label))
     if len(tools) < 2:
-        return [(COLORS[k % len(COLORS)], "-") for k in range(len(labels))]
-    others = iter(COLORS[len(tools):] * len(labels))
+        return [(OF_STATES.get(label, free[k % len(free)]), "-") for k, label in enumerate(labels)]
+    others = iter((free[len(tools):] or free) * len(labels))
     parts = list(dict.fromkeys(label.split(": ")[1] for label in labels if ": " in label))
-    return [(COLORS[tools.index(label.split(": ")[0]) % len(COLORS)], DASHES[parts.index(label.split(": ")[1]) % len(DASHES)])
-            if ": " in label else (next(others), "-") for label in labels]
+    return [(free[tools.index(label.split(": ")[0]) % len(free)], DASHES[parts.index(label.split(": ")[1]) % len(DASHES)])
+            if ": " in label else (OF_STATES.get(label) or next(others), "-") for label in labels]
 
 
 def letters(text):
@@ -75,6 +80,7 @@ def label_panel(axes, run, columns, title, change, exponent):
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
 
 
+NOTHING = 1e-6                   # over the largest of its panel, below which a curve is zero
 WITHOUT_MEANING = ("x", "angle")  # in axisymmetry a drive force along r or about the axis has no meaning
 RESULTANTS = ("_Fx", "_Fy", "_Fz", "_Mx", "_My", "_Mz")  # of supports and tools: the forces of the drives show the same
 
@@ -85,8 +91,11 @@ def default_panels(run):
     for kind, title in PANELS:
         names = [n for n, c in run.columns.items() if c.kind == kind and moves(run.history[n])
                  and not (run.axisymmetric and n.startswith("Q_") and n[2:].split(".")[-1] in WITHOUT_MEANING)]
+        change = kind in (u.LENGTH, u.ANGLE)
+        sizes = [np.nanmax(np.abs(values_of(run, n, change)), initial=0.0) for n in names]
+        names = [n for n, size in zip(names, sizes) if size > NOTHING * max(sizes)]
         if names:
-            panels.append((title, names, kind in (u.LENGTH, u.ANGLE)))
+            panels.append((title, names, change))
     own = [n for n, c in run.columns.items() if c.kind == u.OTHER and n != "factorizations"
            and not n.endswith(RESULTANTS) and moves(run.history[n])]
     return panels + [(run.columns[n].label, [n], False) for n in own]
@@ -172,7 +181,7 @@ def pressure_panel(axes, run, name, mu=None, expected=None, columns=3):
         x = np.linspace(arc[order[0]], arc[order[-1]], 400)
         axes.plot(x, expected[0](x), color="black", linewidth=1.2, linestyle=(0, (5, 2)), label=expected[1])
     if contact.shade_sticking(axes, arc[order], {"state": run.surface["state"][order]}):
-        axes.fill([], [], color=SKY, alpha=0.25, label="sticking nodes")
+        axes.fill([], [], color=contact.STATES[3][1], alpha=0.2, label="sticking nodes")
     axes.axhline(0, color="black", linewidth=0.8)
     handles = axes.get_legend_handles_labels()[0]
     key_under_labels(axes, handles, min(len(handles), columns))

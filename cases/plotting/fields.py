@@ -10,7 +10,7 @@ from matplotlib.tri import Triangulation
 
 from plotting import contact, maps, tools
 from plotting.figure import GRAY, key_under_labels, new_figure, say_empty
-from plotting.units import amount, in_powers, power_of_ten
+from plotting.units import amount, in_powers, power_of_ten, with_unit
 
 # name in the .vtu, label, color map, whether it is measured in units of stress
 Quantity = namedtuple("Quantity", "name label colors stress")
@@ -20,12 +20,17 @@ ELASTIC = 1e-3  # of the first level of the plastic strain: what is below stays 
 ERROR = Quantity("stress_error", "estimated stress error", "cividis_r", True)
 
 
-def unit_of(run, quantity):
-    """Unit in the pictures, factor from the file's numbers to it."""
+def unit_of(run, quantity, field=None):
+    """Unit in the pictures, factor from the file's numbers to it. field: that at the end unless given"""
     if quantity.stress:
         return run.units.stress_unit, run.units.stress
-    exponent = power_of_ten(np.nanmax(run.field.data[quantity.name], initial=0.0), 1e-3)
+    exponent = power_of_ten(np.nanmax((field or run.field).data[quantity.name], initial=0.0), 1e-3)
     return in_powers(exponent, "-"), 10.0**-exponent
+
+
+def axis_label(quantity, unit):
+    """Name and unit, "-" left out."""
+    return with_unit(quantity.label, "" if unit == "-" else unit)
 
 
 def levels_to(largest, number=14, quantity=STRESS):
@@ -112,6 +117,8 @@ def field_figure(run, quantity, box=None, width=8.5):
     it."""
     unit, factor = unit_of(run, quantity)
     label, values = quantity.label, factor * np.nan_to_num(run.field.data[quantity.name])
+    if quantity is ERROR:      # an estimate beyond the stress says no more than that
+        values = np.minimum(values, factor * np.nan_to_num(run.field.data[STRESS.name]))
     outlines = tools.at_time(run.tools, run.t)
     box = box or view_of(run, run.mesh, outlines)
     figure, axes = new_figure(width, shape_of(box, width))

@@ -16,7 +16,8 @@ from PIL import Image
 
 from plotting import curves, fields, maps, tools
 from plotting import units as u
-from plotting.figure import BLUE, GREEN, RED, key_under_labels
+from plotting.contact import STATES
+from plotting.figure import key_under_labels
 from plotting.inputs import MissingInput
 from plotting.movie_page import page
 from plotting.vtp import read_vtp
@@ -27,7 +28,6 @@ COLORS = 96                            # of a frame
 SECONDS, LAST_SECONDS = 0.2, 1.5       # a frame of the GIF
 SMALL = 0.1                            # contact over the workpiece, below which the map shows what is near it
 NEARLY_ALL, PEAK = 0.998, 1.5          # quantile of the nodes; largest value over it, from which the scale ends there
-STATES = {3: ("sticking", GREEN, "^"), 2: ("sliding", RED, "o"), 1: ("touched", BLUE, "s")}
 PANELS = (u.FORCE, u.MOMENT, u.NODES, u.LENGTH, u.ANGLE, u.OTHER, u.STRAIN, u.STRESS)  # the first three that change
 
 

@@ -12,10 +12,10 @@ img { width: 100%%; height: auto; display: block }
 output { min-width: 7em; font-variant-numeric: tabular-nums }
 </style></head><body>
 <h1>%(title)s</h1>
-<img id="frame" width="%(width)d" height="%(height)d" alt="stress, tools and contact at the time of the slider" src="%(last)s">
+<img id="frame" width="%(width)d" height="%(height)d" alt="stress, tools and contact at the time of the slider" src="%(first)s">
 <div class="bar"><button id="play" type="button">Play</button>
-<input id="time" type="range" min="0" max="%(most)d" value="%(most)d" aria-label="time"><output id="t"></output></div>
-<noscript><p>Without JavaScript this is the end of the run; movie.gif shows the way.</p></noscript>
+<input id="time" type="range" min="0" max="%(most)d" value="0" aria-label="time"><output id="t"></output></div>
+<noscript><p>Without JavaScript this is the start of the run; movie.gif shows the way.</p></noscript>
 <p>Arrow keys move by a frame. Circles, triangles and squares are nodes in contact; the black lines mark the time in the curves.</p>
 <script id="frames" type="application/json">%(data)s</script>
 <script>
@@ -42,8 +42,9 @@ button.onclick = () => {
   timer = setInterval(step, 200);
 };
 slider.oninput = () => { stop(); show(); };
-if (location.hash.length > 1) slider.value = location.hash.slice(1);  // movie.html#3 opens at frame 3
+if (location.hash.length > 1) slider.value = location.hash.slice(1);  // movie.html#3 opens at frame 3 and waits
 show();
+if (location.hash.length < 2 && !matchMedia("(prefers-reduced-motion: reduce)").matches) button.onclick();
 </script>
 </body></html>
 """
@@ -53,4 +54,4 @@ def page(name, times, images, size):
     """Text of the page; images: data URIs, one for each time; size: pixels."""
     data = json.dumps({"t": [float(f"{t:.4g}") for t in times], "images": images})
     return PAGE % {"title": html.escape(name), "width": size[0], "height": size[1], "most": len(times) - 1,
-                   "last": images[-1], "data": data.replace("</", "<\\/")}
+                   "first": images[0], "data": data.replace("</", "<\\/")}

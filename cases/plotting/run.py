@@ -9,7 +9,7 @@ import numpy as np
 from plotting import contact, maps
 from plotting.inputs import (InputError, MissingInput, header_of, option, read_summary, read_text, read_whole_table)
 from plotting.tools import read_tools
-from plotting.units import LENGTHS, SYSTEMS, describe, neutral, of_ring
+from plotting.units import LENGTHS, describe, named, neutral
 from plotting.vtp import read_vtp
 from plotting.vtu import read_vtu
 
@@ -17,17 +17,16 @@ from plotting.vtu import read_vtu
 class Run:
     """Results in a folder. Lengths of mesh and tools are in units.length_unit, those of the tables as in the files.
 
-    length   unit of the script's lengths, "m" or "mm" (plotting/units.py), None: unknown
     mu       name of the option with the coefficient of friction, None: unknown
     given    columns of the history that the case describes itself, see units.describe
     """
 
     FILES = ("summary.json", "history.csv", "events.csv", "surface.csv", "final.vtu")  # of every case
 
-    def __init__(self, folder, length=None, mu=None, given=None):
+    def __init__(self, folder, mu=None, given=None):
         if not os.path.isdir(folder):
             raise InputError(f"{folder}: no such folder")
-        self.folder, self.system, self.given = folder, length, given
+        self.folder, self.given = folder, given
         self.mu = option(self.summary, mu) if mu else None
 
     def path(self, name):
@@ -49,7 +48,7 @@ class Run:
     def columns(self):
         """{column: Column} of the history."""
         names = list(self.history)
-        if self.system:
+        if self.said:
             return describe(names, self.units, self.given)
         return describe(names, neutral(1.0, 1.0, self.axisymmetric), self.given, LENGTHS)
 
@@ -145,9 +144,17 @@ class Run:
             return False
 
     @cached_property
+    def said(self):
+        """Units of lengths and stresses that the script has said, rcUnits; None: unknown."""
+        try:
+            return self.summary["units"]["length"], self.summary["units"]["stress"]
+        except (InputError, KeyError, TypeError):
+            return None
+
+    @cached_property
     def units(self):
-        if self.system:
-            return of_ring(SYSTEMS[self.system]) if self.axisymmetric else SYSTEMS[self.system]
+        if self.said:
+            return named(*self.said, whole=self.axisymmetric)
         return neutral(self.size(), self.largest_stress(), self.axisymmetric)
 
     def size(self):

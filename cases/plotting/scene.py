@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Pictures of any scene: scene.py OUTDIR reads what rcCase wrote there and puts PNG files beside it.
+"""Pictures of any scene: scene.py OUTDIR [PICTURE|movie] reads what rcCase wrote there and puts PNG files beside it.
 
-rcCaseEnd runs it for a script without a plot.py: scene, stress, plastic strain, stress error, sequence, history, pressure, expected, in the
-script's own units, of which nothing is known. A picture is left out where its files are missing.
+rcCaseEnd runs it for final.png alone; without a name it draws all of plotting/case.py, for a script without a plot.py. Units are those that
+the script says by rcUnits. A picture is left out where its files are missing.
 """
 import os
 import sys

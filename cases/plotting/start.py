@@ -4,7 +4,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.tri import Triangulation
 
-from plotting import fields, maps, tools
+from plotting import fields, maps, quadratic, tools
 from plotting.figure import BLUE, RED, key_under_labels, new_figure
 
 KINDS = ((True, True, "s", "held"), (True, False, ">", "held along x"), (False, True, "^", "held along y"))
@@ -34,18 +34,9 @@ def draw_surface(axes, run):
     return [Line2D([], [], color=BLUE, linewidth=2.2, label="contact surface")]
 
 
-def elements_of(triangles):
-    """Corners of the elements: of quadratic ones the file has the four triangles between their nodes, see workpiece_file.cpp."""
-    if len(triangles) % 4:
-        return triangles
-    first, second, third, middle = (triangles[k::4] for k in range(4))
-    inner = np.column_stack([second[:, 2], first[:, 2], first[:, 1]])
-    return np.column_stack([first[:, 0], second[:, 1], third[:, 2]]) if (middle == inner).all() else triangles
-
-
 def start_figure(run, width=8.5):
     """The undeformed mesh, the nodes held, the contact surface and the tools."""
-    mesh = Triangulation(*(run.units.length * run.field.points).T, elements_of(run.field.triangles))
+    mesh = Triangulation(*(run.units.length * run.field.points).T, quadratic.elements_of(run.field.triangles)[:, :3])
     outlines = tools.at_time(run.tools, 0)
     box = tools.widened(fields.mesh_box(mesh), outlines)
     figure, axes = new_figure(width, fields.shape_of(box, width))

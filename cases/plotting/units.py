@@ -3,16 +3,27 @@ from collections import namedtuple
 
 import numpy as np
 
+from plotting.inputs import InputError
+
 # Factors from the numbers of the files to those of the pictures, and the units there; the force and the moment of a
 # plane scene are per unit of thickness, those of an axisymmetric one are of the whole ring
 Units = namedtuple("Units", "length stress force moment length_unit stress_unit force_unit moment_unit")
-SYSTEMS = {"m": Units(1e3, 1e-6, 1e-3, 1.0, "mm", "MPa", "kN/m", r"N$\cdot$m/m"),
-           "mm": Units(1.0, 1.0, 1.0, 1.0, "mm", "MPa", "N/mm", r"N$\cdot$mm/mm")}
+METERS, PASCALS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}, {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9}
 
 
-def of_ring(units):
-    """The same without "per unit of thickness"."""
-    return units._replace(force_unit=units.force_unit.split("/")[0], moment_unit=units.moment_unit.split("/")[0])
+def named(length, stress, whole=False):
+    """Units of the pictures for numbers in the units that rcUnits takes: mm, MPa, and forces in N/mm, where the script says m in kN/m.
+    whole: forces are those of the whole ring or body, not per unit of thickness."""
+    if length not in METERS or stress not in PASCALS:
+        raise InputError(f"units {length!r}, {stress!r}: expected one of {', '.join(METERS)} and one of {', '.join(PASCALS)}")
+    meter, pascal = METERS[length], PASCALS[stress]
+    force = pascal * meter * (meter if whole else 1)     # N or N/m
+    shown, unit = (1e-6, r"$\mu$m") if length == "um" else (1e-3, "mm")
+    if length == "m":
+        per = "" if whole else "/m"
+        return Units(meter / shown, pascal / 1e6, force / 1e3, force * meter, unit, "MPa", "kN" + per, r"N$\cdot$m" + per)
+    per, scale = ("", 1.0) if whole else ("/mm", 1e-3)
+    return Units(meter / shown, pascal / 1e6, force * scale, force * meter * 1e3 * scale, unit, "MPa", "N" + per, r"N$\cdot$mm" + per)
 
 
 # What a column is; the kinds of the default history
@@ -55,10 +66,10 @@ def with_unit(label, unit):
 
 def amount(number, unit):
     """Number with its unit in a sentence; of a neutral unit the power of ten alone."""
-    power = unit.partition(" ")[0] if unit.startswith("$10^") else ""
+    power, digits = unit.partition(" ")[0] if unit.startswith("$10^") else "", f"{number:.0f}" if 1000 <= abs(number) < 1e6 else f"{number:.3g}"
     if power:
-        return rf"{number:.3g}$\cdot${power}"
-    return f"{number:.3g}" if unit in ("-", "stress", "length") else f"{number:.3g} {unit}"
+        return rf"{digits}$\cdot${power}"
+    return digits if unit in ("-", "stress", "length") else f"{digits} {unit}"
 
 
 class Column(namedtuple("Column", "name kind label unit factor")):

@@ -68,5 +68,5 @@ def tilt(run):
                          "Tilt of the punch against the place of the force")
 
 
-sys.exit(main(sys.argv[1:], length="mm", without=("stress", "sequence", "history", "pressure"),
+sys.exit(main(sys.argv[1:], without=("stress", "sequence", "history", "pressure"),
               pictures=(near_contact, pressure, release, tilt)))

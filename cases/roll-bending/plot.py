@@ -6,6 +6,6 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 from plotting.case import main
 
-sys.exit(main(sys.argv[1:], length="mm", mu="mu", without=("pressure",),
+sys.exit(main(sys.argv[1:], mu="mu", without=("pressure",),
               columns={"bend_angle": ("direction of the straight end", "deg", 1.0), "wrapped": ("angle of the form touched", "deg", 1.0),
                        "moment": ("moment of winding", "N", 1.0), "roll_force": ("force of the roll", "N/mm", 1.0)}))

@@ -12,6 +12,7 @@ try:
     from plotting import contact, fields, maps
     from plotting.case import draw
     from plotting.figure import (BLUE, GRAY, GREEN, MICRON, MM, ORANGE, RED, SKY, key_below, new_figure, say_empty)
+    from plotting.final import final_figure
     from plotting.inputs import InputError, option, read_summary, read_table
     from plotting.run import Run
     from plotting.start import start_figure
@@ -109,8 +110,12 @@ def isoline_figure(run, levels, box, title):
     return figure
 
 
+def final(run):
+    return final_figure(Run(run.folder))
+
+
 def scene(run):
-    return start_figure(Run(run.folder, "m"))
+    return start_figure(Run(run.folder))
 
 
 def stress_below_yield(run):
@@ -215,9 +220,9 @@ def events(run):
     return contact.events_figure(run.events, run.history, "Contact events")
 
 
-PICTURES = (scene, stress_below_yield, stress_above_yield, plastic_strain, tool_histories, contact_traction, surface_profile,
+PICTURES = (final, scene, stress_below_yield, stress_above_yield, plastic_strain, tool_histories, contact_traction, surface_profile,
             events)
 
 
 if __name__ == "__main__":
-    sys.exit(draw(sys.argv[1:], read_run, PICTURES, read_movie=lambda folder: Run(folder, "m")))
+    sys.exit(draw(sys.argv[1:], read_run, PICTURES, read_movie=Run))

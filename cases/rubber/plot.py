@@ -6,5 +6,5 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 from plotting.case import main
 
-sys.exit(main(sys.argv[1:], length="mm", mu="mu",
+sys.exit(main(sys.argv[1:], mu="mu",
               columns={"work": ("work of the drives", "N", 1.0), "energy": ("energy of the block", "N", 1.0)}))

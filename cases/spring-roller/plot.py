@@ -6,5 +6,5 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 from plotting.case import main
 
-sys.exit(main(sys.argv[1:], length="mm", mu="mu",
+sys.exit(main(sys.argv[1:], mu="mu",
               columns={"rise": ("rise", "mm", 1.0), "spring_force": ("force of the spring", "N/mm", 1.0), "drag": ("drag", "N/mm", 1.0)}))

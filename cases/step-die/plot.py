@@ -28,5 +28,5 @@ def filling(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", mu="mu", pictures=(filling,),
+sys.exit(main(sys.argv[1:], mu="mu", pictures=(filling,),
               columns={"filling": ("groove filled", "-", 1.0), "rise": ("highest point above the face", "mm", 1.0)}))

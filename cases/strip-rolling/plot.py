@@ -39,6 +39,6 @@ def bite(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", pictures=(bite,),
+sys.exit(main(sys.argv[1:], pictures=(bite,),
               columns={"nose": ("nose", "mm", 1.0), "tail": ("tail", "mm", 1.0),
                        "path": ("path of the roll's surface", "mm", 1.0), "pull": ("pull of the roll", "N/mm", 1.0)}))

@@ -16,7 +16,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.p
 try:
     import numpy as np
     from plotting.cost import cost_figure, results_of
-    from plotting.curves import COLORS
+    from plotting.curves import COLORS, DASHES
     from plotting.figure import apply_style, new_figure, save, say_empty
 
     from overlay import overlay_figure
@@ -82,9 +82,8 @@ def draw_panel(axes, rows, quantity, names, values):
         y = np.array([number(r[quantity]) for r in mine])
         order = np.argsort(x)
         label = ", ".join(f"{n} = {v}" for n, v in zip(names[1:], group))
-        wide = (len(groups) - 1 - i) / max(1, len(groups) - 1)  # the first is the widest: lines on one another are seen
         axes.plot(np.array(x)[order], y[order], color=COLORS[i % len(COLORS)], marker=MARKERS[i % len(MARKERS)],
-                  linewidth=1.2 + 3.6 * wide, markersize=4 + 5 * wide, label=label or None)
+                  linestyle=DASHES[i % len(DASHES)], linewidth=1.5, markersize=5, label=label or None)
     if not any(np.isfinite(number(r[quantity])) for r in rows):
         say_empty(axes, "no value")
     if not numeric:

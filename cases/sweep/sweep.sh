@@ -16,7 +16,7 @@
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 : "${EXPLORE:=}" "${CASE:=rolling}" "${BURNISH:=build/burnish}" "${PYTHON:=/usr/bin/python3}" "${JOBS:=$(nproc)}" "${SSH:=}"
-case " ${OPTIONS-} " in *" -pictures "*) ;; *) [ -z "$EXPLORE" ] || OPTIONS="-pictures 1 ${OPTIONS-}" ;; esac
+case " ${OPTIONS-} " in *" -pictures "*) ;; *) [ -z "$EXPLORE" ] || OPTIONS="-pictures 2 ${OPTIONS-}" ;; esac
 export CASE BURNISH PYTHON VARY="${VARY-}" OPTIONS="${OPTIONS-}" RESULT="${RESULT-}" TARGET="${TARGET-}"
 top=out/sweep/$(basename "$CASE" .edp)
 

@@ -6,4 +6,4 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 from plotting.case import main
 
-sys.exit(main(sys.argv[1:], length="mm", columns={"depth": ("depth", "mm", 1.0)}))
+sys.exit(main(sys.argv[1:], columns={"depth": ("depth", "mm", 1.0)}))

@@ -40,5 +40,5 @@ def force(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", pictures=(force,),
+sys.exit(main(sys.argv[1:], pictures=(force,),
               columns={"reduction": None, "force": None, "barrelling": ("barrelling", "mm", 1.0)}))

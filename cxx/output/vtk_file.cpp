@@ -73,6 +73,10 @@ void VtkFile::array(const std::string& name, const std::vector<std::uint8_t>& va
   write("UInt8", name, "", values.data(), values.size());
 }
 
+void VtkFile::field(const std::string& name, double value) {
+  write("Float64", name, " NumberOfTuples=\"1\"", &value, sizeof value);
+}
+
 void VtkFile::lines(const std::vector<std::vector<int>>& lines, const char* tag) {
   std::vector<std::int64_t> connectivity, offsets;
   for (const auto& line : lines) {

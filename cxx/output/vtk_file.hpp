@@ -18,6 +18,8 @@ public:
              const std::vector<std::string>& names = {});
   void array(const std::string& name, const std::vector<std::int64_t>& values);
   void array(const std::string& name, const std::vector<std::uint8_t>& values);
+  /// A number of the field data, which belongs to no point and no cell.
+  void field(const std::string& name, double value);
   /// Lines through points as the cells of a .vtp file; tag "Verts": points alone, "Polys": polygons.
   void lines(const std::vector<std::vector<int>>& lines, const char* tag = "Lines");
   /// The whole file; closes what is open.

@@ -99,11 +99,21 @@ template <int Dim> void write_points(const Workpiece<Dim>& body, VtkFile& file) 
   if (body.state().tracks_integrity()) file.array("integrity", 1, list_of(at_nodes(integrity_field(body))));
 }
 
+void write_units(const FileUnits& units, VtkFile& file) {
+  if (units.length.empty()) return;
+  file.open("FieldData");
+  file.field("meters_per_length", units.meters);
+  file.field("pascals_per_stress", units.pascals);
+  file.close();
+}
+
 // @param fields writes the arrays at the nodes; @param names attributes of the element that holds them
 template <int Dim, class Fields>
-void write_nodes(const Discretization<Dim>& mesh, const char* names, Fields fields, const std::string& path) {
+void write_nodes(const Discretization<Dim>& mesh, const char* names, Fields fields, const std::string& path,
+                 const FileUnits& units = {}) {
   const std::size_t cells = mesh.num_elements * cells_of<Dim>(mesh.nodes_per_element).nodes.size();
   VtkFile file("UnstructuredGrid");
+  write_units(units, file);
   file.open("Piece", "NumberOfPoints=\"" + std::to_string(mesh.num_nodes) + "\" NumberOfCells=\"" +
                          std::to_string(cells) + "\"");
   file.open("PointData", names);
@@ -118,10 +128,11 @@ void write_nodes(const Discretization<Dim>& mesh, const char* names, Fields fiel
 
 } // namespace
 
-template <int Dim> void save_fields(const Workpiece<Dim>& body, const std::string& path) {
+template <int Dim>
+void save_fields(const Workpiece<Dim>& body, const std::string& path, const FileUnits& units) {
   write_nodes(
       body.discretization(), "Scalars=\"stress_eq\" Vectors=\"displacement\" Tensors=\"stress\"",
-      [&](VtkFile& file) { write_points(body, file); }, path);
+      [&](VtkFile& file) { write_points(body, file); }, path, units);
 }
 
 template <int Dim>
@@ -132,7 +143,7 @@ void save_displacement(const Discretization<Dim>& mesh, const Eigen::VectorXd& u
 }
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
-  template void save_fields<Dim>(const Workpiece<Dim>&, const std::string&);                                 \
+  template void save_fields<Dim>(const Workpiece<Dim>&, const std::string&, const FileUnits&);               \
   template void save_displacement<Dim>(const Discretization<Dim>&, const Eigen::VectorXd&,                   \
                                        const std::string&);
 BURNISH_INSTANTIATE(2)

@@ -1,4 +1,5 @@
 #include "script/words.hpp"
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -19,7 +20,11 @@ std::string read_without_comments(const std::string& path) {
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!quoted && text.compare(i, 2, "//") == 0) i = text.find('\n', i);
-    if (!quoted && i != std::string::npos && text.compare(i, 2, "/*") == 0) i = text.find("*/", i);
+    if (!quoted && i != std::string::npos && text.compare(i, 2, "/*") == 0) {
+      const std::size_t end = text.find("*/", i);
+      if (end != std::string::npos) code.append(std::count(text.begin() + i, text.begin() + end, '\n'), '\n');
+      i = end;
+    }
     if (i == std::string::npos) break;
     if (text[i] == '"' && (i == 0 || text[i - 1] != '\\')) quoted = !quoted;
     code += text[i];
@@ -65,6 +70,27 @@ private:
 };
 
 } // namespace
+
+std::string declared_name(const std::string& script, const std::string& names) {
+  std::string either;
+  for (const std::string& name : split(names, ' ')) either += (either.empty() ? "" : "|") + name;
+  const std::string types =
+      "\\b(?:real|int|bool|complex|string|mesh3?|meshS|meshL|matrix|varf|border|fespace|func)\\b";
+  const std::string name = "[\\s&]\\s*(" + either + ")\\s*[=;,()\\[]",
+                    later = "[^;{}()]*,\\s*(" + either + ")\\s*[=;,\\[]";
+  static const std::regex QUOTED("\"(?:[^\"\\\\\n]|\\\\.)*\"");
+  std::string code = read_without_comments(script);
+  const std::size_t library = code.find(LIBRARY);
+  const auto before = code.begin() + (library == std::string::npos ? 0 : library);
+  const long first = 1 + std::count(code.begin(), before, '\n');
+  code = std::regex_replace("\"" + std::string(before, code.end()), QUOTED, "\"\"");
+  std::smatch found;
+  for (const std::string& rest : {"(?:\\s+\\w+)?\\s*(?:\\[[^\\]]*\\])?" + name, later})
+    if (std::regex_search(code, found, std::regex(types + rest)))
+      return found[1].str() + " in line " +
+             std::to_string(first + std::count(code.begin(), code.begin() + found.position(1), '\n'));
+  return "";
+}
 
 bool script_uses(const std::string& script, const std::string& words, const std::string& folders) {
   return !words.empty() && Search(words, folders).finds(script);

@@ -9,4 +9,8 @@ namespace burnish {
 /// folder of the file itself
 bool script_uses(const std::string& script, const std::string& words, const std::string& folders);
 
+/// The first of the names, "a b", that the script itself declares as a variable, a function or a parameter, though a type bears it: the name
+/// and its line, "tool in line 7"; "" if it declares none after its include of burnish.idp.
+std::string declared_name(const std::string& script, const std::string& names);
+
 } // namespace burnish

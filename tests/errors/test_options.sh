@@ -31,6 +31,11 @@ rolling 20 'option -mu has the value "-outer"|expected a number' -mu -outer 30
 rolling 20 'option -inner has the value "4.5"|expected a whole number' -inner 4.5
 rolling 20 'option -element is "P3"|expected P1 or P2' -element P3
 rolling 20 'option -scheme is "magic"|expected implicit, event or article' -scheme magic
+rolling 20 'option -pictures is 3|expected 0 to 2' -pictures 3
+printf 'include "burnish.idp"\nreal h = 2,\n  tool = 1;\n' >"$SCRATCH/name.edp"
+refuse 20 'name.edp: tool in line 3 is the name of a type of Burnish|such as tool1' "$BURNISH" "$SCRATCH/name.edp"
+printf 'include "burnish.idp"\nfunc real material(real x) { return x; }\n' >"$SCRATCH/name.edp"
+refuse 20 'name.edp: material in line 2 is the name of a type of Burnish|such as material1' "$BURNISH" "$SCRATCH/name.edp"
 rolling 20 'option -steps is 0|expected 1 to 1e+06' -steps 0
 rolling 20 'option -inner is 1|expected 2 to' -inner 1
 rolling 20 'option -graded is -1|expected 0 to 0.0012' -graded -1

@@ -55,7 +55,7 @@ def run(case, label, options, pictures, checks):
     folder = os.path.join(os.environ.get("SCRATCH", f"out/regression/{case}"), label)
     command = [os.environ.get("BURNISH", "build/burnish"), f"cases/{case}/{case}.edp", "-out", folder,
                *([] if case == "shear" else ["-series", "1"]),    # points only, no fields
-               "-pictures", str(int(bool(pictures))), *shlex.split(options)]
+               "-pictures", "2" if pictures else "0", *shlex.split(options)]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     tail = "\n".join(done.stdout.splitlines()[-25:])
     checks.that(f"{label} exit code", done.returncode == 0,

@@ -12,11 +12,13 @@ import numpy as np
 from matplotlib.tri import Triangulation
 from picture import faults
 from PIL import Image
-from plotting import case, contact, curves, fields, units
+from plotting import case, contact, curves, fields, quadratic, units
 from plotting.figure import new_figure, save
+from plotting.inputs import InputError
 from plotting.labels import place_labels
 from plotting.run import Run
 from plotting.tools import Outline, own_part
+from plotting.vtu import Field
 
 FOLDER = Path(sys.argv.pop(1))
 FINISHED = FOLDER / "finished"
@@ -73,8 +75,21 @@ class Scene(unittest.TestCase):
         self.assertIn(r"drive force [$10^{3}$ force/length]", titles)
         self.assertEqual(units.neutral(40.0, 300.0).length_unit, "length")
         self.assertEqual(units.neutral(40.0, 300.0, axisymmetric=True).force_unit, "force")
-        ring = units.of_ring(units.SYSTEMS["mm"])
-        self.assertEqual((ring.force_unit, ring.moment_unit), ("N", r"N$\cdot$mm"))
+
+    def test_units_that_are_said(self):
+        """A force of 1 stress times length, and times length again, in N; moments alike."""
+        for length, stress, meter, pascal in (("m", "Pa", 1, 1), ("mm", "MPa", 1e-3, 1e6), ("cm", "kPa", 1e-2, 1e3), ("um", "GPa", 1e-6, 1e9)):
+            plane, ring = units.named(length, stress), units.named(length, stress, whole=True)
+            newton = {"N": 1, "kN": 1e3, "N/mm": 1e3, "kN/m": 1e3}
+            self.assertAlmostEqual(plane.force * newton[plane.force_unit] / (pascal * meter), 1)
+            self.assertAlmostEqual(ring.force * newton[ring.force_unit] / (pascal * meter**2), 1)
+            arm = {r"N$\cdot$m": 1, r"N$\cdot$mm": 1e-3, r"N$\cdot$m/m": 1, r"N$\cdot$mm/mm": 1}
+            self.assertAlmostEqual(plane.moment * arm[plane.moment_unit] / (pascal * meter**2), 1)
+            self.assertAlmostEqual(ring.moment * arm[ring.moment_unit] / (pascal * meter**3), 1)
+            self.assertAlmostEqual(plane.stress * 1e6 / pascal, 1)
+            self.assertAlmostEqual(plane.length * {"mm": 1e-3}.get(plane.length_unit, 1e-6) / meter, 1)
+        with self.assertRaisesRegex(InputError, "'inch', 'MPa': expected one of m, cm, mm, um"):
+            units.named("inch", "MPa")
 
     def test_styles_of_curves(self):
         (x, dash_x), (y, dash_y), (other, dash_other), (nodes, _) = curves.styles(["die: x", "die: y", "punch: x", "sliding"])
@@ -162,6 +177,43 @@ class Mirrored(unittest.TestCase):
         part = own_part(axes, mesh, [(-1, 1)])
         self.assertTrue(part.contains_point((1.5, 2.9)) and not part.contains_point((-0.1, 1)))
         self.assertIsNone(own_part(axes, mesh, []))
+
+
+class Quadratic(unittest.TestCase):
+    """Two quadratic triangles of the unit square, divided as the file has them."""
+
+    POINTS = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.5, 0], [1, 0.5], [0.5, 0.5], [0.5, 1], [0, 0.5]], float)
+    ELEMENTS = np.array([[0, 1, 2, 4, 5, 6], [0, 2, 3, 6, 7, 8]])
+
+    def field(self):
+        parts = [[[c[0], c[3], c[5]], [c[3], c[1], c[4]], [c[5], c[4], c[2]], [c[4], c[5], c[3]]] for c in self.ELEMENTS.tolist()]
+        return Field(self.POINTS, np.array(parts).reshape(-1, 3), {"displacement": np.zeros((9, 3))})
+
+    def test_elements(self):
+        np.testing.assert_array_equal(quadratic.elements_of(self.field().triangles), self.ELEMENTS)
+        np.testing.assert_array_equal(quadratic.elements_of(self.field().triangles[:7]), self.field().triangles[:7])
+
+    def test_field(self):
+        """A quadratic function comes out as it is at every point, edges and area as well; common points are one."""
+        value = lambda x, y: 1 + x * (2 - y) + 0.3 * y**2
+        field = self.field()
+        found = quadratic.smooth(field, value(*field.points.T), 2.0)
+        x, y = found.mesh.x / 2, found.mesh.y / 2
+        np.testing.assert_allclose(found.values, value(x, y), atol=1e-12)
+        self.assertEqual(len(set(zip(x.round(9), y.round(9)))), len(x))
+        a, b, c = (np.column_stack([x, y])[k] for k in found.mesh.triangles.T)
+        area = 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+        self.assertTrue((area > 0).all())
+        self.assertAlmostEqual(area.sum(), 1)
+        self.assertEqual(len(found.edges), 5)
+
+    def test_curved_edge(self):
+        """The middle of an edge moves: its line goes through the three nodes."""
+        field = self.field()
+        field.data["displacement"][4] = [0, -0.1, 0]
+        edges = quadratic.smooth(field, np.zeros(9), 1.0).edges
+        low = edges[[np.abs(edge[[0, -1], 1]).max() == 0 for edge in edges]][0]
+        np.testing.assert_allclose(low[:, 1], -0.4 * low[:, 0] * (1 - low[:, 0]), atol=1e-12)
 
 
 if __name__ == "__main__":

@@ -42,6 +42,13 @@ class Files(unittest.TestCase):
             files.read_body(str(path), 1.0)
 
 
+def said(length, stress):
+    """The run of a script with rcUnits."""
+    run = SpaceRun(str(FOLDER / "P2"))
+    run.__dict__["said"] = length, stress
+    return run
+
+
 class Views(unittest.TestCase):
     run_ = SpaceRun(str(FOLDER / "P2"))
 
@@ -58,7 +65,7 @@ class Views(unittest.TestCase):
 
     def test_units_are_not_per_thickness(self):
         self.assertEqual(self.run_.columns["Q_z"].unit, "force")
-        self.assertEqual(SpaceRun(str(FOLDER / "P2"), "mm").columns["Q_z"].unit, "N")
+        self.assertEqual(said("mm", "MPa").columns["Q_z"].unit, "N")
 
     def test_section(self):
         """Of the deformed cube at x = 0.3: 1 x 0.9, where stress_eq = x."""
@@ -91,9 +98,18 @@ class Pictures(unittest.TestCase):
 
     def test_default_pictures(self):
         code, paths, said = self.drawn()
-        self.assertEqual((code, [Path(p).stem for p in paths], said), (0, ["scene", "sequence", "pressure", "section", "history"], ""))
+        self.assertEqual((code, [Path(p).stem for p in paths], said), (0, ["final", "scene", "sequence", "pressure", "section", "history"], ""))
         for path in paths:
             self.assertEqual(faults(Path(path)), [])
+
+    def test_one_by_name(self):
+        for name in ("final", "gallery"):
+            code, paths, said = self.drawn(name)
+            self.assertEqual((code, [Path(p).stem for p in paths], said), (0, [name], ""))
+            self.assertEqual(faults(Path(paths[0])), [])
+        code, paths, said = self.drawn("finale")
+        self.assertEqual((code, paths), (2, []))
+        self.assertRegex(said, r"usage: .*\[movie\|gallery\|final\|")
 
     def test_page(self):
         code, paths, said = self.drawn("movie")

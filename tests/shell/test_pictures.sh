@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# rcCaseEnd's pictures for a script outside the tree: those of any scene, also of a run that stopped early; a plot.py
+# rcCaseEnd's pictures for a script outside the tree: final.png, with -pictures 2 those of any scene, also of a run that stopped early; a plot.py
 # beside the script goes first; one that fails only warns. Then the parts, and what is refused as a picture: pictures.py.
 set -eu
 fail() { echo "FAILED: $1"; tail -n 30 "$SCRATCH/log.txt"; exit 1; }
@@ -27,7 +27,7 @@ include "burnish.idp"
 rcLeastSteps = 4; rcSeries = 3;
 rcCaseOptions("press");
 int fails = rcInt("-fails", 0);
-rcOptionsEnd(0);
+rcOptionsEnd();
 mesh Th = square(16, 8, [0.02*x - 0.01, 0.01*(y - 1)]);
 NewMacro scene(Pk)
 fespace Vh(Th, [Pk, Pk]);
@@ -58,18 +58,20 @@ EndMacro
 if (rcElement == "P1") { scene(P1) } else { scene(P2) }
 END_OF_SCENE
 
-run 0 finished
-drawn finished history.png plastic-strain.png pressure.png scene.png sequence.png stress-error.png stress.png
+run 0 alone -series 0
+drawn alone final.png
+run 0 finished -pictures 2
+drawn finished final.png history.png plastic-strain.png pressure.png scene.png sequence.png stress-error.png stress.png
 ! grep -q "burnish: warning: " "$SCRATCH/log.txt" || fail "finished: a warning"
-run 3 stopped -fails 1 -series 0
-drawn stopped history.png pressure.png scene.png stress-error.png stress.png
+run 3 stopped -fails 1 -series 0 -pictures 2
+drawn stopped final.png history.png pressure.png scene.png stress-error.png stress.png
 
 echo 'import sys; open(sys.argv[1] + "/own.txt", "w").write("drawn")' >"$scene/plot.py"
-run 0 own -element P1 -series 0
+run 0 own -element P1 -series 0 -pictures 2
 drawn own
 [ -s "$SCRATCH/own/own.txt" ] || fail "own: the plot.py beside the script did not run"
 echo 'raise SystemExit(7)' >"$scene/plot.py"
-run 0 failing -element P1 -series 0
+run 0 failing -element P1 -series 0 -pictures 2
 warned 7 || fail "failing: no warning"
 drawn failing
 PYTHON=$SCRATCH/nothing run 0 without -element P1 -series 0

@@ -9,7 +9,7 @@ include "burnish.idp"
 rcCaseOptions("block");
 rcSymmetry = rcText("-lines", "", "", "");
 real x0 = rcReal("-from", 0, "mm", "");
-rcOptionsEnd(0);
+rcOptionsEnd();
 mesh Th = square(4, 4, [x0 + 10*x, 10*y]);
 fespace Vh(Th, [P2, P2]);
 Vh [u, v] = [0, 0];
@@ -37,7 +37,7 @@ signs = {'': [], 'x': [(-1, 1)], 'y': [(1, -1)], 'xy': [(-1, 1), (1, -1), (-1, -
 mirrors = Run('$SCRATCH/out').mirrors
 assert mirrors == signs['$lines'], mirrors" || report "lines \"$lines\""
 done
-[ -s "$SCRATCH/out/stress.png" ] || report "no picture"
+[ -s "$SCRATCH/out/final.png" ] || report "no picture"
 # refused WORDS OPTION...
 refused() {
   local words=$1 status

@@ -1,9 +1,18 @@
-"""The pictures of a run in space: scene, sequence, pressure, section, history, expected; see plotting/case.py."""
+"""The pictures of a run in space: final, scene, sequence, pressure, section, history, expected; see plotting/case.py."""
 from plotting import curves
+from plotting.space import final as finals
 from plotting.space import maps
 from plotting.space import scene as scenes
 from plotting.space.movie import write_movie  # noqa: F401
 from plotting.space.run import SpaceRun
+
+
+def final(run):
+    return finals.final_figure(run)
+
+
+def gallery(run):
+    return finals.gallery_figure(run)
 
 
 def scene(run):
@@ -30,11 +39,11 @@ def expected(run):
     return curves.expected_figure(run)
 
 
-DEFAULT = (scene, sequence, pressure, section, history, expected)
+DEFAULT = (final, scene, sequence, pressure, section, history, expected)
 
 
 def space_run(run):
     """The same run, read as one in space."""
-    other = SpaceRun(run.folder, run.system, None, run.given)
+    other = SpaceRun(run.folder, None, run.given)
     other.mu = run.mu
     return other

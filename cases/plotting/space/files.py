@@ -70,6 +70,13 @@ def read_surface(path, scale):
     return Surface(points, triangles, data, arrays(surface.GetCellData()), surface)
 
 
+def read_origins(path):
+    """(number, origin of its frame in the file's unit) of every tool."""
+    cells = arrays(read(path, vtkXMLPolyDataReader()).GetCellData())
+    numbers, first = np.unique(cells["tool"], return_index=True)
+    return [(int(number), cells["origin"][k]) for number, k in zip(numbers, first)]
+
+
 def read_frame(t, parts, scale):
     """parts: {"workpiece": path, "tools": path, "contact surface": path}; a part that is not there is None."""
     some = {name: read_surface(parts[name], scale) if name in parts else None for name in ("contact surface", "tools")}

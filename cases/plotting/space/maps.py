@@ -9,7 +9,8 @@ from vtkmodules.vtkFiltersCore import vtkCutter
 from vtkmodules.vtkFiltersGeneral import vtkWarpVector
 
 from plotting import fields, maps
-from plotting.figure import BLUE, GRAY, GREEN, ORANGE, RED, key_under_labels, new_figure, say_empty
+from plotting.contact import STATES
+from plotting.figure import GRAY, ORANGE, key_under_labels, new_figure, say_empty
 from plotting.space import files
 from plotting.space.render import poly
 from plotting.space.run import AXES
@@ -19,7 +20,6 @@ from plotting.units import amount
 ARROWS = 18                      # along the longer side of the contact, at most
 LEAST_SHEAR = 0.02               # of the largest, below which no arrow is drawn
 NO_FRICTION = 1e-4               # largest shear over the largest pressure, below which it is what the iteration left
-STATES = {3: ("sticking", GREEN, "^"), 2: ("sliding", RED, "o"), 1: ("touched", BLUE, "s")}
 BARE = 1e-3                      # of the first level of the pressure, below which the surface stays white
 
 

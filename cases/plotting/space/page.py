@@ -25,7 +25,7 @@ output { min-width: 7em; font-variant-numeric: tabular-nums }
 <div class="view"><canvas id="view" aria-label="workpiece and tools at the time of the slider"></canvas>
 <div class="scale">%(scale)s</div></div>
 <div class="bar"><button id="play" type="button">Play</button>
-<input id="time" type="range" min="0" max="%(most)d" value="%(most)d" aria-label="time"><output id="t"></output>
+<input id="time" type="range" min="0" max="%(most)d" value="0" aria-label="time"><output id="t"></output>
 <label><input id="tools" type="checkbox" checked> tools</label> <label><input id="edges" type="checkbox" checked> elements</label></div>
 <p>Drag to turn, wheel to zoom, shift and drag to move, arrow keys at the slider by a frame.</p>
 <noscript><p>Without JavaScript there is nothing to see here; movie.gif shows the way.</p></noscript>

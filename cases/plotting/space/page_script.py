@@ -120,6 +120,7 @@ canvas.onpointermove = event => {
   show();
 };
 canvas.onwheel = event => { event.preventDefault(); distance *= Math.exp(.001*event.deltaY); show(); };
-if (location.hash.length > 1) slider.value = location.hash.slice(1);  // movie.html#3 opens at frame 3
+if (location.hash.length > 1) slider.value = location.hash.slice(1);  // movie.html#3 opens at frame 3 and waits
 show();
+if (location.hash.length < 2 && !matchMedia("(prefers-reduced-motion: reduce)").matches) button.onclick();
 """

@@ -18,6 +18,7 @@ from plotting.space import files
 
 STEEL, BODY, EDGE = (0.55, 0.60, 0.68), (0.93, 0.91, 0.86), (0.35, 0.35, 0.35)
 
+DENSE = 3000  # triangles of a tool whose lines are no longer told apart
 APART = 2e-3  # how far lines lie before faces and tools behind them, over the size of the workpiece
 
 
@@ -78,7 +79,7 @@ class Scene:
         self.renderer, self.window = vtkRenderer(), vtkRenderWindow()
         self.renderer.SetBackground(1, 1, 1)
         self.renderer.SetUseDepthPeeling(True)
-        self.renderer.SetMaximumNumberOfPeels(4)
+        self.renderer.SetMaximumNumberOfPeels(3)
         self.window.SetAlphaBitPlanes(True)
         self.window.SetMultiSamples(0)
         self.renderer.SetUseFXAA(True)
@@ -117,12 +118,13 @@ class Scene:
         self.add(poly(body.points + shift, files.edges_of(body.faces), "lines"), EDGE, width=1.0)
 
     def add_tools(self, tools, shift, opacity=0.4):
-        """With the lines of their triangles, which show how they turn; moved by a shift that nobody sees, so that the contact is
+        """With the lines of their triangles, which show how they turn, where these are few; moved by a shift that nobody sees, so that the contact is
         that of the workpiece."""
         for _, points, triangles, _ in files.tool_parts(tools):
             points = points + shift
             self.add(smoothed(poly(points, triangles)), STEEL, opacity)
-            self.add(poly(points, files.edges_of(triangles), "lines"), STEEL, 0.5 * opacity, 1.0)
+            if len(triangles) < DENSE:
+                self.add(poly(points, files.edges_of(triangles), "lines"), STEEL, 0.5 * opacity, 1.0)
 
     def add_track(self, places, radius, color=ORANGE):
         """A tube through the places with a ball at its end."""

@@ -17,11 +17,11 @@ class SpaceRun(Run):
 
     @cached_property
     def units(self):
-        return u.of_ring(u.SYSTEMS[self.system]) if self.system else u.neutral(self.size(), self.largest_stress(), True)
+        return u.named(*self.said, whole=True) if self.said else u.neutral(self.size(), self.largest_stress(), True)
 
     @cached_property
     def columns(self):
-        if self.system:
+        if self.said:
             return u.describe(list(self.history), self.units, self.given)
         return u.describe(list(self.history), u.neutral(1.0, 1.0, True), self.given, u.LENGTHS + ("z",))
 
@@ -54,7 +54,7 @@ class SpaceRun(Run):
         """{tool: places of its frame's origin in all frames}"""
         tracks = {}
         for _, parts in self.frames:
-            for number, _, _, origin in files.tool_parts(files.read_surface(parts["tools"], 1.0) if "tools" in parts else None):
+            for number, origin in files.read_origins(parts["tools"]) if "tools" in parts else ():
                 tracks.setdefault(number, []).append(self.units.length * origin)
         return {number: np.array(places) for number, places in tracks.items()}
 

@@ -102,7 +102,7 @@ def label_edges(axes, run, frame, places):
         way = np.array([-(b - a)[1], (b - a)[0]]) / np.hypot(*(b - a))
         way *= np.sign(way @ out)
         turn = -np.degrees(np.arctan2(*(b - a)[::-1]))
-        low, high = ends[:, axis].min(), ends[:, axis].max()
+        low, high = (end if abs(end) > 1e-4 * np.ptp(ends, axis=0).max() else 0.0 for end in (ends[:, axis].min(), ends[:, axis].max()))
         axes.annotate(f"{'xyz'[axis]}: {low:.3g} to {high:.3g} [{run.units.length_unit}]", 0.5 * (a + b), way * (14, -14),
                       textcoords="offset points", ha="center", va="center", rotation=turn, rotation_mode="anchor", fontsize=9)
 
@@ -111,7 +111,7 @@ def key_of(run):
     names = plain(", ".join(map(run.tool_name, run.tracks))) if len(run.tracks) < 4 else "tools"
     handles = [Patch(facecolor=BODY, edgecolor="black", label="workpiece, edges of its elements"),
                Patch(facecolor=STEEL, alpha=0.6, label=f"rigid {names}")]
-    moved = [p for p in run.tracks.values() if np.ptp(p, axis=0).max() > 0]
+    moved = [p for p in run.tracks.values() if np.ptp(p, axis=0).max() > 1e-2 * np.ptp(run.last.body.points, axis=0).max()]
     if moved:
         handles.append(Line2D([], [], color=ORANGE, linewidth=4, label="track of the tool's origin"))
     return handles

@@ -16,4 +16,4 @@ def hole_over_stroke(run):
     return figure
 
 
-sys.exit(main(sys.argv[1:], length="mm", pictures=[hole_over_stroke]))
+sys.exit(main(sys.argv[1:], pictures=[hole_over_stroke]))

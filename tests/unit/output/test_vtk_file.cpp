@@ -1,4 +1,6 @@
+#include "output/file_units.hpp"
 #include "output/vtk_file.hpp"
+#include <array>
 #include <gtest/gtest.h>
 
 using namespace burnish;
@@ -23,6 +25,33 @@ TEST(VtkFile, Base64) {
   EXPECT_EQ(base64("fooba"), ">Zm9vYmE=");
   EXPECT_EQ(base64("foobar"), ">Zm9vYmFy");
   EXPECT_EQ(base64("\xff\xfe\xfd"), ">//79");
+}
+
+TEST(VtkFile, NumberOfTheFieldData) {
+  VtkFile file("UnstructuredGrid");
+  file.open("FieldData");
+  file.field("meters_per_length", 1.);
+  EXPECT_NE(file.text().find(
+                "<FieldData>\n<DataArray type=\"Float64\" Name=\"meters_per_length\" NumberOfTuples=\"1\" "
+                "format=\"binary\">CAAAAAAAAAAAAAAAAADwPw==</DataArray>\n</FieldData>"),
+            std::string::npos)
+      << file.text();
+}
+
+TEST(FileUnits, KnownOnes) {
+  const FileUnits units = file_units("mm", "MPa");
+  EXPECT_EQ(units.length + units.stress, "mmMPa");
+  EXPECT_EQ(units.meters, 1e-3);
+  EXPECT_EQ(units.pascals, 1e6);
+  for (const auto& [length, stress, what] : std::vector<std::array<std::string, 3>>{
+           {"inch", "MPa", "unit of length \"inch\", expected one of m, cm, mm, um"},
+           {"mm", "N/mm2", "unit of stress \"N/mm2\", expected one of Pa, kPa, MPa, GPa"}})
+    try {
+      file_units(length, stress);
+      FAIL() << length << " " << stress;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(error.what(), "rcUnits: " + what);
+    }
 }
 
 // Whatever is open is closed, the innermost first; each array goes after its size in bytes.

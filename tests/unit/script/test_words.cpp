@@ -28,3 +28,24 @@ TEST(ScriptWords, CommentsDoNotCountIncludedFilesDo) {
   EXPECT_FALSE(script_uses(folder + "/none.edp", "used", ""));
   EXPECT_FALSE(script_uses("", "used", ""));
 }
+
+// FreeFEM says "syntax error" of these alone; comments, texts and what stands before the include do not count.
+TEST(ScriptWords, DeclaredNamesOfTypes) {
+  const std::string script = ::testing::TempDir() + "declared.edp";
+  const auto declared = [&](const std::string& code) {
+    std::ofstream(script) << "real contact = 1;\n// include\ninclude \"burnish.idp\"\n" << code;
+    return declared_name(script, "tool contact material");
+  };
+  for (const char* code :
+       {"real tool = 1;", "int a = 2, tool;", "mesh tool(Th);", "func real[int] tool(real x) { return x; }",
+        "real[int] tool(3);", "func int f(real tool) { return 1; }", "/* of\ntwo lines */ string tool;"})
+    EXPECT_EQ(declared(code).substr(0, 12), "tool in line") << code;
+  EXPECT_EQ(declared("/* of\ntwo lines */ string tool;"), "tool in line 5");
+  EXPECT_EQ(declared("real h;\nreal contact = h;"), "contact in line 5");
+  for (const char* code :
+       {"tool roller(circle=1., name=\"roller\");",
+        "func int f(contact & C, material & M, tool & t) { return 1; }", "// real tool = 1;",
+        "string s = \"real tool = 1;\";", "contact C = rcContact(Vh, label=3);", "real tools = 1;"})
+    EXPECT_EQ(declared(code), "") << code;
+  EXPECT_EQ(declared_name(script + ".none", "tool"), "");
+}

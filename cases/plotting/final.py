@@ -1,0 +1,281 @@
+"""final.png, the picture of a run in the plane: workpiece with its field and mesh, the whole tools with their way, beside it what is near
+the contact where that is small. 1200 pixels wide; few artists, since a run draws it every time."""
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection
+from matplotlib.colors import BoundaryNorm
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Rectangle
+
+from plotting import contact, fields, maps, quadratic, tools
+from plotting.figure import BLUE, GRAY, ORANGE
+from plotting.units import amount, plain
+
+WIDTH = 8.0                    # inches at 150 pixels
+LEFT, RIGHT, BELOW, ABOVE, BETWEEN = 0.62, 1.05, 0.9, 0.42, 0.55   # inches beside the panels
+BODY, TOOL, RIM = "#f4f1ea", "#c9d0d8", "#4d5a68"
+LARGE = 4.0                    # a tool over the workpiece, from which only its part near the workpiece is drawn
+FAR = 0.02                     # a way over the view, below which it is not drawn
+ZONE, SMALL = 0.2, 0.25        # of the largest value: what makes the zone; zone over the view, below which it is drawn beside, too
+FEWEST, MOST_LEVELS = 1e-3, 16
+FLOWING = 0.1                  # of the first level, below which the workpiece keeps its color
+GHOST = (0, (4, 2.5))
+GALLERY = (690, 460)           # pixels
+LONG = 2.0                     # width over height of what the gallery shows, at most
+
+
+class Shown:
+    """What is drawn of one instant, in the units of the pictures."""
+
+    def __init__(self, run, t, field, surface=None):
+        self.t, self.run, self.surface, scale = t, run, surface, run.units.length
+        strain = field.data.get("plastic_strain_eq")
+        plastic = strain is not None and np.nanmax(strain, initial=0) > FEWEST
+        self.quantity = fields.STRAIN if plastic else fields.STRESS
+        self.unit, factor = fields.unit_of(run, self.quantity, field)
+        self.smooth = quadratic.smooth(field, factor * np.nan_to_num(field.data[self.quantity.name]), scale)
+        self.largest = factor * np.nanmax(field.data[self.quantity.name], initial=0)
+        self.levels = fields.levels_to(self.largest, MOST_LEVELS, self.quantity)
+        if plastic:
+            self.levels[0] = FLOWING * self.levels[1]
+        self.outlines, self.first = (tools.at_time(run.tools, when) for when in (t, 0.0))
+        self.mirrors, self.rim = run.mirrors, maps.rim_edges(self.smooth.mesh)
+        self.seen = [o.name for o in self.outlines if tools.closed(o.points) and not tools.encloses(o.points, self.smooth.mesh)
+                     and np.ptp(o.points, axis=0).max() < LARGE * self.size() and not self.crosses(o.points)]   # as a whole
+        self.ways = [way for name in self.seen if len(way := way_of(run.tools, name, t)) > 1]
+
+    def size(self):
+        return max(np.ptp(self.smooth.mesh.x), np.ptp(self.smooth.mesh.y))
+
+    def crosses(self, points):
+        """Whether a line of symmetry cuts the tool."""
+        return any(points[:, k].min() < 0 < points[:, k].max() for k in (0, 1) if any(sign[k] < 0 for sign in self.mirrors))
+
+    def whole(self):
+        """Limits with the workpiece, its mirror images and the tools, large ones in part."""
+        box = fields.view_of(self.run, self.smooth.mesh, [o for o in self.outlines if o.name not in self.seen])
+        for outline in [o for o in self.outlines + self.first if o.name in self.seen]:
+            for sign in [(1, 1), *self.mirrors]:
+                low, high = (f(outline.points * sign, axis=0) for f in (np.min, np.max))
+                box = min(box[0], low[0]), max(box[1], high[0]), min(box[2], low[1]), max(box[3], high[1])
+        pad = 0.03 * max(box[1] - box[0], box[3] - box[2])
+        return box[0] - pad, box[1] + pad, box[2] - pad, box[3] + pad
+
+    def zone(self):
+        """Limits of where the values are large, None without any."""
+        if self.levels is None:
+            return None
+        mesh = self.smooth.mesh
+        some = self.smooth.values > ZONE * self.largest
+        return maps.box_of(mesh.x[some], mesh.y[some], 0.15) if some.any() else None
+
+
+def way_of(outlines, name, t):
+    """Middles of a closed tool up to t; empty for others and where it does not go."""
+    own = [o for o in outlines if o.name == name and o.t <= t * (1 + 1e-9)]
+    if not own or not tools.closed(own[0].points):
+        return np.empty((0, 2))
+    return np.array([middle(o.points) for o in sorted(own, key=lambda o: o.t)])
+
+
+def middle(points):
+    """Centroid of a polygon."""
+    x, y = points.T
+    cross = x * np.roll(y, -1) - np.roll(x, -1) * y
+    return np.array([((x + np.roll(x, -1)) * cross).sum(), ((y + np.roll(y, -1)) * cross).sum()]) / (3 * cross.sum())
+
+
+def draw_tool(axes, shown, outline, width):
+    """A tool with its mirror images, each as far as the line of symmetry, filled where it is closed."""
+    mesh = shown.smooth.mesh
+    solid = tools.closed(outline.points) and not tools.encloses(outline.points, mesh)
+    area = outline.points if solid else tools.band(outline.points, tools.side_of_body(outline.points, mesh), width)
+    for sign in [(1, 1), *shown.mirrors]:
+        part = tools.own_part(axes, fields.reflected(mesh, sign), shown.mirrors)
+        drawn = axes.fill(*(area * sign).T, facecolor=TOOL, edgecolor="none", zorder=0.5)
+        drawn += axes.plot(*(outline.points * sign).T, color=RIM, linewidth=1.1, zorder=3.5)
+        for artist in drawn if part else ():
+            artist.set_clip_path(part, axes.transData)
+
+
+def draw_ways(axes, shown):
+    """Ways of the tools' middles, dashed, with where they began; handles for the key."""
+    size, handles = np.ptp(axes.get_xlim()), []
+    for way in shown.ways:
+        if np.ptp(way, axis=0).max() < FAR * size:
+            continue
+        axes.plot(*way.T, color=ORANGE, linewidth=1.6, zorder=3.8)
+        axes.plot(*way[0], color=ORANGE, marker="o", markersize=5, markerfacecolor="white", zorder=3.9)
+        axes.annotate("", way[-1], way[-2], arrowprops={"arrowstyle": "-|>", "color": ORANGE, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 16},
+                      zorder=3.9)
+        handles = [Line2D([], [], color=ORANGE, linewidth=1.6, label="way of the tools' middles" if len(shown.ways) > 1 else "way of its middle")]
+    before = {outline.name: outline.points for outline in shown.first}
+    for now in [o for o in shown.outlines if o.name in shown.seen]:
+        if np.abs(middle(before[now.name]) - middle(now.points)).max() > FAR * size:
+            axes.plot(*before[now.name].T, color=RIM, linewidth=0.8, linestyle=GHOST, zorder=0.6)
+            handles.append(Line2D([], [], color=RIM, linewidth=0.8, linestyle=GHOST, label="where it began"))
+    return list({h.get_label(): h for h in handles}.values())
+
+
+def draw_body(axes, shown, thin):
+    """Field, edges of the elements, outline, and the parts that symmetry leaves out. thin: width of the edges"""
+    mesh = shown.smooth.mesh
+    levels, colors = [-1.0, 1e300], [BODY]
+    if shown.levels is not None:      # below the first level the workpiece has its own color
+        levels = [-1.0, *shown.levels]
+        colors = [BODY, *fields.band_colors(shown.quantity, shown.levels).colors]
+    for sign in [(1, 1), *shown.mirrors]:
+        other = mesh if sign == (1, 1) else fields.reflected(mesh, sign)
+        axes.tricontourf(other, shown.smooth.values, levels=levels, colors=colors, zorder=1)
+        axes.add_collection(LineCollection(shown.rim * sign, colors="black", linewidths=1.0, zorder=3), autolim=False)
+    axes.add_collection(LineCollection(shown.smooth.edges, colors="black", linewidths=thin, alpha=0.4, zorder=1.5), autolim=False)
+
+
+def draw_panel(axes, shown, box):
+    """One view; returns the handles of the key."""
+    maps.set_view(axes, box, shown.run.units.length_unit)
+    axes.grid(False)
+    for outline in shown.outlines:
+        draw_tool(axes, shown, outline, 0.025 * max(box[1] - box[0], box[3] - box[2]))
+    inches = axes.get_position().width * axes.figure.get_figwidth()
+    part = shown.size() / (box[1] - box[0]) * inches / np.sqrt(len(shown.smooth.edges))
+    draw_body(axes, shown, float(np.clip(2.0 * part, 0.08, 0.5)))
+    handles = draw_ways(axes, shown)
+    if shown.surface is not None and contact.touching(shown.surface).any():
+        for sx, sy in [(1, 1), *shown.mirrors]:
+            other = {**shown.surface, "x": sx * shown.surface["x"], "y": sy * shown.surface["y"]}
+            mark = contact.mark_contact(axes, other, letters="", scale=shown.run.units.length)
+        handles.append(mark)
+    if shown.mirrors:
+        lines = (axes.axvline, axes.axhline)
+        drawn = [lines[k](0, color=GRAY, linewidth=0.9, linestyle="-.", zorder=3.2) for k in (0, 1) if any(sign[k] < 0 for sign in shown.mirrors)]
+        handles.append(Line2D([], [], color=drawn[0].get_color(), linewidth=0.9, linestyle="-.", label="symmetry"))
+    names = list(dict.fromkeys(o.name for o in shown.outlines))
+    label = plain(names[0]) if len(names) == 1 else "tools: " + plain(", ".join(names)) if len(names) < 4 else "tools"
+    return [Line2D([], [], color=TOOL, linewidth=7, label=label)] * bool(names) + handles
+
+
+def fitted(box, aspect):
+    """The box widened on its shorter side to a width over height."""
+    x0, x1, y0, y1 = box
+    wide, high = max(x1 - x0, aspect * (y1 - y0)), max(y1 - y0, (x1 - x0) / aspect)
+    mx, my = 0.5 * (x0 + x1), 0.5 * (y0 + y1)
+    return mx - wide / 2, mx + wide / 2, my - high / 2, my + high / 2
+
+
+def layout(whole, zone):
+    """[(place in inches: left, bottom, width, height), ...] of the panels, and the height of the figure."""
+    room, aspect = WIDTH - LEFT - RIGHT, (whole[1] - whole[0]) / (whole[3] - whole[2])
+    if zone is None:
+        height = float(np.clip(room / aspect, 1.6, 6.5))
+        return [(LEFT, BELOW, room, height)], height + BELOW + ABOVE
+    if aspect > 2.2:
+        first, second = room / aspect, float(np.clip(room * (zone[3] - zone[2]) / (zone[1] - zone[0]), 2.0, 3.4))
+        return [(LEFT, BELOW + second + BETWEEN, room, first), (LEFT, BELOW, room, second)], first + second + BETWEEN + BELOW + ABOVE
+    room -= BETWEEN
+    height = float(np.clip(0.45 * room / aspect, 2.6, 4.8))
+    first = min(height * aspect, 0.6 * room)
+    return [(LEFT, BELOW, first, height), (LEFT + first + BETWEEN, BELOW, room - first, height)], height + BELOW + ABOVE
+
+
+def new_figure(height):
+    """Figure that is drawn as it is; its axes are placed in inches."""
+    figure = Figure(figsize=(WIDTH, height), dpi=150, layout="none")
+    FigureCanvasAgg(figure)
+    figure.placed = True     # nothing is moved or cut off
+    return figure
+
+
+def final_figure(run):
+    """The end of the run."""
+    surface = run.surface if run.has("surface.csv") else None
+    shown = Shown(run, run.t, run.field, surface)
+    whole, zone = shown.whole(), shown.zone()
+    if zone and max(zone[1] - zone[0], zone[3] - zone[2]) > SMALL * max(whole[1] - whole[0], whole[3] - whole[2]):
+        zone = None
+    places, height = layout(whole, zone)
+    figure = new_figure(height)
+    handles = []
+    for (left, low, wide, high), box in zip(places, (whole, zone)):
+        axes = figure.add_axes((left / WIDTH, low / height, wide / WIDTH, high / height))
+        box = fitted(box, wide / high)
+        keys = draw_panel(axes, shown, box)
+        handles = handles or keys
+        if zone and axes is figure.axes[0]:
+            near = fitted(zone, places[1][2] / places[1][3])
+            axes.add_patch(Rectangle((near[0], near[2]), near[1] - near[0], near[3] - near[2], fill=False, edgecolor=BLUE, linewidth=1.2, zorder=5))
+        elif zone:
+            axes.set(xlabel="", ylabel="")
+            for side in axes.spines.values():
+                side.set(color=BLUE, linewidth=1.2)
+    add_words(figure, shown, handles, height)
+    return figure
+
+
+def at_work(run):
+    """Instant and field of the last frame in which as many tools touch as ever; the end if none does."""
+    history = run.history
+    names = [n for n in history if n.endswith(".contact")] or ["sticking", "sliding"]
+    touching = sum((history[n] > 0).astype(int) for n in names)
+    if not run.series or not touching.max() > 0:
+        return run.t, run.field
+    shown = [(np.interp(t, history["t"], touching), t, path) for t, path in run.series]
+    _, t, path = max(shown, key=lambda frame: (round(frame[0]), frame[1]))
+    return t, run.read_field(path)
+
+
+def cropped(box, outlines):
+    """Of a long scene the part about its tools."""
+    x0, x1, y0, y1 = box
+    if x1 - x0 < LONG * (y1 - y0):
+        return box
+    middles = [middle(o.points)[0] for o in outlines if tools.closed(o.points)] or [0.5 * (x0 + x1)]
+    half = 0.5 * LONG * (y1 - y0)
+    center = np.clip(np.mean(middles), x0 + half, x1 - half)
+    return center - half, center + half, y0, y1
+
+
+def gallery_figure(run):
+    """The process at a look, without words: all pictures of this kind have one size."""
+    shown = Shown(run, *at_work(run))
+    shown.ways, shown.first = [], shown.outlines
+    figure = Figure(figsize=(GALLERY[0] / 150, GALLERY[1] / 150), dpi=150, layout="none")
+    FigureCanvasAgg(figure)
+    figure.placed = True
+    axes = figure.add_axes((0, 0, 1, 1))
+    box = cropped(fields.view_of(run, shown.smooth.mesh, shown.outlines), shown.outlines)
+    draw_panel(axes, shown, fitted(box, GALLERY[0] / GALLERY[1]))
+    axes.set_axis_off()
+    return figure
+
+
+def add_words(figure, shown, handles, height):
+    """Title, key and scale."""
+    label, when = shown.quantity.label, "" if shown.t is None else f" at t = {shown.t:.4g}"
+    add_title(figure, f"{label[0].upper() + label[1:]}{when}, largest {amount(shown.largest, shown.unit)}")
+    add_key(figure, handles)
+    if shown.levels is not None:
+        place = figure.axes[-1].get_position()
+        add_scale(figure, shown.quantity, shown.levels, shown.unit, (BELOW + 0.05 * place.height * height, 0.9 * place.height * height))
+
+
+def add_title(figure, text):
+    figure.text(0.5, 1 - 0.13 / figure.get_figheight(), text, ha="center", va="top", fontsize=12)
+
+
+def add_key(figure, handles):
+    """At the lower edge, in as many columns as fit."""
+    longest = max((6 + len(h.get_label()) for h in handles), default=1)
+    figure.legend(handles=handles, loc="lower center", ncol=int(np.clip(105 // longest, 1, max(1, len(handles)))), frameon=False, fontsize=9.5,
+                  bbox_to_anchor=(0.5, 0.0), borderpad=0.1)
+
+
+def add_scale(figure, quantity, levels, unit, span):
+    """Color bar at the right edge; span: its lower end and its height in inches."""
+    height = figure.get_figheight()
+    axes = figure.add_axes((1 - (RIGHT - 0.15) / WIDTH, span[0] / height, 0.16 / WIDTH, span[1] / height))
+    scale = ScalarMappable(BoundaryNorm(levels, len(levels) - 1), fields.band_colors(quantity, levels))
+    figure.colorbar(scale, cax=axes, label=fields.axis_label(quantity, unit), format="%.4g",
+                    ticks=levels[0 if levels[0] == 0 else 1:: 1 if len(levels) <= 9 else 2])

@@ -1,0 +1,48 @@
+"""final.png of a run in space: workpiece with its field, tools and their tracks at the end, as plotting/final.py draws it in the plane."""
+import numpy as np
+
+from plotting import final
+from plotting.space import scene
+from plotting.units import amount, in_powers
+
+SIZE = (1150, 850)    # of what VTK draws, in pixels
+
+
+def final_figure(run):
+    frame = run.last
+    scale = scene.scale_of(run, [frame])
+    box = scene.box_of([frame])
+    image, places = scene.picture(run, frame, box, scale, SIZE)
+    (top, bottom), (left, right) = scene.window_of([image])
+    room = final.WIDTH - final.RIGHT - 0.3
+    height = float(np.clip(room * (bottom - top) / (right - left), 2.5, 6.0))
+    whole = height + final.ABOVE + 0.45
+    figure = final.new_figure(whole)
+    figure.shaded = True
+    axes = figure.add_axes((0.3 / final.WIDTH, 0.45 / whole, room / final.WIDTH, height / whole))
+    axes.imshow(image, interpolation="bilinear")
+    axes.set(xlim=(left, right), ylim=(bottom, top))
+    axes.set_axis_off()
+    scene.label_edges(axes, run, frame, places)
+    label, values = scale.quantity.label, scene.values_of(frame, scale)
+    unit = run.units.stress_unit if scale.quantity.stress else in_powers(int(round(-np.log10(scale.factor))), "-")
+    final.add_title(figure, f"{label[0].upper() + label[1:]} at t = {frame.t:.4g}, largest {amount(values.max(), unit)}")
+    final.add_key(figure, scene.key_of(run))
+    if scale.levels is not None:
+        final.add_scale(figure, scale.quantity, scale.levels, unit, (0.45 + 0.1 * height, 0.8 * height))
+    return figure
+
+
+def gallery_figure(run):
+    """The same without words, in the size of plotting/final.py's."""
+    frame, (wide, high) = run.last, final.GALLERY
+    image, _ = scene.picture(run, frame, scene.box_of([frame]), scene.scale_of(run, [frame]), (2 * wide, 2 * high))
+    (top, bottom), (left, right) = scene.window_of([image], 10)
+    figure = final.new_figure(final.WIDTH * high / wide)
+    figure.set_dpi(wide / final.WIDTH)
+    figure.shaded = True
+    axes = figure.add_axes((0, 0, 1, 1))
+    axes.imshow(image, interpolation="antialiased")
+    axes.set(xlim=final.fitted((left, right, top, bottom), wide / high)[:2], ylim=final.fitted((left, right, top, bottom), wide / high)[:1:-1])
+    axes.set_axis_off()
+    return figure
