@@ -13,11 +13,20 @@
 //     ! is cut off
 //     ! is damaged
 //     ! is no checkpoint of Burnish
+//   rcStart(C, M, u, file)   before the first run of C: the workpiece as a run left it that wrote this file, S.checkpoint(file) after its
+//       rcRun. Displacement, stress, internal variables, integrities are exactly those; tools, supports, labels and steps may be others.
+//       Prints what is out of balance there, and returns it: the largest nodal force that no support of C takes | force
+//     C         contact
+//     M         material on the same mesh
+//     u         displacement array, u[], out | length
+//     file      path
+//     ! is of another run: mesh
 //   S.checkpointdue   the time of option -checkpoint is over since the last one, or the run is at its end and has had one
-//   internal: rcResumeOption rcResumable rcNoteValues rcOutdated rcRunFile
+//   internal: rcResumeOption rcResumable rcNoteVariables rcOutdated rcRunFile
 #include "checkpoint.hpp"
 #include "base/error.hpp"
 #include "checkpoint/identity.hpp"
+#include "checkpoint/stage.hpp"
 #include "named.hpp"
 #include "run/run_archive.hpp"
 #include "script_options.hpp"
@@ -236,6 +245,23 @@ string* run_file(Stack stack, string* const& folder, const long& number) {
   return new_string(stack, (in / ("run-" + std::to_string(number) + ".checkpoint")).string());
 }
 
+double start_from(ContactHandle* const& contact, MaterialHandle* const& material, const KN_<double>& u,
+                  string* const& path) {
+  return on(contact, [&](auto& object) {
+    constexpr const char* WHERE = "rcStart";
+    auto& body = object.with_material(material->get(), WHERE);
+    if (object.started() && object.run().accepted().history.dt > 0)
+      fail(WHERE, "the contact has a run behind it, expected one before its first step");
+    const StageStart start = start_stage(*path, object.setup->body().fixed, body.changed().workpiece());
+    to_array(body.workpiece().state_old().displacement, u, WHERE);
+    cout << "burnish: starts from " << *path << ", t = " << start.t << ": largest nodal force "
+         << start.largest << ", of what no support takes " << start.unbalanced << endl;
+    if (!start.same_material)
+      cout << "burnish: warning: the material is described by other numbers than that of " << *path << endl;
+    return start.unbalanced;
+  });
+}
+
 } // namespace
 
 void read_checkpoint_options() {
@@ -248,7 +274,9 @@ void register_checkpoint() {
   add_method<StepControlHandle, CheckpointTag>("checkpoint", [] { return new WriteCheckpoint; });
   add_method<StepControlHandle, ResumeTag>("resume", [] { return new ReadCheckpoint; });
   Add<StepControlHandle*>("checkpointdue", ".", new OneOperator1_<bool, StepControlHandle*>(checkpoint_due));
-  Global.Add("rcNoteValues", "(", new NoteValues);
+  Global.Add("rcStart", "(",
+             new OneOperator4_<double, ContactHandle*, MaterialHandle*, KN_<double>, string*>(start_from));
+  Global.Add("rcNoteVariables", "(", new NoteValues);
   Global.Add("rcResumeOption", "(", new OneOperator1_<long, long>(resume_asked));
   Global.Add("rcResumable", "(", new OneOperator1_<bool, string*>(resumable));
   Global.Add("rcRunFile", "(", new OneOperator2s_<string*, string*, long>(run_file));

@@ -59,7 +59,12 @@ template <class Base> void write_function(Writer& archive, const std::pair<Base*
 template <class Base> void read_function(Reader& archive, const std::pair<Base*, int>& function) {
   auto array = std::make_unique<KN<double>>(0);
   read_value(archive, *array);
-  if (array->N() > 0) *function.first = array.release();
+  KN<double>* const present = function.first->x();
+  if (array->N() == 0) return;
+  if (present && present->N() == array->N())
+    *present = *array; // in its place, where others look at it
+  else
+    *function.first = array.release();
 }
 
 /// How the values of a type go: the expression of a variable gives a pointer to it.

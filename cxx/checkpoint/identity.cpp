@@ -28,14 +28,6 @@ template <class Number> std::string mark_of(const std::vector<Number>& numbers) 
   return text.str();
 }
 
-template <int Dim> std::string mesh_words(const Mesh<Dim>& mesh) {
-  std::ostringstream text;
-  text << mesh.num_nodes << " nodes, " << mesh.num_elements << " elements of " << mesh.nodes_per_element
-       << " nodes" << (mesh.axisymmetric ? ", axisymmetric" : "") << ", mark " << std::hex
-       << mesh_fingerprint(mesh);
-  return text.str();
-}
-
 template <int Dim> std::string friction_words(const TangentialLaw<Dim>& law) {
   try {
     return words(law.friction().limit(1, 1), " ", law.friction().limit(2, 1));
@@ -55,19 +47,6 @@ template <int Dim> std::string tool_words(const ContactModel<Dim>& model, std::s
                friction_words(model.laws[t]));
 }
 
-template <int Dim> std::string material_words(const Workpiece<Dim>& workpiece) {
-  const MaterialLaw<Dim>& law = workpiece.law();
-  const UpdateOptions& options = workpiece.options();
-  std::string text = law.name();
-  for (const auto& [name, value] : law.moduli()) text += words(", ", name, " ", value);
-  for (const double strain : {0., 0.01, 0.1, 1.})
-    text += words(", ", law.yield_stress(strain).value, " at ", strain);
-  return text + words(", keeps ", law.internal_variables().names(), ", update ",
-                      static_cast<int>(options.update), " ", static_cast<int>(options.strain_frame), " ",
-                      options.path_limit, " ", options.min_substeps, " ", options.max_substeps,
-                      workpiece.user_defined() ? ", user-defined" : "");
-}
-
 // First line in which two texts differ.
 std::string line_words(const std::string& then, const std::string& now) {
   std::istringstream a(then), b(now);
@@ -80,6 +59,27 @@ std::string line_words(const std::string& then, const std::string& now) {
 }
 
 } // namespace
+
+template <int Dim> std::string mesh_words(const Mesh<Dim>& mesh) {
+  std::ostringstream text;
+  text << mesh.num_nodes << " nodes, " << mesh.num_elements << " elements of " << mesh.nodes_per_element
+       << " nodes" << (mesh.axisymmetric ? ", axisymmetric" : "") << ", mark " << std::hex
+       << mesh_fingerprint(mesh);
+  return text.str();
+}
+
+template <int Dim> std::string material_words(const Workpiece<Dim>& workpiece) {
+  const MaterialLaw<Dim>& law = workpiece.law();
+  const UpdateOptions& options = workpiece.options();
+  std::string text = law.name();
+  for (const auto& [name, value] : law.moduli()) text += words(", ", name, " ", value);
+  for (const double strain : {0., 0.01, 0.1, 1.})
+    text += words(", ", law.yield_stress(strain).value, " at ", strain);
+  return text + words(", keeps ", law.internal_variables().names(), ", update ",
+                      static_cast<int>(options.update), " ", static_cast<int>(options.strain_frame), " ",
+                      options.path_limit, " ", options.min_substeps, " ", options.max_substeps,
+                      workpiece.user_defined() ? ", user-defined" : "");
+}
 
 template <int Dim>
 std::vector<IdentityPart> identity_of(const ContactRun<Dim>& run, const Workpiece<Dim>& workpiece,
@@ -133,5 +133,10 @@ template std::vector<IdentityPart> identity_of<2>(const ContactRun<2>&, const Wo
                                                   const StepControlOptions&, bool);
 template std::vector<IdentityPart> identity_of<3>(const ContactRun<3>&, const Workpiece<3>&,
                                                   const StepControlOptions&, bool);
+
+template std::string mesh_words<2>(const Mesh<2>&);
+template std::string mesh_words<3>(const Mesh<3>&);
+template std::string material_words<2>(const Workpiece<2>&);
+template std::string material_words<3>(const Workpiece<3>&);
 
 } // namespace burnish

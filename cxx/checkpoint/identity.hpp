@@ -8,6 +8,10 @@
 
 namespace burnish {
 
+/// A mesh, and a material, in words that differ where they do.
+template <int Dim> std::string mesh_words(const Mesh<Dim>& mesh);
+template <int Dim> std::string material_words(const Workpiece<Dim>& workpiece);
+
 /// Of the scene. @param forms_only nothing is known of the material
 template <int Dim>
 std::vector<IdentityPart> identity_of(const ContactRun<Dim>& run, const Workpiece<Dim>& workpiece,

@@ -19,6 +19,8 @@ void Stepper<Dim>::set_state(const RunState<Dim>& state, Eigen::VectorXd& u, Eig
   for (std::size_t t = 0; t < tools.size(); ++t) tools[t]->prescription().set_entries(state.drives[t]);
   m_body.set_state(state.body);
   m_contact.set_state(state.contact);
+  const ContactRunState<Dim>& at = state.contact;
+  if (at.history.dt > 0) m_contact.iteration().balance().look(at.contact, at.prescribed, at.u, at.R);
   m_control.set_state(state.control);
   m_counts = state.counts;
   m_diagnosis = state.diagnosis;

@@ -16,7 +16,7 @@ func int record(real t) {\
   ++steps; turned += roller.value("angle"); said = said + steps%7; angles.resize(steps); angles[steps - 1] = turned;\
   ofstream f("own.csv", append); f.precision(17);\
   f << t << "," << turned << "," << said << "," << angles.sum << endl; rcAppended(f, "own.csv"); return 0; }/
-  s/1., 0.05, program/1., 0.02, program/
+  s/1., 0.05, program/1., 0.04, program/
   $ a ofstream last("last.txt"); last.precision(17); last << turned << " " << said << " " << angles.l2 << " " << ep[].l2 << endl;' \
   edp/manual/examples/law-j2.edp >"$SCRATCH/scripts/own.edp"
 kills own 2 "$SCRATCH/scripts/own.edp"
@@ -42,7 +42,7 @@ refused 'tool "roller" = coordinates r phi theta, surface of mark' -R 14e-3
 refused 'mesh = ' -outer 44
 refused 'material = ' -H 9e8
 refused 'steps = to t = 1, at most 0.02' -steps 50
-refused 'option -resume = 3, expected 0, 1 or 2' -resume 3
+refused 'option: -resume = 3, expected 0, 1 or 2' -resume 3
 [ "$(content)" = "$before" ] || report "a refused run has changed files"
 
 # 3. damaged, short; the older one is named and serves

@@ -15,7 +15,7 @@ from pathlib import Path
 
 BURNISH = os.environ["BURNISH"]
 CHECKPOINT_ALWAYS = ["-checkpoint", "1e-9"]
-LEFT_OUT = re.compile(r"summary\.json|run-\d+\.checkpoint(\.old)?|.*\.png|\.new\..*|log")
+LEFT_OUT = re.compile(r"summary\.json|run-\d+\.checkpoint(\.old)?|.*\.png|\.new\..*|(.*\.)?log")
 
 
 def start(script, options, folder, more):
