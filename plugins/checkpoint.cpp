@@ -20,7 +20,7 @@
 //     M         material on the same mesh
 //     u         displacement array, u[], out | length
 //     file      path
-//     ! is of another run: mesh
+//     ! expected one before its first step
 //   S.checkpointdue   the time of option -checkpoint is over since the last one, or the run is at its end and has had one
 //   internal: rcResumeOption rcResumable rcNoteVariables rcOutdated rcRunFile
 #include "checkpoint.hpp"
@@ -29,6 +29,7 @@
 #include "checkpoint/stage.hpp"
 #include "named.hpp"
 #include "run/run_archive.hpp"
+#include "script/words.hpp"
 #include "script_options.hpp"
 #include "script_values.hpp"
 #include "step_control.hpp"
@@ -45,15 +46,22 @@ std::set<std::string>& growing_paths() {
   return paths;
 }
 
+// As edp/cases/rcCaseOptions.idp says.
+constexpr const char
+    *CHECKPOINT_MEANS = "between two checkpoints of a run; 0: none",
+    *RESUME_MEANS = "1: goes on from the last checkpoint of a run that was killed, 2: from the one before";
+
 long resume_option() {
-  const long which = script_options().integer("-resume", 0, "-",
-                                              "1: goes on from the last checkpoint; 2: from the one before");
+  const long which = script_options().integer("-resume", 0, "-", RESUME_MEANS);
   require(which >= 0 && which <= 2, "option", "-resume", which, "0, 1 or 2");
   return which;
 }
 
 namespace {
 
+// Words of a script that has runs.
+constexpr const char* RUNS = "rcRun rcRunForms rcRunLaw rcCondensedRun rcCondensedRunLaw rcCase rcCaseForms "
+                             "rcCaseLaw checkpoint resume";
 using RunClock = std::chrono::steady_clock; // goes on where the wall clock is put back
 
 // Of the last checkpoint; at first of the start.
@@ -63,8 +71,7 @@ RunClock::time_point& last_written() {
 }
 
 double minutes_option() {
-  const double minutes =
-      script_options().real("-checkpoint", 10, "min", "between two checkpoints of a run; 0: none");
+  const double minutes = script_options().real("-checkpoint", 10, "min", CHECKPOINT_MEANS);
   require(minutes >= 0, "option", "-checkpoint", minutes, ">= 0");
   return minutes;
 }
@@ -264,9 +271,10 @@ double start_from(ContactHandle* const& contact, MaterialHandle* const& material
 
 } // namespace
 
-void read_checkpoint_options() {
-  minutes_option();
-  resume_option();
+void accept_checkpoint_options() {
+  const char* path = std::getenv("FF_INCLUDEPATH");
+  if (!script_uses(script_options().script(), RUNS, path ? path : "")) return;
+  for (const char* name : {"-checkpoint", "-resume"}) script_options().accept(name);
 }
 
 void register_checkpoint() {

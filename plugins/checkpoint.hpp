@@ -9,10 +9,7 @@ namespace burnish {
 std::set<std::string>& growing_paths();
 /// Option -resume: 0, 1, 2.
 long resume_option();
-/// Reads -checkpoint and -resume, for the list of the options.
-void read_checkpoint_options();
-/// Words of the scripts that have these options.
-constexpr const char* RUNNING_WORDS =
-    "rcRun rcRunForms rcRunLaw rcCondensedRun rcCondensedRunLaw rcCase rcCaseForms rcCaseLaw";
+/// Lets a script that calls a run have -checkpoint and -resume, which it need not read.
+void accept_checkpoint_options();
 
 } // namespace burnish

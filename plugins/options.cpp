@@ -82,8 +82,7 @@ bool options_end(const long&) {
     const std::string list =
         script_options().text("-options", "", "", "list: prints all options with their values, as JSON");
     accept_settings();
-    const char* path = std::getenv("FF_INCLUDEPATH");
-    if (script_uses(script_options().script(), RUNNING_WORDS, path ? path : "")) read_checkpoint_options();
+    accept_checkpoint_options();
     script_options().refuse_unknown();
     if (script_options().wants_help()) {
       cout << "options of " << script_options().script() << ", with defaults and units:\n"
