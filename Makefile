@@ -28,7 +28,7 @@ EIGEN_INCLUDE   ?= /usr/include/eigen3
 SPARSE_INCLUDE  ?= /usr/include/suitesparse
 OCC_INCLUDE     ?= /usr/include/opencascade
 # BLAS and LAPACK by their run-time names: whatever the system's alternatives select counts
-LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3 -lginac -lcln $(OCC_LIBRARIES) -ldl
+LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3 -lginac -lcln $(OCC_LIBRARIES) -lz -ldl
 # (from OpenCASCADE 7.8 on: -lTKDESTEP for the first two)
 OCC_LIBRARIES ?= -lTKSTEP -lTKXSBase -lTKMesh -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
 # what makes CAD bodies for the tests

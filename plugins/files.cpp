@@ -28,9 +28,10 @@
 //   S.savestopped()   out/SCRIPT/stopped.vtu, below the folder where FreeFEM runs: fields of the accepted state of a run, of forms
 //       without a material the displacement; returns its name
 //     ! no run has been started, call start first
-//   internal: rcRemoveResults
+//   internal: rcRemoveResults rcRemoveFrames
 #include "base/run_folder.hpp"
 #include "base/whole_file.hpp"
+#include "checkpoint.hpp"
 #include "file_units.hpp"
 #include "output/contact_files.hpp"
 #include "output/workpiece_file.hpp"
@@ -59,6 +60,9 @@ bool make_folder(string* const& path) {
 bool remove_older(string* const& folder) {
   return guarded([&] { return remove_results(*folder), true; });
 }
+bool remove_later_frames(string* const& folder, const long& last) {
+  return guarded([&] { return remove_frames(*folder, last), true; });
+}
 string* name_of_new(Stack stack, string* const& path) { return new_string(stack, new_name(*path)); }
 
 // Whether all that was written has arrived.
@@ -72,7 +76,8 @@ bool replaced(std::ostream** const& stream, string* const& path) {
   return guarded([&] { return replace_file(*path, closed_well(stream)), true; });
 }
 bool appended(std::ostream** const& stream, string* const& path) {
-  return guarded([&] { return keep_whole_lines(*path, closed_well(stream)), true; });
+  return guarded(
+      [&] { return keep_whole_lines(*path, closed_well(stream)), growing_paths().insert(*path), true; });
 }
 
 struct SaveTag {};
@@ -124,6 +129,7 @@ void register_files() {
   Global.Add("rcUnits", "(", new OneOperator2_<bool, string*, string*>(set_units));
   Global.Add("rcMakeFolder", "(", new OneOperator1_<bool, string*>(make_folder));
   Global.Add("rcRemoveResults", "(", new OneOperator1_<bool, string*>(remove_older));
+  Global.Add("rcRemoveFrames", "(", new OneOperator2_<bool, string*, long>(remove_later_frames));
   Global.Add("rcNewName", "(", new OneOperator1s_<string*, string*>(name_of_new));
   Global.Add("rcReplaced", "(", new OneOperator2_<bool, std::ostream**, string*>(replaced));
   Global.Add("rcAppended", "(", new OneOperator2_<bool, std::ostream**, string*>(appended));

@@ -31,6 +31,7 @@
 //   rcScriptFolder(dummy)   folder of the script with its slash, "cases/rolling/"
 //     dummy     not read
 #include "base/error.hpp"
+#include "checkpoint.hpp"
 #include "leave.hpp"
 #include "plugin.hpp"
 #include "script/words.hpp"
@@ -80,6 +81,7 @@ bool options_end() {
     const std::string list =
         script_options().text("-options", "", "", "list: prints all options with their values, as JSON");
     accept_settings();
+    accept_checkpoint_options();
     script_options().refuse_unknown();
     if (script_options().wants_help()) {
       cout << "options of " << script_options().script() << ", with defaults and units:\n"

@@ -74,6 +74,7 @@ static void init() {
   register_tools_of_the_trade();
   register_options();
   register_step_control();
+  register_checkpoint();
   register_files();
   register_pictures();
   register_summary();

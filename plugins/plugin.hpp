@@ -156,5 +156,6 @@ void register_files();
 void register_summary();
 void register_pictures();
 void register_step_control();
+void register_checkpoint();
 
 } // namespace burnish

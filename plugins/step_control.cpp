@@ -79,7 +79,7 @@ void start_run(ControlObject& object, ContactHandle* contact, std::shared_ptr<Ma
                bool forms_only) {
   object.stepper.reset();
   object.task = Task::STOPPED;
-  object.stopping = false;
+  object.stopping = object.checkpointed = false;
   if (object.contact) object.contact->under_way = false;
   visit(contact->get(), [&](auto& run) {
     constexpr int Dim = dim_of<decltype(run)>;

@@ -73,4 +73,14 @@ void remove_results(const std::string& folder) {
   }
 }
 
+void remove_frames(const std::string& folder, long last) {
+  static const std::regex frame("(?:fields|tools|surface)-([0-9]{1,9})\\.vt[up]");
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    const std::string name = entry.path().filename().string();
+    std::smatch number;
+    if (std::regex_match(name, number, frame) && std::stol(number[1]) > last) fs::remove(entry.path(), code);
+  }
+}
+
 } // namespace burnish

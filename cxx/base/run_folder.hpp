@@ -10,5 +10,7 @@ namespace burnish {
 void make_run_folder(const std::string& path, const char* where);
 /// Removes what a run writes: tables, fields, report, movie, and pictures that bear our mark; not summary.json, nor files of the script.
 void remove_results(const std::string& folder);
+/// Removes the frames of a series behind the last one: fields-N.vtu, tools-N.vtp, surface-N.vtp with N > last.
+void remove_frames(const std::string& folder, long last);
 
 } // namespace burnish

@@ -70,6 +70,25 @@ std::vector<Statement> Diagnosis<Dim>::report(const AcceptedStep<Dim>& step,
   return list;
 }
 
+namespace {
+
+template <int Dim> void pass(Writer& archive, const Observer<Dim>& observer) { observer.save(archive); }
+template <int Dim> void pass(Reader& archive, Observer<Dim>& observer) { observer.load(archive); }
+
+} // namespace
+
+// The list of observers is that of the program: only what they remember is passed.
+template <int Dim> template <class Archive> void Diagnosis<Dim>::remember(Archive& archive) {
+  auto& [observers, always, findings, checks, begun, steps, seconds] = *this;
+  archive(always, findings, checks, begun, steps, seconds);
+  for (auto& observer : observers) pass(archive, *observer);
+}
+
+template <int Dim> void Diagnosis<Dim>::save(Writer& archive) const {
+  const_cast<Diagnosis&>(*this).remember(archive);
+}
+template <int Dim> void Diagnosis<Dim>::load(Reader& archive) { remember(archive); }
+
 template class Diagnosis<2>;
 template class Diagnosis<3>;
 

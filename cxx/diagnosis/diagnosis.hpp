@@ -31,7 +31,12 @@ public:
   const FindingList& findings() const { return m_findings; }
   double seconds() const { return m_seconds; } ///< CPU of all looks, with checks [s]
 
+  /// All of it, into a file and from one.
+  void save(Writer& archive) const;
+  void load(Reader& archive);
+
 private:
+  template <class Archive> void remember(Archive& archive);
   ObserverList<Dim> m_observers;
   std::size_t m_always = 0; // so many of them look without checks, too
   FindingList m_findings;

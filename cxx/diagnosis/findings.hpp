@@ -1,5 +1,6 @@
 #pragma once
 // What a run reports of itself: one finding per check and subject, the worst, with number, place and time.
+#include "base/archive.hpp"
 #include <array>
 #include <limits>
 #include <map>
@@ -27,6 +28,7 @@ struct Finding {
   double t = NONE, first = NONE; ///< of this one, and of the first of the pair; NaN: before the run [time]
   long count = 0;                ///< accepted steps in which the pair was found
   std::string text;              ///< a sentence, with number, place and time
+  BURNISH_FIELDS(check, subject, severity, excess, value, bound, place, t, first, count, text)
 };
 
 /// A number that grows as things get worse: a warning above the one, untrusted above the other.
@@ -59,6 +61,7 @@ public:
   const Finding* worst() const;
   /// No check is violated: nothing but notes and warnings.
   bool trusted() const;
+  BURNISH_FIELDS(m_list, m_measured)
 
 private:
   std::vector<Finding> m_list;

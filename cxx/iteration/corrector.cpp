@@ -49,6 +49,8 @@ template <int Dim> void Corrector<Dim>::restore(const FactorMemory<Dim>& memory)
   m_has_factor = memory.tangent != nullptr;
   if (m_has_factor) m_tangent = memory.tangent;
   m_age = memory.age;
+  if (m_has_factor && !m_tangent->solver)
+    m_tangent->factorize_again(m_iteration.model(), m_iteration.body(), make_solver(m_tangent->by_columns));
 }
 
 template <int Dim> void Corrector<Dim>::set_solver(std::function<std::unique_ptr<BodySolver<Dim>>()> make) {
@@ -79,12 +81,13 @@ template <int Dim> void Corrector<Dim>::make_tangent(int num_nodes) {
     return;
   m_tangent = std::make_shared<FactoredTangent<Dim>>();
   m_tangent->by_columns = by_columns;
-  if (m_make_solver)
-    m_tangent->solver = m_make_solver();
-  else if (by_columns)
-    m_tangent->solver = std::make_unique<ColumnFactor<Dim>>(std::make_unique<CholmodSolver>());
-  else
-    m_tangent->solver = std::make_unique<SchurFactor<Dim>>();
+  m_tangent->solver = make_solver(by_columns);
+}
+
+template <int Dim> std::unique_ptr<BodySolver<Dim>> Corrector<Dim>::make_solver(bool by_columns) const {
+  if (m_make_solver) return m_make_solver();
+  if (by_columns) return std::make_unique<ColumnFactor<Dim>>(std::make_unique<CholmodSolver>());
+  return std::make_unique<SchurFactor<Dim>>();
 }
 
 template <int Dim> bool Corrector<Dim>::serves(const Eigen::VectorXd& u) const {
@@ -108,6 +111,7 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
   forget_mixing();
   make_tangent(K.num_nodes);
   m_tangent->window = m_window;
+  m_tangent->matrix = m_keeps_matrices ? K : NodeBlockMatrix<Dim>();
   m_tangent->slip_stiffness = it.state().slip_stiffness = slip_stiffness(it.model(), K);
   IterationCounts& counts = it.counts();
   FactorStatus status;

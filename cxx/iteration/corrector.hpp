@@ -11,7 +11,7 @@ namespace burnish {
 /// What serves the steps to come. Plain data, but for the factor that is shared.
 template <int Dim> struct FactorMemory {
   std::vector<int> window;
-  std::shared_ptr<FactoredTangent<Dim>> tangent; ///< null: none
+  std::shared_ptr<FactoredTangent<Dim>> tangent; ///< null: none; without a solver: to be factored again
   int age = 0;                                   ///< steps accepted since it was made
 };
 
@@ -29,6 +29,8 @@ public:
   /// One iteration: two back-substitutions and the dense contact block; moves u and the state.
   StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   void drop_factor() { m_has_factor = false; }
+  /// From now on factors serve steps to come: their matrices are kept, so that a run can go on from a file.
+  void keep_matrices() { m_keeps_matrices = true; }
   /// Whose solver factors the tangents to come; empty: SchurFactor. The factor that there is is dropped.
   void set_solver(std::function<std::unique_ptr<BodySolver<Dim>>()> make);
   /// Ends the mixing, whose vectors need not lie beside a tangent that is assembled.
@@ -44,6 +46,7 @@ public:
 private:
   void take_flexibility();
   void make_tangent(int num_nodes);
+  std::unique_ptr<BodySolver<Dim>> make_solver(bool by_columns) const;
   FactorStatus factorize_held(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
   Failure singular(const WindowSolution<Dim>& solution, const WindowProblem<Dim>& problem);
   WindowProblem<Dim> window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,
@@ -56,7 +59,7 @@ private:
   std::function<std::unique_ptr<BodySolver<Dim>>()> m_make_solver;
   std::shared_ptr<FactoredTangent<Dim>> m_tangent;
   ActivePart m_flexibility; // of m_tangent, on the active nodes
-  bool m_has_factor = false, m_keep_factor = false;
+  bool m_has_factor = false, m_keep_factor = false, m_keeps_matrices = false;
   bool m_indefinite =
       false; // a factor of this step has turned out so by its flexibility; the solver did not tell
   int m_age = 0;

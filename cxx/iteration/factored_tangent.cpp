@@ -1,4 +1,5 @@
 #include "iteration/factored_tangent.hpp"
+#include "base/error.hpp"
 #include <cmath>
 
 namespace burnish {
@@ -34,6 +35,18 @@ FactorStatus FactoredTangent<Dim>::factorize(const ContactModel<Dim>& model, con
   added_stiffness.resize(0);
   if (stiffen) added_stiffness = stiffness_of_contact(model, body, state, window, K);
   return solver->factorize(K, added_stiffness);
+}
+
+template <int Dim>
+void FactoredTangent<Dim>::factorize_again(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                                           std::unique_ptr<BodySolver<Dim>> by) {
+  solver = std::move(by);
+  std::vector<int> nodes;
+  for (const int i : window) nodes.push_back(model.candidates[i]);
+  solver->analyze(matrix, body.fixed, nodes);
+  if (solver->factorize(matrix, added_stiffness) != FactorStatus::OK)
+    fail("contact", "the factor of the state's tangent cannot be made again");
+  solver->solve_columns(solved);
 }
 
 template <int Dim> void FactoredTangent<Dim>::condense() {

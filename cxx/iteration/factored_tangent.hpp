@@ -15,6 +15,9 @@ template <int Dim> struct FactoredTangent {
   std::shared_ptr<Eigen::MatrixXd> flexibility;
   Eigen::VectorXd added_stiffness; ///< Dim*window, see ContactBlockInput; empty: none [force/length]
   double slip_stiffness = 0;       ///< of ContactState, while the factor serves [force/length]
+  NodeBlockMatrix<Dim>
+      matrix; ///< that was factored, where steps to come may use the factor; else of no nodes
+  std::vector<std::vector<int>> solved; ///< of a factor to be made again: BodySolver::solved_columns
 
   /// Factor of K for this window.
   /// @param stiffen the supports leave a rigid motion free, or the body is not stable without its tools: stiffness is
@@ -22,6 +25,9 @@ template <int Dim> struct FactoredTangent {
   ///        again
   FactorStatus factorize(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                          const ContactState<Dim>& state, const NodeBlockMatrix<Dim>& K, bool stiffen);
+  /// Factor of `matrix` again by a new solver, with all that was known of it.
+  void factorize_again(const ContactModel<Dim>& model, const BodyView<Dim>& body,
+                       std::unique_ptr<BodySolver<Dim>> by);
   /// Reads the flexibility out of the factor.
   void condense();
 };

@@ -12,7 +12,7 @@ constexpr double LEAST_WAY = 1e-100; // from a kink at zero, see CoordinateFormu
 
 CoordinateFormula::CoordinateFormula(const std::string& what, const std::string& text,
                                      const FormulaNames& names, bool second)
-    : m_value(what, text, names) {
+    : m_source{what, text, names, second}, m_value(what, text, names) {
   for (int v = 0; v < static_cast<int>(names.variables.size()); ++v)
     if (m_value.depends_on(v)) m_arguments.push_back(v);
   for (const int v : m_arguments) m_first.push_back(m_value.derivative(v));

@@ -4,6 +4,13 @@
 
 namespace burnish {
 
+/// What a formula is made of.
+struct FormulaSource {
+  std::string what, text; ///< how messages call it; its text
+  FormulaNames names;     ///< variables in the order of the values, and numbers by name
+  bool second = false;    ///< second derivatives are prepared, too
+};
+
 /// Formula with its exact derivatives by the variables that it depends on (METHOD.md 2.4, 2.6). Immutable.
 class CoordinateFormula {
 public:
@@ -12,8 +19,12 @@ public:
   /// @param second also prepares second derivatives
   /// @throws std::invalid_argument `what "text": ...` for everything that Formula refuses
   CoordinateFormula(const std::string& what, const std::string& text, const FormulaNames& names, bool second);
+  /// The same of all of these. @throws std::invalid_argument as above
+  explicit CoordinateFormula(const FormulaSource& source)
+      : CoordinateFormula(source.what, source.text, source.names, source.second) {}
 
   const std::string& text() const { return m_value.text(); }
+  const FormulaSource& source() const { return m_source; }
   /// Variables that the value depends on: indices into the values, ascending.
   const std::vector<int>& arguments() const { return m_arguments; }
   /// @param values one per variable
@@ -29,6 +40,7 @@ public:
 private:
   double beside(const Formula& derivative, const double* values, std::size_t size) const;
 
+  FormulaSource m_source;
   Formula m_value;
   std::vector<int> m_arguments;
   std::vector<Formula> m_first;               // [argument]

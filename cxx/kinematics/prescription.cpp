@@ -41,6 +41,12 @@ void Prescription::follow(const std::string& name, const std::string& relation) 
   found = {Kind::FOLLOWS, 0, nullptr, relation};
 }
 
+void Prescription::set_entries(const std::vector<Entry>& entries) {
+  require(entries.size() == m_entries.size(), "Prescription::set_entries", "number of entries",
+          entries.size(), std::to_string(m_entries.size()).c_str());
+  m_entries = entries;
+}
+
 bool Prescription::follows(int k) const { return at("Prescription::follows", k).kind == Kind::FOLLOWS; }
 
 std::shared_ptr<const CoordinateFormula> Prescription::formula(int k) const {

@@ -11,6 +11,15 @@ namespace burnish {
 /// coordinate wins, so control may change from motion to force during a program.
 class Prescription {
 public:
+  enum class Kind { NONE, MOTION, FORCE, FOLLOWS };
+  /// Of one coordinate.
+  struct Entry {
+    Kind kind = Kind::NONE;
+    double value = 0;
+    std::shared_ptr<const CoordinateFormula> formula = nullptr;
+    std::string relation = {}; ///< of one that follows others
+  };
+
   /// @param tool   name of the tool, for messages
   /// @param names  names of its coordinates, in the order of q
   /// @throws std::invalid_argument if names is empty or has an empty or repeated name
@@ -53,14 +62,12 @@ public:
   /// @throws std::invalid_argument naming every coordinate that has neither motion nor force
   void check_complete() const;
 
+  /// All of them, in the order of q; set_entries puts others in their place.
+  /// @throws std::invalid_argument for another number of them
+  const std::vector<Entry>& entries() const { return m_entries; }
+  void set_entries(const std::vector<Entry>& entries);
+
 private:
-  enum class Kind { NONE, MOTION, FORCE, FOLLOWS };
-  struct Entry {
-    Kind kind = Kind::NONE;
-    double value = 0;
-    std::shared_ptr<const CoordinateFormula> formula = nullptr;
-    std::string relation = {}; // of one that follows others
-  };
   Entry& entry(const char* where, const std::string& name);
   void set(const char* where, const std::string& name, Entry given);
   const Entry& at(const char* where, int k) const;

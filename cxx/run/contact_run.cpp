@@ -211,7 +211,9 @@ template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, dou
       stepping == Stepping::EVENT ? EVENT_STEPS_PER_FACTOR : m_iteration.options().steps_per_factor;
   m_iteration.begin(m_step.prescribed, prediction.state, std::move(prediction.entry),
                     stepping == Stepping::IMPLICIT);
-  m_corrector.begin(m_corrector.factor_age() < served && (stepping == Stepping::EVENT || served > 1));
+  const bool serves_on = stepping == Stepping::EVENT || served > 1;
+  if (serves_on) m_corrector.keep_matrices();
+  m_corrector.begin(m_corrector.factor_age() < served && serves_on);
   m_condensed.begin();
   // a step of pure rates is solved once and not checked
   m_step.stage =

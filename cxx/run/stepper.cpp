@@ -274,23 +274,6 @@ template <int Dim> Task Stepper<Dim>::end(Eigen::VectorXd& u, Eigen::VectorXd& R
   return ask(Task::STOPPED, Phase::ENDED);
 }
 
-template <int Dim> RunState<Dim> Stepper<Dim>::state() const {
-  return {m_body.state(), m_contact.state(), m_control.state(), m_counts, m_diagnosis};
-}
-
-template <int Dim>
-void Stepper<Dim>::set_state(const RunState<Dim>& state, Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  m_body.set_state(state.body);
-  m_contact.set_state(state.contact);
-  m_control.set_state(state.control);
-  m_counts = state.counts;
-  m_diagnosis = state.diagnosis;
-  u = state.contact.u;
-  R = state.contact.R;
-  m_phase = Phase::STEP;
-  m_stopped = m_refused = false;
-}
-
 template class Stepper<2>;
 template class Stepper<3>;
 

@@ -43,13 +43,18 @@ struct StepperCounts {
   SchemeCounts scheme;
 };
 
-/// All that a run needs to go on after an accepted step. Plain data; a copy goes on to the same bits.
+/// All that a run needs to go on after an accepted step. Plain data; a copy goes on to the same bits, and so do its bytes
+/// (run_archive.hpp).
 template <int Dim> struct RunState {
   BodyState<Dim> body;
   ContactRunState<Dim> contact;
   StepControlState control;
   StepperCounts counts;
   Diagnosis<Dim> diagnosis;
+  std::vector<std::vector<Prescription::Entry>> drives; ///< per tool: what its coordinates were given last
+  Scheme scheme = Scheme::IMPLICIT;
+  std::string last_rejection; ///< why the last step was rejected, and its length
+  double rejected_dt = 0;
 };
 
 /// What a caller sees of the loop, whatever the dimension.

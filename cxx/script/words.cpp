@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -40,17 +41,16 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
+/// Reads a script and what it includes, each file once.
 class Search {
 public:
-  Search(const std::string& words, const std::string& folders) : m_folders(split(folders, ';')) {
-    std::string either;
-    for (const std::string& word : split(words, ' ')) either += (either.empty() ? "" : "|") + word;
-    m_words = "\\b(" + either + ")\\b";
-  }
+  /// @param stop called with path and code of a file; true ends the search
+  Search(std::function<bool(const std::string&, const std::string&)> stop, const std::string& folders)
+      : m_stop(std::move(stop)), m_folders(split(folders, ';')) {}
   bool finds(const std::string& path) {
     if (!m_read.insert(std::filesystem::weakly_canonical(path)).second) return false;
     const std::string code = read_without_comments(path);
-    if (std::regex_search(code, m_words)) return true;
+    if (m_stop(path, code)) return true;
     static const std::regex INCLUDE("\\binclude\\s*\"([^\"]+)\"");
     const std::string own = path.substr(0, path.rfind('/') + 1); // "" without a folder
     for (std::sregex_iterator found(code.begin(), code.end(), INCLUDE), last; found != last; ++found) {
@@ -64,7 +64,7 @@ public:
   }
 
 private:
-  std::regex m_words;
+  std::function<bool(const std::string&, const std::string&)> m_stop;
   std::vector<std::string> m_folders;
   std::set<std::string> m_read;
 };
@@ -93,7 +93,30 @@ std::string declared_name(const std::string& script, const std::string& names) {
 }
 
 bool script_uses(const std::string& script, const std::string& words, const std::string& folders) {
-  return !words.empty() && Search(words, folders).finds(script);
+  if (words.empty()) return false;
+  std::string either;
+  for (const std::string& word : split(words, ' ')) either += (either.empty() ? "" : "|") + word;
+  const std::regex any("\\b(" + either + ")\\b");
+  const auto holds = [&](const std::string&, const std::string& code) {
+    return std::regex_search(code, any);
+  };
+  return Search(holds, folders).finds(script);
+}
+
+std::map<std::string, std::string> script_code(const std::string& script, const std::string& folders) {
+  std::map<std::string, std::string> codes;
+  const auto take = [&](const std::string& path, const std::string& code) {
+    std::string lines;
+    for (std::string line : split(code, '\n')) {
+      line.erase(line.find_last_not_of(" \t\r") + 1);
+      line.erase(0, line.find_first_not_of(" \t"));
+      if (!line.empty()) lines += line + "\n";
+    }
+    if (!lines.empty()) codes[std::filesystem::path(path).filename()] += lines;
+    return false;
+  };
+  Search(take, folders).finds(script);
+  return codes;
 }
 
 } // namespace burnish

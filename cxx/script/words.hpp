@@ -1,5 +1,6 @@
 #pragma once
 // Which names a script uses.
+#include <map>
 #include <string>
 
 namespace burnish {
@@ -12,5 +13,8 @@ bool script_uses(const std::string& script, const std::string& words, const std:
 /// The first of the names, "a b", that the script itself declares as a variable, a function or a parameter, though a type bears it: the name
 /// and its line, "tool in line 7"; "" if it declares none after its include of burnish.idp.
 std::string declared_name(const std::string& script, const std::string& names);
+
+/// The script and the files that it includes, by name without folder, without comments and empty lines; not burnish.idp.
+std::map<std::string, std::string> script_code(const std::string& script, const std::string& folders);
 
 } // namespace burnish

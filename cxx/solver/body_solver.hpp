@@ -38,6 +38,10 @@ public:
   virtual Eigen::MatrixXd candidate_flexibility() const = 0;
   /// Puts columns of C that are not there yet into C. @param columns places among the Dim*candidates components
   virtual void complete_flexibility(const std::vector<int>& /*columns*/, Eigen::MatrixXd& /*C*/) const {}
+  /// Degrees of freedom whose columns of K^-1 were solved for, call by call of the solver; the same calls of solve_columns make
+  /// them known to another factor of the same matrix to the same bits. None where columns are not kept.
+  virtual std::vector<std::vector<int>> solved_columns() const { return {}; }
+  virtual void solve_columns(const std::vector<std::vector<int>>& /*calls*/) {}
   virtual bool symmetric() const { return true; } ///< the tangent that was factored last
   virtual std::size_t factor_entries() const = 0; ///< numbers stored in the factor; 0 before analyze
   virtual int analyses() const = 0;               ///< number of analyses made, cached ones not counted

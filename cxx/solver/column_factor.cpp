@@ -31,6 +31,7 @@ template <int Dim> struct ColumnFactor<Dim>::Impl {
   Eigen::MatrixXd columns; // of K^-1 over the free dofs, the first num_known
   std::vector<int> known;  // per dof: its column, -1: not solved for
   int num_known = 0;
+  std::vector<std::vector<int>> calls; // degrees of freedom of these columns, by calls of the solver
 
   void build(const NodeBlockMatrix<Dim>& K);
   void take_values(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& added);
@@ -172,6 +173,7 @@ template <int Dim> void ColumnFactor<Dim>::Impl::know(const std::vector<int>& do
     columns.conservativeResize(rows.n, std::max<Eigen::Index>(FIRST_COLUMNS, needed + needed / 2));
   columns.middleCols(num_known, B.cols()) = B;
   num_known += static_cast<int>(fresh.size());
+  calls.push_back(fresh);
   solved_columns += B.cols();
 }
 
@@ -214,6 +216,7 @@ FactorStatus ColumnFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, co
   impl.symmetric = impl.is_symmetric();
   impl.known.assign(impl.fixed.size(), -1);
   impl.num_known = 0;
+  impl.calls.clear();
   if (!impl.solver->factorize(impl.value.data()))
     return impl.solver->symmetric() ? FactorStatus::NOT_POSITIVE_DEFINITE : FactorStatus::SINGULAR;
   const FactorStatus status = impl.tried();
@@ -284,6 +287,13 @@ void ColumnFactor<Dim>::complete_flexibility(const std::vector<int>& columns, Ei
 
 template <int Dim> std::size_t ColumnFactor<Dim>::factor_entries() const {
   return m_impl->solver->factor_entries();
+}
+
+template <int Dim> std::vector<std::vector<int>> ColumnFactor<Dim>::solved_columns() const {
+  return m_impl->calls;
+}
+template <int Dim> void ColumnFactor<Dim>::solve_columns(const std::vector<std::vector<int>>& calls) {
+  for (const auto& dofs : calls) m_impl->know(dofs);
 }
 
 template <int Dim> bool ColumnFactor<Dim>::symmetric() const { return m_impl->symmetric; }

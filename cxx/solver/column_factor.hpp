@@ -32,6 +32,8 @@ public:
   /// Zero: no column is known yet.
   Eigen::MatrixXd candidate_flexibility() const override;
   void complete_flexibility(const std::vector<int>& columns, Eigen::MatrixXd& C) const override;
+  std::vector<std::vector<int>> solved_columns() const override;
+  void solve_columns(const std::vector<std::vector<int>>& calls) override;
   bool symmetric() const override;
   std::size_t factor_entries() const override; ///< 0: the solver does not say
   int analyses() const override;

@@ -33,10 +33,12 @@ struct UnmetState {
   double missed = 0, of = 0;     // largest difference; largest force prescribed [force, force length]
   double residual = 0, load = 0; // the difference over its lever; load of the tool, the largest ones [force]
   double t = 0;                  // of the largest difference
+  BURNISH_FIELDS(missed, of, residual, load, t)
 };
 
 template <int Dim> class BalanceCheck final : public ObserverOf<BalanceCheck<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_unmet)
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
 
 private:

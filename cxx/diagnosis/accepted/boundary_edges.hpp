@@ -1,5 +1,6 @@
 #pragma once
 // The boundary of a mesh as straight pieces between neighboring nodes, whatever labels it bears.
+#include "base/archive.hpp"
 #include "contact/body_view.hpp"
 #include "mesh/mesh.hpp"
 
@@ -9,11 +10,13 @@ namespace burnish {
 template <int Dim> struct BoundaryEdge;
 template <> struct BoundaryEdge<2> {
   int a = -1, b = -1; ///< the body is on the left
+  BURNISH_FIELDS(a, b)
 };
 template <> struct BoundaryEdge<3> {
   int a = -1, b = -1;
   std::array<std::array<int, 3>, 2>
       faces{}; ///< vertices of both boundary faces there, seen from outside counter-clockwise
+  BURNISH_FIELDS(a, b, faces)
 };
 
 /// All of them: edges of faces that belong to one element.

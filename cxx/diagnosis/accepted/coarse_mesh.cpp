@@ -10,6 +10,7 @@ constexpr double STRESS_ERROR = 0.15; // recovered against computed stress, rela
 
 template <int Dim> class CoarseMesh final : public ObserverOf<CoarseMesh<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_load, m_t, m_stress)
   void look(const AcceptedStep<Dim>& step, FindingList&) override {
     if (!step.workpiece || !step.first_of_ten()) return;
     double load = 0;

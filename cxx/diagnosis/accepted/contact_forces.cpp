@@ -20,15 +20,18 @@ struct ViolationState {
   std::vector<double> place;
   double t = 0, first = 0;
   long count = 0; // steps beyond the bound, over the load of then
+  BURNISH_FIELDS(value, place, t, first, count)
 };
 
 struct ToolForces {
   double load = 0; // largest of the run [force]
   ViolationState tension, friction;
+  BURNISH_FIELDS(load, tension, friction)
 };
 
 template <int Dim> class ContactForcesCheck final : public ObserverOf<ContactForcesCheck<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_tools)
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
 
 private:

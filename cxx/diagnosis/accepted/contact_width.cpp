@@ -66,6 +66,7 @@ std::vector<Run> runs_of(const AcceptedStep<3>& step, int tool) {
 
 template <int Dim> class ContactWidthCheck final : public ObserverOf<ContactWidthCheck<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_width)
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
 
 private:

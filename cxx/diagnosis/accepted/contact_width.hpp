@@ -13,6 +13,7 @@ struct ContactWidth {
   std::vector<double> place;
   double t = 0;
   long narrow = 0, steps = 0; ///< steps with few nodes, and all with contact
+  BURNISH_FIELDS(load, nodes, place, t, narrow, steps)
 };
 
 /// Nodes of FEW_EDGES edges.

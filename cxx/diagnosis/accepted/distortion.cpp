@@ -52,6 +52,7 @@ template <int Dim> Vector<Dim> middle(const AcceptedStep<Dim>& step, int e) {
 
 template <int Dim> class DistortionCheck final : public ObserverOf<DistortionCheck<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_distorted, m_quality)
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override {
     if (step.tenth() || m_distorted) look_at_elements(step, findings);
     if (step.tenth()) look_at_shapes(step, findings);

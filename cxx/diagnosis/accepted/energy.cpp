@@ -24,10 +24,14 @@ struct EnergyState {
   // at the end of the last step
   Eigen::VectorXd u, q, generalized_force, support_force, external_force, hold_force, internal_force;
   Eigen::VectorXd plastic_strain_eq, friction_force; // per point [-]; per candidate, along the slip [force]
+  BURNISH_FIELDS(tools, supports, external, hold, friction, inside, elastic, elastic_start, plastic, largest,
+                 u, q, generalized_force, support_force, external_force, hold_force, internal_force,
+                 plastic_strain_eq, friction_force)
 };
 
 template <int Dim> class EnergyCheck final : public ObserverOf<EnergyCheck<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_energy)
   void begin(const AcceptedStep<Dim>& step, FindingList& findings) override;
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
 

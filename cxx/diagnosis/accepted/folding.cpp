@@ -12,6 +12,7 @@ namespace {
 // turns over is refused anyway.
 template <int Dim> class FoldingCheck final : public ObserverOf<FoldingCheck<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_edges)
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
 
 private:

@@ -12,6 +12,7 @@ constexpr double IDLE = 1e-3; // energy of half of the mesh over that of all of 
 
 template <int Dim> class IdleMesh final : public ObserverOf<IdleMesh<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_energy)
   void look(const AcceptedStep<Dim>& step, FindingList&) override;
   void end(const EndedRun<Dim>& run, std::vector<Statement>& list) const override;
 

@@ -8,6 +8,7 @@ namespace {
 
 template <int Dim> class LeftOut final : public ObserverOf<LeftOut<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_window)
   void look(const AcceptedStep<Dim>& step, FindingList&) override {
     m_window = std::max(m_window, step.window);
   }

@@ -14,6 +14,7 @@ constexpr Bounds LOCKING{1, 20}; // alternation of the mean stress over the von 
 
 template <int Dim> class LockingCheck final : public ObserverOf<LockingCheck<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_neighbor)
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
 
 private:

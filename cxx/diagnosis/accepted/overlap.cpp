@@ -1,5 +1,6 @@
 // Tools in the workpiece: between the nodes of an edge, and at edges that no label lets them touch (ALGORITHMS.md 16.3).
 #include "base/sentence.hpp"
+#include "contact/contact_archive.hpp"
 #include "diagnosis/accepted/boundary_edges.hpp"
 #include "diagnosis/accepted/tool_depth.hpp"
 #include "diagnosis/observers.hpp"
@@ -15,6 +16,7 @@ constexpr double OVERLAP =
 
 template <int Dim> class OverlapCheck final : public ObserverOf<OverlapCheck<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_edges, m_place, m_candidate, m_tools)
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
 
 private:
@@ -24,6 +26,7 @@ private:
     Vector<Dim> x = Vector<Dim>::Zero();
     double moved = 0; // of the tool until then
     Param<Dim> hint = Param<Dim>::Zero();
+    BURNISH_FIELDS(known, x, moved, hint)
   };
   struct Watched {
     Vector<Dim> origin;
@@ -31,6 +34,7 @@ private:
     double reach = 0;               // largest distance of its points from its origin [length]
     double moved = 0;               // way that no point of it has exceeded so far [length]
     std::vector<Distance> distance; // per node of the boundary
+    BURNISH_FIELDS(origin, R, reach, moved, distance)
   };
   void start(const AcceptedStep<Dim>& step);
   void move(const AcceptedStep<Dim>& step, int tool);

@@ -16,11 +16,13 @@ struct PressureState {
   double load = 0; // sum of its normal forces there [force]
   double sum = 0;  // integral [force]
   double t = 0;
+  BURNISH_FIELDS(load, sum, t)
 };
 
 // Of quadratic elements; pressures of linear ones are nodal forces over areas, which add up by themselves.
 template <int Dim> class PressureCheck final : public ObserverOf<PressureCheck<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_pressure, m_width)
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
 
 private:

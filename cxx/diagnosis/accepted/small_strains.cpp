@@ -13,6 +13,7 @@ constexpr double NONE = 1e-6;  // below everywhere, units may be mixed
 
 template <int Dim> class SmallStrains final : public ObserverOf<SmallStrains<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_gradient)
   void look(const AcceptedStep<Dim>& step, FindingList&) override {
     if (!step.workpiece || !step.first_of_ten()) return;
     const Gradient<Dim> I = undeformed<Dim>();

@@ -14,10 +14,12 @@ struct EndLoad {
   double force = 0, load = 0; // each the largest of the run [force]
   std::vector<double> place;
   double t = 0;
+  BURNISH_FIELDS(force, load, place, t)
 };
 
 template <int Dim> class SurfaceEnd final : public ObserverOf<SurfaceEnd<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_end, m_loads)
   void begin(const AcceptedStep<Dim>& step, FindingList& findings) override;
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
   void end(const EndedRun<Dim>& run, std::vector<Statement>& list) const override;

@@ -12,10 +12,16 @@ struct MirrorState {
   bool possible = true;
   long looks = 0;
   double deviation = 0; // of mirrored displacements over the largest one, the worst [-]
+  BURNISH_FIELDS(possible, looks, deviation)
 };
 
 template <int Dim> class SymmetricScene final : public ObserverOf<SymmetricScene<Dim>, Dim> {
 public:
+  static constexpr bool REMEMBERS = true;
+  template <class Archive> void remember(Archive& archive) {
+    [[maybe_unused]] auto& [state, mirror] = *this; // the mirrors are made of the mesh when they are needed
+    archive(state);
+  }
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
   void end(const EndedRun<Dim>& run, std::vector<Statement>& list) const override;
 

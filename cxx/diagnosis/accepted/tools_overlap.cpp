@@ -1,5 +1,6 @@
 // Tools that pass through each other (ALGORITHMS.md 16.3).
 #include "base/sentence.hpp"
+#include "contact/contact_archive.hpp"
 #include "diagnosis/accepted/tool_overlap.hpp"
 #include "diagnosis/observers.hpp"
 #include <algorithm>
@@ -17,11 +18,13 @@ struct ToolPairState {
   double at_start = 0;    // depth of their overlap at the start of the run [length]
   double clear = 0;       // they are apart by so much at least [length]
   bool moved = false;     // relative to each other
+  BURNISH_FIELDS(origin, R, at_start, clear, moved)
 };
 
 // Of the plane. In space nothing is checked: a few places on two surfaces do not tell whether these cross.
 template <int Dim> class ToolOverlapCheck final : public ObserverOf<ToolOverlapCheck<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_outlines, m_pairs)
   void begin(const AcceptedStep<Dim>& step, FindingList& findings) override;
   void look(const AcceptedStep<Dim>& step, FindingList& findings) override;
 
@@ -30,6 +33,7 @@ private:
     std::vector<SurfacePlace<2>> places;
     double spacing = 0; // bound of the way along the surface between neighbors [length]
     double reach = 0;   // largest distance of its points from its origin [length]
+    BURNISH_FIELDS(places, spacing, reach)
   };
   void measure(const AcceptedStep<2>& step);
   double motion(const AcceptedStep<2>& step, int a, int b, ToolPairState& pair) const;

@@ -10,6 +10,7 @@ constexpr Bounds TURN{0.5}; // of a tool in a step [rad]
 
 template <int Dim> class TurningCheck final : public ObserverOf<TurningCheck<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_q)
   void begin(const AcceptedStep<Dim>& step, FindingList&) override {
     if (m_q.size() == 0) m_q = step.contact.q;
   }

@@ -13,10 +13,12 @@ constexpr double UNMOVED = 1e-6; // way of a coordinate's points over the size o
 struct CoordinateUse {
   bool forced = true; // under force in every step
   double least = 0, most = 0;
+  BURNISH_FIELDS(forced, least, most)
 };
 
 template <int Dim> class UnmovedCoordinates final : public ObserverOf<UnmovedCoordinates<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_use)
   void look(const AcceptedStep<Dim>& step, FindingList&) override {
     const Eigen::VectorXd& q = step.contact.q;
     if (m_use.empty())

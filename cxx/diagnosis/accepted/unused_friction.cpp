@@ -12,10 +12,12 @@ constexpr double LOADED =
 struct FrictionUse {
   double largest = 0;          // |T| over its limit, of the nodes that carry load [-]
   long nodes = 0, sliding = 0; // of all steps
+  BURNISH_FIELDS(largest, nodes, sliding)
 };
 
 template <int Dim> class UnusedFriction final : public ObserverOf<UnusedFriction<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_use)
   void look(const AcceptedStep<Dim>& step, FindingList&) override {
     m_use.resize(step.model().tools.size());
     for (int tool = 0; tool < static_cast<int>(m_use.size()); ++tool) {

@@ -20,6 +20,7 @@ template <int Dim> double young_modulus(const MaterialLaw<Dim>& law) {
 
 template <int Dim> class UnusedYield final : public ObserverOf<UnusedYield<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_largest)
   void look(const AcceptedStep<Dim>& step, FindingList&) override {
     const MaterialLaw<Dim>* law = known_law(step.workpiece);
     if (!law || !step.first_of_ten()) return;

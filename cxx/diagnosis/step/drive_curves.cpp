@@ -147,6 +147,7 @@ namespace {
 // Follows the forces of a run.
 template <int Dim> class ForceOverWay final : public ObserverOf<ForceOverWay<Dim>, Dim> {
 public:
+  BURNISH_REMEMBERS(m_curves, m_q, m_prescribed)
   void begin(const AcceptedStep<Dim>& step, FindingList&) override {
     m_q = step.contact.q;
     if (step.prescribed) m_prescribed = *step.prescribed;

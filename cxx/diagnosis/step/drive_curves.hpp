@@ -1,6 +1,7 @@
 #pragma once
 // Force over way of every coordinate in the accepted steps: whether a force has come to its largest value, and whether a
 // falling force is followed down a branch that no dead load holds (ALGORITHMS.md 5.10).
+#include "contact/contact_archive.hpp"
 #include "contact/contact_setup.hpp"
 #include "iteration/failure.hpp"
 
@@ -12,6 +13,7 @@ struct DrivePoint {
   double force = 0;   ///< generalized force on the tool [force, force length]
   double contact = 0; ///< size of the contact force of its tool [force]
   double driven = 0;  ///< way of the coordinates under motion up to here [length]
+  BURNISH_FIELDS(q, force, contact, driven)
 };
 
 /// A branch of falling force under way: coordinates go on while the forces that drive them fall.
@@ -19,6 +21,7 @@ struct FallingBranch {
   int coordinate = -1;    ///< that gives off most work; -1: no such branch
   double since = 0;       ///< time of its start
   double q = 0, from = 0; ///< coordinate and force at its start
+  BURNISH_FIELDS(coordinate, since, q, from)
 };
 
 /// An accepted step of the drives.
@@ -45,6 +48,7 @@ public:
   std::string unstable(const ContactSetup<Dim>& setup) const;
   /// Way of the tool's points on that branch, 0: there is none [length].
   double branch_way() const;
+  BURNISH_FIELDS(m_curves, m_force, m_lever, m_branch, m_driven, m_t)
 
 private:
   void follow_branch(const ContactSetup<Dim>& setup, const DrivenStep& step);

@@ -1,5 +1,6 @@
 // Steps of a run with damage: a copy of the state goes on to the same bits, rejected steps restore the integrities, pieces
 // of event steps count by their share.
+#include "run/run_archive.hpp"
 #include "support/run.hpp"
 #include "workpiece/healing.hpp"
 
@@ -74,7 +75,7 @@ TEST_P(DamageRun, ACopyGoesOnToTheSameBits) {
   double changing = 0;
   for (const double rate : saved.body.workpiece.integrity_rate) changing += rate != 0;
   EXPECT_GT(changing, 0) << "saved in the middle of changes";
-  second.stepper.set_state(saved, second.u, second.R);
+  second.stepper.set_state(unpacked<2>(packed(saved)), second.u, second.R);
   for (Crumbling* run : {&first, &second}) ASSERT_EQ(run->go(0.7), Task::RECORD);
   EXPECT_GT(heal_all(first.workpiece(), 3), 0);
   EXPECT_GT(heal_all(second.workpiece(), 3), 0);

@@ -1,5 +1,6 @@
-// A run goes on from a copy of its state to the same bits, in every scheme, in itself and in another run; queries and
-// an approach that fails change nothing.
+// A run goes on from a copy of its state, or its bytes, to the same bits, in every scheme, in itself and in another run;
+// queries and an approach that fails change nothing.
+#include "run/run_archive.hpp"
 #include "support/rolling.hpp"
 #include "unit/finite_difference.hpp"
 #include "workpiece/point_fields.hpp"
@@ -11,12 +12,13 @@ namespace {
 
 /// Coarse example 1 with its stepper; yields of points are events in event steps.
 struct CoarseRun {
-  Rolling rolling{12, 3};
+  Rolling rolling;
   Stepper<2> stepper;
   std::vector<double> history; ///< t, coordinates, forces after each step
 
-  explicit CoarseRun(Scheme scheme)
-      : stepper(rolling.scene.contact(), rolling.scene.body, rolling.scene.diagnosis,
+  explicit CoarseRun(Scheme scheme, const IterationOptions& iteration = {})
+      : rolling(12, 3, iteration),
+        stepper(rolling.scene.contact(), rolling.scene.body, rolling.scene.diagnosis,
                 Rolling::control(0.4, 0.05), options(scheme)) {}
   static StepperOptions options(Scheme scheme) {
     StepperOptions options;
@@ -80,6 +82,51 @@ TEST_P(EveryScheme, GoesOnFromACopyToTheSameBits) {
   again.history = before;
   ASSERT_EQ(again.go(1), Task::FINISHED) << again.stepper.reason();
   expect_same(whole, again);
+}
+
+// All of it but CPU seconds and analyses, which a factor that is made again needs anew.
+std::string essence(const CoarseRun& run) {
+  RunState<2> state = run.stepper.state();
+  state.contact.counts = {};
+  state.diagnosis = {};
+  return packed(state);
+}
+void go_on_from_bytes(CoarseRun& whole, CoarseRun& other) {
+  ASSERT_EQ(whole.go(0.15), Task::RECORD);
+  const std::string bytes = packed(whole.stepper.state());
+  const std::vector<double> before = whole.history;
+  ASSERT_EQ(whole.go(1), Task::FINISHED) << whole.stepper.reason();
+  const RunState<2> state = unpacked<2>(bytes);
+  EXPECT_EQ(packed(state), bytes);
+  other.set(state);
+  other.history = before;
+  ASSERT_EQ(other.go(1), Task::FINISHED) << other.stepper.reason();
+  expect_same(whole, other);
+  EXPECT_EQ(essence(whole), essence(other));
+  const auto said = whole.stepper.report(), again = other.stepper.report();
+  ASSERT_EQ(said.size(), again.size());
+  for (std::size_t k = 0; k < said.size(); ++k) EXPECT_EQ(said[k].text, again[k].text);
+}
+
+TEST_P(EveryScheme, GoesOnFromItsBytesToTheSameBits) {
+  CoarseRun whole(GetParam()), other(GetParam());
+  go_on_from_bytes(whole, other);
+}
+
+TEST(RunBytes, OfAFactorThatServesSeveralSteps) {
+  IterationOptions options;
+  options.steps_per_factor = 4;
+  CoarseRun whole(Scheme::IMPLICIT, options), other(Scheme::IMPLICIT, options);
+  go_on_from_bytes(whole, other);
+}
+
+TEST(RunBytes, OfNoRun) {
+  CoarseRun run(Scheme::IMPLICIT);
+  run.go(0.05);
+  const std::string bytes = packed(run.stepper.state());
+  EXPECT_THROW(unpacked<2>(bytes.substr(0, bytes.size() / 2)), std::invalid_argument);
+  EXPECT_THROW(unpacked<3>(bytes), std::invalid_argument);
+  EXPECT_THROW(unpacked<2>(""), std::invalid_argument);
 }
 
 TEST_P(EveryScheme, QueriesChangeNothing) {

@@ -1,0 +1,36 @@
+#include "checkpoint/stage.hpp"
+#include "checkpoint/identity.hpp"
+#include "run/run_archive.hpp"
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+
+template <int Dim>
+StageStart start_stage(const std::string& path, const std::vector<char>& fixed, Workpiece<Dim>& workpiece) {
+  const Checkpoint checkpoint = read_checkpoint(path);
+  const auto then = [&](const char* name) {
+    std::vector<IdentityPart> parts;
+    for (const IdentityPart& part : checkpoint.identity)
+      if (part.name == name) parts.push_back(part);
+    return parts;
+  };
+  require_same(path, then("mesh"), {{"mesh", mesh_words<Dim>(workpiece.discretization())}});
+  StageStart start;
+  start.t = checkpoint.t;
+  const auto material = then("material");
+  start.same_material = !material.empty() && material.front().value == material_words(workpiece);
+  workpiece.set_state(unpacked<Dim>(checkpoint.state).body.workpiece);
+  const Eigen::VectorXd force = workpiece.internal_force();
+  for (Eigen::Index d = 0; d < force.size(); ++d) {
+    start.largest = std::max(start.largest, std::abs(force[d]));
+    if (!fixed[static_cast<std::size_t>(d)])
+      start.unbalanced = std::max(start.unbalanced, std::abs(force[d]));
+  }
+  return start;
+}
+
+template StageStart start_stage<2>(const std::string&, const std::vector<char>&, Workpiece<2>&);
+template StageStart start_stage<3>(const std::string&, const std::vector<char>&, Workpiece<3>&);
+
+} // namespace burnish

@@ -1,0 +1,294 @@
+// Checkpoints: a run goes on from one to the same bits, in another process. rcRun writes and reads them by itself
+// (edp/run/rcCheckpoint.idp); a loop of the script's own calls these.
+//   S.checkpoint(file)   writes state, variables and sizes of files of the run, in record or after the end; the file that was there
+//       becomes FILE.old
+//     file      path
+//     ! expected one that has just recorded a step
+//   S.resume(file, u, R)   after start: goes on from it, with the script's variables as they were; files to which lines were added are cut
+//       to what they were. Option -resume 2: from FILE.old
+//     file      path
+//     u         displacement of the run, out | length
+//     R         nodal forces, out | force
+//     ! is of another run
+//     ! is cut off
+//     ! is damaged
+//     ! is no checkpoint of Burnish
+//   rcStart(C, M, u, file)   before the first run of C: the workpiece as a run left it that wrote this file, S.checkpoint(file) after its
+//       rcRun. Displacement, stress, internal variables, integrities are exactly those; tools, supports, labels and steps may be others.
+//       Prints what is out of balance there, and returns it: the largest nodal force that no support of C takes | force
+//     C         contact
+//     M         material on the same mesh
+//     u         displacement array, u[], out | length
+//     file      path
+//     ! expected one before its first step
+//   S.checkpointdue   the time of option -checkpoint is over since the last one, or the run is at its end and has had one
+//   internal: rcResumeOption rcResumable rcNoteVariables rcOutdated rcRunFile
+#include "checkpoint.hpp"
+#include "base/error.hpp"
+#include "checkpoint/identity.hpp"
+#include "checkpoint/stage.hpp"
+#include "named.hpp"
+#include "run/run_archive.hpp"
+#include "script/words.hpp"
+#include "script_options.hpp"
+#include "script_values.hpp"
+#include "step_control.hpp"
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+
+namespace burnish {
+
+namespace fs = std::filesystem;
+
+std::set<std::string>& growing_paths() {
+  static std::set<std::string> paths;
+  return paths;
+}
+
+// As edp/cases/rcCaseOptions.idp says.
+constexpr const char
+    *CHECKPOINT_MEANS = "between two checkpoints of a run; 0: none",
+    *RESUME_MEANS = "1: goes on from the last checkpoint of a run that was killed, 2: from the one before";
+
+long resume_option() {
+  const long which = script_options().integer("-resume", 0, "-", RESUME_MEANS);
+  require(which >= 0 && which <= 2, "option", "-resume", which, "0, 1 or 2");
+  return which;
+}
+
+namespace {
+
+// Words of a script that has runs.
+constexpr const char* RUNS = "rcRun rcRunForms rcRunLaw rcCondensedRun rcCondensedRunLaw rcCase rcCaseForms "
+                             "rcCaseLaw checkpoint resume";
+using RunClock = std::chrono::steady_clock; // goes on where the wall clock is put back
+
+// Of the last checkpoint; at first of the start.
+RunClock::time_point& last_written() {
+  static RunClock::time_point at = RunClock::now();
+  return at;
+}
+
+double minutes_option() {
+  const double minutes = script_options().real("-checkpoint", 10, "min", CHECKPOINT_MEANS);
+  require(minutes >= 0, "option", "-checkpoint", minutes, ">= 0");
+  return minutes;
+}
+
+// The script's part, as it was when it began.
+const std::vector<IdentityPart>& script_identity() {
+  static const std::vector<IdentityPart> parts = [] {
+    const char* path = std::getenv("FF_INCLUDEPATH");
+    return identity_of(script_options(), path ? path : "");
+  }();
+  return parts;
+}
+
+template <int Dim> std::vector<IdentityPart> identity_of_run(ControlObject& object, ContactOf<Dim>& contact) {
+  auto& material = of_dimension<Dim>(*object.material, "stepcontrol.checkpoint");
+  std::vector<IdentityPart> parts =
+      identity_of(contact.run(), material.workpiece(), object.now().options(), object.options.forms_only);
+  parts.insert(parts.end(), script_identity().begin(), script_identity().end());
+  return parts;
+}
+
+template <int Dim> Stepper<Dim>& stepper_of(ControlObject& object) {
+  return static_cast<Stepper<Dim>&>(*object.stepper);
+}
+
+void write_run(ControlObject& object, const std::string& path, std::vector<KeptValue> values) {
+  constexpr const char* WHERE = "stepcontrol.checkpoint";
+  const StepLoop& loop = object.running(WHERE);
+  if (object.task != Task::RECORD && object.task != Task::FINISHED)
+    fail(WHERE, "a run in the middle of a step, expected one that has just recorded a step");
+  last_written() = RunClock::now();
+  Checkpoint checkpoint;
+  checkpoint.t = loop.control().time();
+  checkpoint.t_end = loop.control().options().t_end;
+  visit(*object.contact, [&](auto& contact) {
+    constexpr int Dim = dim_of<decltype(contact)>;
+    checkpoint.identity = identity_of_run<Dim>(object, contact);
+    checkpoint.state = packed(stepper_of<Dim>(object).state());
+    checkpoint.solver = contact.solver;
+  });
+  const std::string folder = fs::path(path).parent_path().string();
+  std::error_code unmade; // is told when the file is written
+  if (!folder.empty()) fs::create_directories(folder, unmade);
+  const std::vector<std::string> files(growing_paths().begin(), growing_paths().end());
+  checkpoint.files = growing_files(files, folder.empty() ? "." : folder);
+  checkpoint.values = std::move(values);
+  write_checkpoint(path, checkpoint);
+  object.checkpointed = true;
+  last_written() = RunClock::now();
+}
+
+void resume_run(ControlObject& object, const std::string& path, KN_<double> u, KN_<double> R, Stack stack,
+                const ScriptValues& script) {
+  constexpr const char* WHERE = "stepcontrol.resume";
+  object.running(WHERE);
+  const std::string from = resume_option() == 2 ? path + OLDER : path;
+  const Checkpoint checkpoint = read_checkpoint(from);
+  visit(*object.contact, [&](auto& contact) {
+    constexpr int Dim = dim_of<decltype(contact)>;
+    require_same(from, checkpoint.identity, identity_of_run<Dim>(object, contact));
+    contact.take_solver(checkpoint.solver, stack, WHERE);
+    const RunState<Dim> state = unpacked<Dim>(checkpoint.state);
+    Eigen::VectorXd v, force;
+    stepper_of<Dim>(object).set_state(state, v, force);
+    const std::string folder = fs::path(path).parent_path().string();
+    for (const std::string& file : cut_files(checkpoint.files, folder.empty() ? "." : folder))
+      growing_paths().insert(file);
+    script.restore(stack, checkpoint.values);
+    to_array(v, u, WHERE);
+    to_array(force, R, WHERE);
+    object.u = std::move(v);
+  });
+  *object.control = object.stepper->control();
+  object.statements_at = -1;
+  object.checkpointed = true;
+  last_written() = RunClock::now();
+  cout << "burnish: goes on from " << from << ", t = " << checkpoint.t << " of " << checkpoint.t_end << endl;
+}
+
+struct CheckpointTag {};
+struct ResumeTag {};
+using Checkpointing = Method<StepControlHandle, CheckpointTag>;
+using Resuming = Method<StepControlHandle, ResumeTag>;
+
+// These are compiled where the script calls them, and see its variables there.
+class WriteCheckpoint : public OneOperator {
+public:
+  WriteCheckpoint() : OneOperator(atype<bool>(), atype<Checkpointing>(), atype<string*>()) {}
+  E_F0* code(const basicAC_F0& args) const override {
+    return new Call(t[0]->CastTo(args[0]), t[1]->CastTo(args[1]));
+  }
+
+private:
+  struct Call : E_F0mps {
+    Call(Expression object, Expression file) : m_object(object), m_file(file) {}
+    AnyType operator()(Stack stack) const override {
+      guarded([&] {
+        const auto object = GetAny<Checkpointing>((*m_object)(stack));
+        write_run(object->get(), *GetAny<string*>((*m_file)(stack)), m_values.changed(stack));
+      });
+      return SetAny<bool>(true);
+    }
+    Expression m_object, m_file;
+    ScriptValues m_values;
+  };
+};
+
+class ReadCheckpoint : public OneOperator {
+public:
+  ReadCheckpoint()
+      : OneOperator(atype<bool>(), atype<Resuming>(), atype<string*>(), atype<KN_<double>>(),
+                    atype<KN_<double>>()) {}
+  E_F0* code(const basicAC_F0& args) const override {
+    return new Call(
+        {t[0]->CastTo(args[0]), t[1]->CastTo(args[1]), t[2]->CastTo(args[2]), t[3]->CastTo(args[3])});
+  }
+
+private:
+  struct Call : E_F0mps {
+    explicit Call(std::array<Expression, 4> arguments) : m_arguments(arguments) {}
+    AnyType operator()(Stack stack) const override {
+      guarded([&] {
+        const auto object = GetAny<Resuming>((*m_arguments[0])(stack));
+        resume_run(object->get(), *GetAny<string*>((*m_arguments[1])(stack)),
+                   GetAny<KN_<double>>((*m_arguments[2])(stack)),
+                   GetAny<KN_<double>>((*m_arguments[3])(stack)), stack, m_values);
+      });
+      return SetAny<bool>(true);
+    }
+    std::array<Expression, 4> m_arguments;
+    ScriptValues m_values;
+  };
+};
+
+class NoteValues : public OneOperator {
+public:
+  NoteValues() : OneOperator(atype<bool>(), atype<long>()) {}
+  E_F0* code(const basicAC_F0&) const override { return new Call; }
+
+private:
+  struct Call : E_F0mps {
+    AnyType operator()(Stack stack) const override {
+      guarded([&] { m_values.note(stack); });
+      return SetAny<bool>(true);
+    }
+    ScriptValues m_values;
+  };
+};
+
+bool checkpoint_due(StepControlHandle* const& h) {
+  return guarded([&] {
+    const ControlObject& object = h->get();
+    const double minutes = minutes_option();
+    if (minutes == 0) return false;
+    if (object.checkpointed && object.now().finished()) return true;
+    return std::chrono::duration<double, std::ratio<60>>(RunClock::now() - last_written()).count() >= minutes;
+  });
+}
+long resume_asked(const long&) {
+  return guarded([] { return resume_option(); });
+}
+bool resumable(string* const& path) {
+  std::error_code code;
+  return resume_option() > 0 && (fs::exists(*path, code) || fs::exists(*path + OLDER, code));
+}
+// A run begins anew: the checkpoint of an earlier one counts as the one before the next.
+bool outdated(string* const& path) {
+  std::error_code code;
+  if (fs::exists(*path, code)) fs::rename(*path, *path + OLDER, code);
+  script_identity();
+  return true;
+}
+
+// "" : a script without a folder of results
+string* run_file(Stack stack, string* const& folder, const long& number) {
+  const fs::path in =
+      folder->empty() ? "out" / fs::path(script_options().script()).stem() : fs::path(*folder);
+  return new_string(stack, (in / ("run-" + std::to_string(number) + ".checkpoint")).string());
+}
+
+double start_from(ContactHandle* const& contact, MaterialHandle* const& material, const KN_<double>& u,
+                  string* const& path) {
+  return on(contact, [&](auto& object) {
+    constexpr const char* WHERE = "rcStart";
+    auto& body = object.with_material(material->get(), WHERE);
+    if (object.started() && object.run().accepted().history.dt > 0)
+      fail(WHERE, "the contact has a run behind it, expected one before its first step");
+    const StageStart start = start_stage(*path, object.setup->body().fixed, body.changed().workpiece());
+    to_array(body.workpiece().state_old().displacement, u, WHERE);
+    cout << "burnish: starts from " << *path << ", t = " << start.t << ": largest nodal force "
+         << start.largest << ", of what no support takes " << start.unbalanced << endl;
+    if (!start.same_material)
+      cout << "burnish: warning: the material is described by other numbers than that of " << *path << endl;
+    return start.unbalanced;
+  });
+}
+
+} // namespace
+
+void accept_checkpoint_options() {
+  const char* path = std::getenv("FF_INCLUDEPATH");
+  if (!script_uses(script_options().script(), RUNS, path ? path : "")) return;
+  for (const char* name : {"-checkpoint", "-resume"}) script_options().accept(name);
+}
+
+void register_checkpoint() {
+  last_written();
+  add_method<StepControlHandle, CheckpointTag>("checkpoint", [] { return new WriteCheckpoint; });
+  add_method<StepControlHandle, ResumeTag>("resume", [] { return new ReadCheckpoint; });
+  Add<StepControlHandle*>("checkpointdue", ".", new OneOperator1_<bool, StepControlHandle*>(checkpoint_due));
+  Global.Add("rcStart", "(",
+             new OneOperator4_<double, ContactHandle*, MaterialHandle*, KN_<double>, string*>(start_from));
+  Global.Add("rcNoteVariables", "(", new NoteValues);
+  Global.Add("rcResumeOption", "(", new OneOperator1_<long, long>(resume_asked));
+  Global.Add("rcResumable", "(", new OneOperator1_<bool, string*>(resumable));
+  Global.Add("rcRunFile", "(", new OneOperator2s_<string*, string*, long>(run_file));
+  Global.Add("rcOutdated", "(", new OneOperator1_<bool, string*>(outdated));
+}
+
+} // namespace burnish

@@ -1,0 +1,182 @@
+#include "script_values.hpp"
+#include "base/archive.hpp"
+#include "base/error.hpp"
+#include <map>
+#include <zlib.h>
+
+namespace burnish {
+namespace {
+
+using Base2 = FEbase<double, v_fes>;
+using Base3 = FEbase<double, v_fes3>;
+
+template <class T> void write_value(Writer& archive, T& value) { archive(value); }
+template <class T> void read_value(Reader& archive, T& value) { archive(value); }
+void write_value(Writer& archive, string*& value) { archive(value ? *value : std::string()); }
+void read_value(Reader& archive, string*& value) {
+  if (!value) value = newstring();
+  archive(static_cast<std::string&>(*value));
+}
+template <class T> void write_value(Writer& archive, KN<T>& array) {
+  archive(static_cast<std::int64_t>(array.N()));
+  for (long i = 0; i < array.N(); ++i) write_value(archive, array[i]);
+}
+template <class T> void read_value(Reader& archive, KN<T>& array) {
+  std::int64_t size = 0;
+  archive(size);
+  if (array.N() != size) array.resize(size);
+  for (long i = 0; i < array.N(); ++i) read_value(archive, array[i]);
+}
+template <> void write_value<String>(Writer& archive, KN<String>& array) {
+  archive(static_cast<std::int64_t>(array.N()));
+  for (long i = 0; i < array.N(); ++i)
+    archive(static_cast<const std::string&>(*static_cast<string*>(array[i])));
+}
+template <> void read_value<String>(Reader& archive, KN<String>& array) {
+  std::int64_t size = 0;
+  archive(size);
+  if (array.N() != size) array.resize(size);
+  for (long i = 0; i < array.N(); ++i) archive(static_cast<std::string&>(*static_cast<string*>(array[i])));
+}
+template <class T> void write_value(Writer& archive, KNM<T>& matrix) {
+  archive(static_cast<std::int64_t>(matrix.N()), static_cast<std::int64_t>(matrix.M()));
+  for (long i = 0; i < matrix.N(); ++i)
+    for (long j = 0; j < matrix.M(); ++j) archive(matrix(i, j));
+}
+template <class T> void read_value(Reader& archive, KNM<T>& matrix) {
+  std::int64_t rows = 0, columns = 0;
+  archive(rows, columns);
+  if (matrix.N() != rows || matrix.M() != columns) matrix.resize(rows, columns);
+  for (long i = 0; i < matrix.N(); ++i)
+    for (long j = 0; j < matrix.M(); ++j) archive(matrix(i, j));
+}
+// A function of a space: its array, or nothing yet. That of several components goes with the first of them.
+template <class Base> void write_function(Writer& archive, const std::pair<Base*, int>& function) {
+  KN<double> none(0);
+  const bool given = function.second == 0 && function.first->x();
+  write_value(archive, given ? *function.first->x() : none);
+}
+template <class Base> void read_function(Reader& archive, const std::pair<Base*, int>& function) {
+  auto array = std::make_unique<KN<double>>(0);
+  read_value(archive, *array);
+  KN<double>* const present = function.first->x();
+  if (array->N() == 0) return;
+  if (present && present->N() == array->N())
+    *present = *array; // in its place, where others look at it
+  else
+    *function.first = array.release();
+}
+
+/// How the values of a type go: the expression of a variable gives a pointer to it.
+struct Way {
+  const char* name;
+  void (*write)(Writer&, AnyType);
+  void (*read)(Reader&, AnyType);
+};
+template <class T> Way way_of_pointer(const char* name) {
+  return {name, [](Writer& archive, AnyType at) { write_value(archive, *GetAny<T*>(at)); },
+          [](Reader& archive, AnyType at) { read_value(archive, *GetAny<T*>(at)); }};
+}
+template <class Base> Way way_of_function(const char* name) {
+  using Pair = std::pair<Base*, int>;
+  return {name, [](Writer& archive, AnyType at) { write_function(archive, GetAny<Pair>(at)); },
+          [](Reader& archive, AnyType at) { read_function(archive, GetAny<Pair>(at)); }};
+}
+
+const std::map<std::string, Way>& ways() {
+  static const std::map<std::string, Way> all{
+      {typeid(double*).name(), way_of_pointer<double>("real")},
+      {typeid(long*).name(), way_of_pointer<long>("int")},
+      {typeid(bool*).name(), way_of_pointer<bool>("bool")},
+      {typeid(string**).name(), way_of_pointer<string*>("string")},
+      {typeid(KN<double>*).name(), way_of_pointer<KN<double>>("real[int]")},
+      {typeid(KN<long>*).name(), way_of_pointer<KN<long>>("int[int]")},
+      {typeid(KN<String>*).name(), way_of_pointer<KN<String>>("string[int]")},
+      {typeid(KNM<double>*).name(), way_of_pointer<KNM<double>>("real[int,int]")},
+      {typeid(KNM<long>*).name(), way_of_pointer<KNM<long>>("int[int,int]")},
+      {typeid(std::pair<Base2*, int>).name(), way_of_function<Base2>("function")},
+      {typeid(std::pair<Base3*, int>).name(), way_of_function<Base3>("function in space")}};
+  return all;
+}
+const Way* way_of(aType type) {
+  const auto found = ways().find(type->name());
+  return found == ways().end() ? nullptr : &found->second;
+}
+
+uLong mark_of_value(const std::string& bytes) {
+  return crc32_z(bytes.size() & 0xFFFF, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+}
+std::map<Expression, uLong>& noted_values() {
+  static std::map<Expression, uLong> all;
+  return all;
+}
+// Of the process, not of the run.
+bool passes_by(const std::string& name) {
+  for (const char* one : {"rcStarted", "rcPrinted", "rcLine"})
+    if (name == one) return true;
+  return false;
+}
+
+} // namespace
+
+ScriptValues::ScriptValues() {
+  std::map<std::string, int> seen;
+  for (const TableOfIdentifier* table : tables_of_identifier) {
+    if (table == &Global) continue;
+    for (const auto& [name, value] : table->m) {
+      if (!way_of(value.first) || passes_by(name)) continue;
+      const std::string inner(static_cast<std::size_t>(seen[name]++), '\'');
+      m_variables.push_back({name + inner, value.first, value.second});
+    }
+  }
+}
+
+namespace {
+
+std::string value_bytes(aType type, Expression place, Stack stack) {
+  std::ostringstream stream(std::ios::binary);
+  {
+    Writer archive(stream);
+    way_of(type)->write(archive, (*place)(stack));
+  }
+  return stream.str();
+}
+
+} // namespace
+
+void ScriptValues::note(Stack stack) const {
+  for (const Variable& one : m_variables)
+    if (!noted_values().count(one.place))
+      noted_values()[one.place] = mark_of_value(value_bytes(one.type, one.place, stack));
+}
+
+std::vector<KeptValue> ScriptValues::changed(Stack stack) const {
+  std::vector<KeptValue> values;
+  for (const Variable& one : m_variables) {
+    std::string bytes = value_bytes(one.type, one.place, stack);
+    const auto before = noted_values().find(one.place);
+    if (before == noted_values().end() || before->second != mark_of_value(bytes))
+      values.push_back({one.name, way_of(one.type)->name, std::move(bytes)});
+  }
+  return values;
+}
+
+void ScriptValues::restore(Stack stack, const std::vector<KeptValue>& values) const {
+  const auto find = [&](const KeptValue& value) {
+    return std::find_if(m_variables.begin(), m_variables.end(), [&](const Variable& one) {
+      return one.name == value.name && way_of(one.type)->name == value.type;
+    });
+  };
+  for (const KeptValue& value : values)
+    if (find(value) == m_variables.end())
+      fail("stepcontrol.resume", "the checkpoint holds " + value.type + " " + value.name +
+                                     " of the script, expected a variable of that name and type here");
+  for (const KeptValue& value : values) {
+    std::istringstream stream(value.bytes, std::ios::binary);
+    Reader archive(stream);
+    const auto one = find(value);
+    way_of(one->type)->read(archive, (*one->place)(stack));
+  }
+}
+
+} // namespace burnish

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# A run that is killed goes on by -resume 1 to the same bytes in all its files: a case, and a script with a law and variables of its own,
+# which calls nothing for it. What does not belong to a checkpoint is refused with what differs, status 20, and no file changes.
+set -u
+failures=0
+report() { echo "FAILED: $*"; failures=$((failures + 1)); }
+kills() { "$PYTHON" -B tests/support/kills.py "$@" || failures=$((failures + 1)); }
+coarse=(-element P1 -inner 4 -outer 40 -sides 6 -steps 40 -width 3 -check 0 -series 5)
+
+# 1. a case of several tools, with friction and field series; a script that keeps its own history
+kills rolling 3 cases/rolling/rolling.edp "${coarse[@]}"
+mkdir -p "$SCRATCH/scripts"
+sed 's/^func int record(real t) {.*/real turned = 0; string said = ""; real[int] angles(1); angles = 0; int steps = 0;\
+func int record(real t) {\
+  if (steps == 0) { ofstream head(rcNewName("own.csv")); head << "t,turned,said" << endl; rcReplaced(head, "own.csv"); }\
+  ++steps; turned += roller.value("angle"); said = said + steps%7; angles.resize(steps); angles[steps - 1] = turned;\
+  ofstream f("own.csv", append); f.precision(17);\
+  f << t << "," << turned << "," << said << "," << angles.sum << endl; rcAppended(f, "own.csv"); return 0; }/
+  s/1., 0.05, program/1., 0.04, program/
+  $ a ofstream last("last.txt"); last.precision(17); last << turned << " " << said << " " << angles.l2 << " " << ep[].l2 << endl;' \
+  edp/manual/examples/law-j2.edp >"$SCRATCH/scripts/own.edp"
+kills own 2 "$SCRATCH/scripts/own.edp"
+
+# 2. a run of which the last checkpoint is the one before its end
+folder="$SCRATCH/refused"
+run() { "$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -pictures 0 -out "$folder" "$@" >"$SCRATCH/log" 2>&1; }
+(ulimit -t 1000; run -checkpoint 1e-9)
+[ -s "$folder/run-1.checkpoint" ] && [ -s "$folder/run-1.checkpoint.old" ] || report "no two checkpoints: $(ls "$folder")"
+content() { (cd "$folder" && cat history.csv events.csv tools.csv fields.pvd final.vtu run-1.checkpoint) | cksum; }
+before=$(content)
+# refused "words" OPTIONS...
+refused() {
+  local words=$1 status
+  shift
+  run -resume 1 "$@"
+  status=$?
+  [ "$status" = 20 ] || report "$*: exit status $status instead of 20"
+  grep -qF -- "$words" "$SCRATCH/log" || { report "$*: no \"$words\""; tail -n 4 "$SCRATCH/log"; }
+}
+refused 'option -mu = 0.3, expected 0.2' -mu 0.3
+refused 'tool "roller" = coordinates r phi theta, surface of mark' -R 14e-3
+refused 'mesh = ' -outer 44
+refused 'material = ' -H 9e8
+refused 'steps = to t = 1, at most 0.02' -steps 50
+refused 'option: -resume = 3, expected 0, 1 or 2' -resume 3
+[ "$(content)" = "$before" ] || report "a refused run has changed files"
+
+# 3. damaged, short; the older one is named and serves
+cp "$folder/run-1.checkpoint" "$SCRATCH/whole"
+head -c 5000 "$SCRATCH/whole" >"$folder/run-1.checkpoint"
+refused 'it is cut off; the one before it, "'"$folder"'/run-1.checkpoint.old", of t = '
+run -resume 2 || report "-resume 2: exit status $?"
+grep -q 'burnish: goes on from .*run-1.checkpoint.old' "$SCRATCH/log" || report "-resume 2 does not go on from the older one"
+cp "$SCRATCH/whole" "$folder/run-1.checkpoint"
+truncate -s -20 "$folder/history.csv"
+refused 'history.csv": has '
+rm -f "$folder"/run-1.checkpoint*
+run -resume 1 || report "without a checkpoint: exit status $?"
+grep -q 'burnish: there is no .*run-1.checkpoint: the run begins at its start' "$SCRATCH/log" || report "no word that there is none"
+
+# 4. another text of the script
+sed 's/0.5\*R\*/&/' "$SCRATCH/scripts/own.edp" >"$SCRATCH/scripts/text.edp"
+(cd "$SCRATCH/scripts" && "$BURNISH" text.edp -checkpoint 1e-9) >"$SCRATCH/log" 2>&1 || report "text: exit status $?"
+sed -i 's/-400\*min/-401*min/; s/^real E/\/\/ a comment may change\n&/' "$SCRATCH/scripts/text.edp"
+(cd "$SCRATCH/scripts" && "$BURNISH" text.edp -resume 1) >"$SCRATCH/log" 2>&1
+[ $? = 20 ] || report "another text is not refused"
+grep -qF 'script "text.edp" says `roller.force("y", -401*min(1., 2*t));' "$SCRATCH/log" || { report "no word of the text"; tail -n 4 "$SCRATCH/log"; }
+
+# 5. a checkpoint that cannot be written ends no run
+"$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -pictures 0 -out "$SCRATCH/kept" -checkpoint -1 >"$SCRATCH/log" 2>&1
+[ $? = 20 ] && grep -qF 'option: -checkpoint = -1, expected >= 0' "$SCRATCH/log" || report "-checkpoint -1 is taken"
+exit $((failures > 0))
