@@ -110,6 +110,15 @@ class Scene(unittest.TestCase):
         self.assertIn("Q_y", names)
         self.assertNotIn("Q_x", names)
 
+    def test_groups(self):
+        """Columns of the script with one unit and about one size share a panel."""
+        run = Run(str(FINISHED), None, {"a": ("a", "mm", 1), "b": ("b", "mm", 1), "c": ("c", "mm", 1), "d": ("d", "-", 1), "e": ("e", "-", 1)})
+        t = run.history["t"]
+        run.history = {**run.history, "a": t, "b": 5 * t, "c": 1e3 * t, "d": t, "e": t}
+        own = [names for _, names, _ in curves.default_panels(run) if set(names) & set("abcde")]
+        self.assertEqual(own, [["a", "b"], ["c"], ["d"], ["e"]])
+        self.assertIsNotNone(curves.history_figure(run))
+
     def test_stress_error(self):
         """No larger than the stress."""
         run = Run(str(FINISHED))
