@@ -80,6 +80,7 @@ def label_panel(axes, run, columns, title, change, exponent):
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
 
 
+APART, MOST = 20.0, 4            # of curves in a panel: their sizes, their number
 NOTHING = 1e-6                   # over the largest of its panel, below which a curve is zero
 WITHOUT_MEANING = ("x", "angle")  # in axisymmetry a drive force along r or about the axis has no meaning
 RESULTANTS = ("_Fx", "_Fy", "_Fz", "_Mx", "_My", "_Mz")  # of supports and tools: the forces of the drives show the same
@@ -98,7 +99,20 @@ def default_panels(run):
             panels.append((title, names, change))
     own = [n for n, c in run.columns.items() if c.kind == u.OTHER and n != "factorizations"
            and not n.endswith(RESULTANTS) and moves(run.history[n])]
-    return panels + [(run.columns[n].label, [n], False) for n in own]
+    return panels + [(run.columns[names[0]].label if len(names) == 1 else "of the script", names, False) for names in grouped(run, own)]
+
+
+def grouped(run, names):
+    """Columns of one unit and of about the same size, at most MOST together; each of the others alone."""
+    groups = []
+    for name in names:
+        unit, size = run.columns[name].unit, np.nanmax(np.abs(values_of(run, name)), initial=0.0)
+        near = [g for g in groups if unit not in ("", "-") and g[0] == unit and 1 / APART < size / g[1] < APART and len(g[2]) < MOST]
+        if near:
+            near[0][2].append(name)
+        else:
+            groups.append((unit, size, [name]))
+    return [group for _, _, group in groups]
 
 
 def history_figure(run, panels=None, against="t"):

@@ -37,18 +37,18 @@ def new_figure(width=8.0, height=5.0, **grid):
 
 
 def save(figure, folder, name):
-    """Writes name.png into folder and returns its path. 256 colors: a third of the size, the eye sees no difference;
+    """Writes name.png into folder and returns its path. 128 or 256 colors: a third of the size, the eye sees no difference;
     a figure with figure.shaded = True keeps all of its own. figure.placed: it is drawn as it is, else its margins are cut off."""
     path, drawn = os.path.join(folder, name + ".png"), io.BytesIO()
     if getattr(figure, "placed", False):
         figure.canvas.draw()
-        colors = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3])
+        colors = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]).quantize(128, dither=Image.Dither.NONE)
     else:
         figure.savefig(drawn, format="png", dpi=150, bbox_inches="tight", pad_inches=0.12, pil_kwargs={"compress_level": 1})
         plt.close(figure)
         colors = Image.open(drawn).convert("RGB")
-    if not getattr(figure, "shaded", False):
-        colors = colors.quantize(256, dither=Image.Dither.NONE)
+        if not getattr(figure, "shaded", False):
+            colors = colors.quantize(256, dither=Image.Dither.NONE)
     colors.save(path, pnginfo=MARK)
     return path
 

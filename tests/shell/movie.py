@@ -143,6 +143,8 @@ class Movie(unittest.TestCase):
         slider = next(a for tag, a in page.tags if tag == "input")
         self.assertEqual((slider["type"], slider["max"]), ("range", str(FRAMES - 1)))
         data = json.loads(page.data)
+        shown = next(a["src"] for tag, a in page.tags if tag == "img")
+        self.assertEqual((slider["value"], shown), ("0", data["images"][0]))   # it opens at its first frame
         self.assertEqual(len(data["images"]), FRAMES)
         self.assertEqual((data["t"][0], data["t"][-1]), (0, 1))
         frames = [base64.b64decode(image.split(",")[1]) for image in data["images"]]

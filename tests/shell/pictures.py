@@ -98,6 +98,34 @@ class Scene(unittest.TestCase):
         self.assertNotEqual(dash_y, dash_x)
         self.assertEqual(len({x, other, nodes}), 3)
         self.assertEqual(len(set(curves.styles(["x", "y", "angle"]))), 3)
+        of_states = [(contact.STATES[k][1], "-") for k in (3, 2)]   # as in maps and movies
+        self.assertEqual(curves.styles(["sticking", "sliding"]), of_states)
+        self.assertEqual(curves.styles(["die: in contact", "punch: in contact", "sticking", "sliding"])[2:], of_states)
+        self.assertEqual(len(set(curves.styles(["die: in contact", "punch: in contact", "sticking", "sliding"]))), 4)
+
+    def test_what_is_zero_is_not_drawn(self):
+        run = Run(str(FINISHED))
+        run.history = {**run.history, "Q_x": 1e-8 * np.abs(run.history["Q_y"]).max() * np.sin(run.history["t"])}
+        names = [name for _, names, _ in curves.default_panels(run) for name in names]
+        self.assertIn("Q_y", names)
+        self.assertNotIn("Q_x", names)
+
+    def test_groups(self):
+        """Columns of the script with one unit and about one size share a panel."""
+        run = Run(str(FINISHED), None, {"a": ("a", "mm", 1), "b": ("b", "mm", 1), "c": ("c", "mm", 1), "d": ("d", "-", 1), "e": ("e", "-", 1)})
+        t = run.history["t"]
+        run.history = {**run.history, "a": t, "b": 5 * t, "c": 1e3 * t, "d": t, "e": t}
+        own = [names for _, names, _ in curves.default_panels(run) if set(names) & set("abcde")]
+        self.assertEqual(own, [["a", "b"], ["c"], ["d"], ["e"]])
+        self.assertIsNotNone(curves.history_figure(run))
+
+    def test_stress_error(self):
+        """No larger than the stress."""
+        run = Run(str(FINISHED))
+        run.field.data["stress_error"] = 3 * run.field.data["stress_eq"]
+        largest = run.units.stress * run.field.data["stress_eq"].max()
+        title = fields.field_figure(run, fields.ERROR).axes[0].get_title()
+        self.assertIn(f"largest at a node {units.amount(largest, run.units.stress_unit)}", title)
 
     def test_drive_forces_of_a_ring(self):
         for ring in (False, True):

@@ -181,7 +181,7 @@ class Checker:
 
     def check_summary(self, folders):
         keys = {key for folder in folders for key in flat(json.loads(read(folder / "summary.json")))}
-        writers = ("edp/cases/rcSummary.idp", "edp/cases/rcCase.idp", "cxx/output/summary.cpp", "plugins/summary.cpp")
+        writers = ("edp/cases/rcSummary.idp", "edp/cases/rcCase.idp", "edp/cases/rcResults.idp", "cxx/output/summary.cpp", "plugins/summary.cpp")
         writer = "".join(read(TOP / file) for file in writers)
         for name in self.compare("summary.json", sorted(keys)):
             last = re.split(r"\.|\[\]", name)[-1]

@@ -5,7 +5,16 @@ from plotting import final
 from plotting.space import scene
 from plotting.units import amount, in_powers
 
-SIZE = (1150, 850)    # of what VTK draws, in pixels
+SIZE = (1300, 1000)   # of what VTK draws, in pixels
+ROOM = 0.16           # about the workpiece, over its size in the picture; twice that above it
+
+
+def near(image, places):
+    """Rows and columns of the image about the workpiece, places: pixels of its corners; large tools go on beyond."""
+    (top, bottom), (left, right) = scene.window_of([image])
+    low, high = places.min(axis=0), places.max(axis=0)
+    room = ROOM * (high - low).max()
+    return ((int(max(top, low[1] - 2 * room)), int(min(bottom, high[1] + room))), (int(max(left, low[0] - room)), int(min(right, high[0] + room))))
 
 
 def final_figure(run):
@@ -13,12 +22,11 @@ def final_figure(run):
     scale = scene.scale_of(run, [frame])
     box = scene.box_of([frame])
     image, places = scene.picture(run, frame, box, scale, SIZE)
-    (top, bottom), (left, right) = scene.window_of([image])
+    (top, bottom), (left, right) = near(image, places)
     room = final.WIDTH - final.RIGHT - 0.3
     height = float(np.clip(room * (bottom - top) / (right - left), 2.5, 6.0))
     whole = height + final.ABOVE + 0.45
     figure = final.new_figure(whole)
-    figure.shaded = True
     axes = figure.add_axes((0.3 / final.WIDTH, 0.45 / whole, room / final.WIDTH, height / whole))
     axes.imshow(image, interpolation="bilinear")
     axes.set(xlim=(left, right), ylim=(bottom, top))
@@ -36,13 +44,13 @@ def final_figure(run):
 def gallery_figure(run):
     """The same without words, in the size of plotting/final.py's."""
     frame, (wide, high) = run.last, final.GALLERY
-    image, _ = scene.picture(run, frame, scene.box_of([frame]), scene.scale_of(run, [frame]), (2 * wide, 2 * high))
-    (top, bottom), (left, right) = scene.window_of([image], 10)
+    image, places = scene.picture(run, frame, scene.box_of([frame]), scene.scale_of(run, [frame]), (2 * wide, 2 * high))
+    (top, bottom), (left, right) = near(image, places)
     figure = final.new_figure(final.WIDTH * high / wide)
     figure.set_dpi(wide / final.WIDTH)
-    figure.shaded = True
     axes = figure.add_axes((0, 0, 1, 1))
     axes.imshow(image, interpolation="antialiased")
-    axes.set(xlim=final.fitted((left, right, top, bottom), wide / high)[:2], ylim=final.fitted((left, right, top, bottom), wide / high)[:1:-1])
+    box = final.fitted((left, right, top, bottom), wide / high)
+    axes.set(xlim=box[:2], ylim=box[:1:-1])
     axes.set_axis_off()
     return figure

@@ -117,7 +117,7 @@ class Scene:
         shift = APART * np.ptp(body.points, axis=0).max() * eye
         self.add(poly(body.points + shift, files.edges_of(body.faces), "lines"), EDGE, width=1.0)
 
-    def add_tools(self, tools, shift, opacity=0.4):
+    def add_tools(self, tools, shift, opacity=0.25):
         """With the lines of their triangles, which show how they turn, where these are few; moved by a shift that nobody sees, so that the contact is
         that of the workpiece."""
         for _, points, triangles, _ in files.tool_parts(tools):

@@ -20,7 +20,8 @@ View = namedtuple("View", "eye up box length")  # directions; what is seen, low 
 TOOL_ROOM = 0.35   # how far a tool is shown beyond the workpiece, over the workpiece's largest side
 ASIDE, ABOVE = 0.55, 0.42  # of the view: sideways and upward, over straight from the front
 FLOWING = 1e-6     # plastic strain from which it is shown
-TRACK = 0.008      # radius of a track over the largest side
+LEAST_WAY = 1e-2   # of the largest side, below which no way is drawn
+TRACK = 0.006      # radius of a track over the largest side
 
 
 def scale_of(run, frames):
@@ -66,6 +67,12 @@ def bands(scale):
     return [BODY + (1.0,)] + colors, (levels[0] - levels[1], levels[-1] + levels[0])
 
 
+def ways_of(run):
+    """Tracks of the tools that go along the workpiece; those that only press have none."""
+    least, across = LEAST_WAY * np.ptp(run.last.body.points, axis=0).max(), np.abs(run.up) < 0.5
+    return [places for places in run.tracks.values() if len(places) > 1 and np.ptp(places, axis=0)[across].max() > least]
+
+
 def picture(run, frame, box, scale, size=(1100, 900)):
     """(image, places in it of the corners of the workpiece's box)"""
     scene, eye = Scene(size), eye_of(run)
@@ -75,9 +82,9 @@ def picture(run, frame, box, scale, size=(1100, 900)):
         scene.add_body(frame.body, eye, values_of(frame, scale), *bands(scale))
     side = np.ptp(run.last.body.points, axis=0).max()
     scene.add_tools(frame.tools, -APART * side * eye)
-    for places in run.tracks.values():
-        if len(places) > 1 and np.ptp(places, axis=0).max() > 1e-6 * side:
-            scene.add_track(places, TRACK * side)
+    top = (frame.body.points @ run.up).max() + TRACK * side
+    for places in ways_of(run):
+        scene.add_track(places + np.outer(top - places @ run.up, run.up), TRACK * side)
     image = scene.image(eye, run.up, box)
     return image, scene.pixels(corners(frame.body.points))
 
@@ -111,9 +118,8 @@ def key_of(run):
     names = plain(", ".join(map(run.tool_name, run.tracks))) if len(run.tracks) < 4 else "tools"
     handles = [Patch(facecolor=BODY, edgecolor="black", label="workpiece, edges of its elements"),
                Patch(facecolor=STEEL, alpha=0.6, label=f"rigid {names}")]
-    moved = [p for p in run.tracks.values() if np.ptp(p, axis=0).max() > 1e-2 * np.ptp(run.last.body.points, axis=0).max()]
-    if moved:
-        handles.append(Line2D([], [], color=ORANGE, linewidth=4, label="track of the tool's origin"))
+    if ways_of(run):
+        handles.append(Line2D([], [], color=ORANGE, linewidth=4, label="way of the tool, on the surface"))
     return handles
 
 
