@@ -234,8 +234,10 @@ long resume_asked(const long&) {
   return guarded([] { return resume_option(); });
 }
 bool resumable(string* const& path) {
-  std::error_code code;
-  return resume_option() > 0 && (fs::exists(*path, code) || fs::exists(*path + OLDER, code));
+  return guarded([&] {
+    std::error_code code;
+    return resume_option() > 0 && (fs::exists(*path, code) || fs::exists(*path + OLDER, code));
+  });
 }
 // A run begins anew: the checkpoint of an earlier one counts as the one before the next.
 bool outdated(string* const& path) {

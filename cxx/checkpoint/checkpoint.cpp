@@ -51,9 +51,10 @@ std::uint64_t checksum_of(const std::string& bytes) {
   throw FileError("checkpoint \"" + path + "\" cannot be written: " + std::strerror(reason));
 }
 
-// The new content, on the disk when this returns.
+// The new content of path beside it, on the disk when this returns.
 void write_and_sync(const std::string& path, const Head& head, const std::string& bytes) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
+  const std::string written = new_name(path);
+  std::FILE* file = std::fopen(written.c_str(), "wb");
   if (!file) not_written(path, errno);
   bool ok = std::fwrite(&head, sizeof head, 1, file) == 1 &&
             std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
@@ -61,7 +62,7 @@ void write_and_sync(const std::string& path, const Head& head, const std::string
   int reason = ok ? 0 : errno;
   if (std::fclose(file) != 0 && ok) reason = errno;
   if (reason == 0) return;
-  std::remove(path.c_str());
+  std::remove(written.c_str());
   not_written(path, reason);
 }
 
@@ -136,7 +137,7 @@ void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
   std::strncpy(head.version, BURNISH_VERSION, sizeof head.version - 1);
   head.size = bytes.size();
   head.checksum = checksum_of(bytes);
-  write_and_sync(written, head, bytes);
+  write_and_sync(path, head, bytes);
   std::error_code code;
   if (fs::exists(path, code)) {
     fs::remove(older, code);
@@ -167,7 +168,7 @@ Checkpoint read_checkpoint(const std::string& path) {
       whole = text.str();
     } catch (const std::invalid_argument&) {
     }
-    throw ArgumentError(error.said() + whole);
+    throw ArgumentError(error.what() + whole);
   }
 }
 

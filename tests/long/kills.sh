@@ -11,10 +11,10 @@ kills factors 4 "${rolling[@]}" -steps 60 -series 2 -stepsperfactor 3
 kills article 3 "${rolling[@]}" -element P1 -steps 20 -width 2 -scheme article -series 2
 kills forms 6 "${rolling[@]}" -element P1 -steps 20 -width 3 -forms 1 -solver UMFPACK -series 2
 kills event-forms 4 "${rolling[@]}" -element P1 -steps 10 -width 2 -forms 1 -solver UMFPACK -scheme event -series 2
-kills axisymmetric 5 cases/upsetting/upsetting.edp -axisymmetric 1 -check 0
-kills tools 5 cases/planetary/planetary.edp -check 0 -series 3
-kills damage 5 cases/damage/damage.edp -check 0 -n 4 -series 3
-kills space 4 cases/ball/ball.edp -check 0 -series 2
+kills axisymmetric 5 cases/upsetting/upsetting.edp -axisymmetric 1 -n 8 -check 0 -steps 30
+kills tools 5 cases/planetary/planetary.edp -check 0 -series 3 -fine 200e-6
+kills damage 5 cases/damage/damage.edp -check 0 -n 4 -steps 60 -series 3
+kills space 4 cases/ball/ball.edp -check 0 -series 2 -n 3
 
 # a disk that is full: no file may exceed a limit that the history keeps and the checkpoint does not
 folder="$SCRATCH/full"
