@@ -37,6 +37,35 @@ def channel_numisheet():
         ("19.6 kN, 5", "-bhf 280 -edges 5"))])
 
 
+TIGHT = "-thickness 1.06348 -shoulder 5.47293 -nose 3.47571 -clearance 1.05959 -mu 0.0406712 -bhf 47.1828"
+
+
+def late(r, column):
+    """Mean of a column of the history over the last third of the stroke, t = 0.7 to 1."""
+    total, last = 0, 0.7
+    with open(os.path.join(r.summary["options"]["out"], "history.csv"), encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            t = float(row["t"])
+            if 0.7 < t < 1 + 1e-9:
+                total, last = total + float(row[column])*(t - last), t
+    return total/0.3
+
+
+def channel_tight():
+    """The channel of the sweep that is farthest from its half mesh: force, what presses the die aside, the force without 4 mu times this."""
+    rows, found = [], {}
+    for edges, ny in ((20, 6), (16, 6), (14, 6), (12, 6), (10, 4), (8, 4), (7, 4)):
+        r = run("u-channel", f"-series 0 -check 0 -edges {edges} {TIGHT}" + (f" -ny {ny}" if ny != 4 else ""))
+        force, aside = r.result("mean punch force of the last third"), late(r, "die_force_x")
+        found[edges] = (force, force - 4*r.summary["options"]["mu"]*aside)
+        half = found.get(2*edges)
+        cells = [f"{100*(a/b - 1):.1f} %" for a, b in zip(found[edges], half)] if half else ["", ""]
+        rows.append([f"{edges}, {ny}", f"{force:.2f}", cells[0], f"{aside:.1f}", f"{found[edges][1]:.2f}", cells[1],
+                     f"{r.steps} ({r.counts['rejected_steps']})", r.cpu])
+    return table(["edges, through it", "punch force N/mm", "off its half mesh", "aside on the die N/mm", "without friction of this", "off", "steps (rejected)",
+                  "CPU s"], rows[::-1])
+
+
 def bent(name, options):
     r = run("bending", f"-check 0 {options}".strip())
     flanks = "springback without the die's flanks" in r.summary["results"]
@@ -134,6 +163,6 @@ def winding_mesh():
 
 
 TABLES = {"bending": {"stroke": bending_stroke, "thickness": bending_thickness},
-          "u-channel": {"mesh": channel_mesh, "numisheet": channel_numisheet},
+          "u-channel": {"mesh": channel_mesh, "numisheet": channel_numisheet, "tight": channel_tight},
           "roll-bending": {"mesh": winding_mesh}, "leveller": {"rolls": leveller_rolls},
           "cup": {"mesh": cup_mesh, "gap": cup_gap, "ratio": cup_ratio}}
