@@ -101,8 +101,8 @@ class Scene:
         if color:
             look.SetColor(*color)
         look.SetOpacity(opacity)
-        look.SetAmbient(0.35)
-        look.SetDiffuse(0.7)
+        look.SetAmbient(0.35 if bands is None else 0.75)  # of a field so much that its colors are those of the scale
+        look.SetDiffuse(0.7 if bands is None else 0.3)
         if width:
             look.SetLineWidth(width)
             look.SetLighting(False)
@@ -115,9 +115,9 @@ class Scene:
             data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(values, float), deep=True))
         self.add(smoothed(data), BODY, bands=None if values is None else (lookup(colors), limits))
         shift = APART * np.ptp(body.points, axis=0).max() * eye
-        self.add(poly(body.points + shift, files.edges_of(body.faces), "lines"), EDGE, width=1.0)
+        self.add(poly(body.points + shift, files.edges_of(body.faces), "lines"), EDGE, 0.4, 1.0)
 
-    def add_tools(self, tools, shift, opacity=0.25):
+    def add_tools(self, tools, shift, opacity=0.15):
         """With the lines of their triangles, which show how they turn, where these are few; moved by a shift that nobody sees, so that the contact is
         that of the workpiece."""
         for _, points, triangles, _ in files.tool_parts(tools):

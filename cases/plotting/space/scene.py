@@ -21,6 +21,7 @@ TOOL_ROOM = 0.35   # how far a tool is shown beyond the workpiece, over the work
 ASIDE, ABOVE = 0.55, 0.42  # of the view: sideways and upward, over straight from the front
 FLOWING = 1e-6     # plastic strain from which it is shown
 LEAST_WAY = 1e-2   # of the largest side, below which no way is drawn
+LIFTED = 3e-3      # of the largest side, above its lowest place: the tool is on its way to the next track
 TRACK = 0.006      # radius of a track over the largest side
 
 
@@ -68,9 +69,18 @@ def bands(scale):
 
 
 def ways_of(run):
-    """Tracks of the tools that go along the workpiece; those that only press have none."""
-    least, across = LEAST_WAY * np.ptp(run.last.body.points, axis=0).max(), np.abs(run.up) < 0.5
-    return [places for places in run.tracks.values() if len(places) > 1 and np.ptp(places, axis=0)[across].max() > least]
+    """Tracks of the tools that go along the workpiece, in parts between which they are lifted; those that only press have none."""
+    side, across, ways = np.ptp(run.last.body.points, axis=0).max(), np.abs(run.up) < 0.5, []
+    for places in run.tracks.values():
+        lifted = places @ run.up > (places @ run.up).min() + LIFTED * side
+        ways += [part[~lifted[first:first + len(part)]] for first, part in parted(places, lifted)]
+    return [way for way in ways if len(way) > 1 and np.ptp(way, axis=0)[across].max() > LEAST_WAY * side]
+
+
+def parted(places, lifted):
+    """(number of its first place, places) of each part that begins where the tool is lifted."""
+    firsts = [0, *np.flatnonzero(lifted)]
+    return [(first, places[first:last]) for first, last in zip(firsts, [*firsts[1:], len(places)])]
 
 
 def picture(run, frame, box, scale, size=(1100, 900)):
