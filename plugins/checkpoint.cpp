@@ -33,6 +33,7 @@
 #include "script_options.hpp"
 #include "script_values.hpp"
 #include "step_control.hpp"
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>

@@ -1,7 +1,9 @@
 #include "script_values.hpp"
 #include "base/archive.hpp"
 #include "base/error.hpp"
+#include <algorithm>
 #include <map>
+#include <sstream>
 #include <zlib.h>
 
 namespace burnish {

@@ -5,10 +5,12 @@
 #include "base/version.hpp"
 #include "base/whole_file.hpp"
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <unistd.h>
 #include <zlib.h>
 

@@ -4,6 +4,7 @@
 #include "script/words.hpp"
 #include <algorithm>
 #include <iomanip>
+#include <sstream>
 #include <zlib.h>
 
 namespace burnish {

@@ -1,8 +1,9 @@
 // Checkpoints on the disk: what goes in comes out; what is not whole, or of another program, machine or run, is refused by a
 // sentence that says why and names the older one.
-#include "checkpoint/checkpoint.hpp"
 #include "base/file_error.hpp"
 #include "base/temporary.hpp"
+#include "checkpoint/checkpoint.hpp"
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -135,7 +136,8 @@ TEST_F(Checkpoints, AFolderThatIsGoneIsAnErrorOfTheFile) {
     write_checkpoint(gone, at(0.2));
     FAIL() << "written";
   } catch (const FileError& error) {
-    EXPECT_EQ(std::string(error.what()), "checkpoint \"" + gone + "\" cannot be written: No such file or directory");
+    EXPECT_EQ(std::string(error.what()),
+              "checkpoint \"" + gone + "\" cannot be written: No such file or directory");
   }
 }
 
