@@ -1,6 +1,7 @@
 #include "contact/balance.hpp"
 #include "contact/coupling.hpp"
 #include "contact/driving_force.hpp"
+#include "contact/slip_direction.hpp"
 #include "contact/tied_edges.hpp"
 #include <algorithm>
 #include <cmath>
@@ -100,17 +101,20 @@ void contact_node(const BalancedState<Dim>& state, int candidate, const ContactP
     result.inconsistent += off || N < -limits.force;
     return;
   }
+  const Param<Dim> slip = slip_of(model, node);
   result.friction += force.T.norm();
   result.friction_limit += law.capacity(deciding);
   if (node.state == NodeState::SLIDING) {
-    const double r = tolerance.weight(node.tool) * law.sliding_residual(deciding, at.m);
+    double r = law.sliding_residual(deciding, at.m);
+    if (!model.is_constrained(candidate))
+      r = std::max(r, direction_residual(law, deciding, at.m, slip, state.contact.slip_stiffness));
+    r *= tolerance.weight(node.tool);
     if (worse(r, result)) {
       result.residual = r;
       result.worst_dof = result.worst_coordinate = -1;
     }
   }
-  result.inconsistent +=
-      off || law.test(node.state, N, deciding, slip_of(model, node), at.m, limits) != Change::NONE;
+  result.inconsistent += off || law.test(node.state, N, deciding, slip, at.m, limits) != Change::NONE;
 }
 
 // Motion of a tool's points with its coordinate k, for one that its drive holds without contact.

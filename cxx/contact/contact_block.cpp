@@ -7,6 +7,9 @@
 namespace burnish {
 namespace {
 
+constexpr double LEAST_DIAGONAL =
+    1e-12; // of the largest entry beside it: smaller ones do not set the scale of an unknown
+
 // Columns A and rows W' of the nodes on their free components: slips and displacements of nodes that are not in
 // contact first, coordinates after them.
 template <int Dim> struct Columns {
@@ -91,12 +94,13 @@ void add_geometric_terms(const std::vector<NodeLinearization<Dim>>& nodes, const
   }
 }
 
-// Replaces rows of coordinates under motion.
+// Replaces rows of coordinates under motion. The nodes need not see such a motion, as a turn about the axis that the only one lies on.
 void prescribe_motion(const PrescribedValues& prescribed, const Eigen::VectorXd& q, Eigen::Index first,
                       Eigen::MatrixXd& matrix, Eigen::VectorXd& rhs) {
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     if (!prescribed.is_motion[k]) continue;
-    const double pivot = std::max(std::abs(matrix(first + k, first + k)), 1e-300);
+    const double beside = LEAST_DIAGONAL * matrix.col(first + k).cwiseAbs().maxCoeff();
+    const double pivot = std::max({std::abs(matrix(first + k, first + k)), beside, 1e-300});
     matrix.row(first + k).setZero();
     matrix(first + k, first + k) = pivot;
     rhs[first + k] = pivot * (prescribed.value[k] - q[k]);
@@ -133,15 +137,13 @@ int weakest_coordinate(const Eigen::MatrixXd& scaled, Eigen::Index first) {
 // Solves with rows and columns equilibrated; reports the coordinate that nothing resists.
 bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eigen::Index first,
                   Eigen::VectorXd& z, int& weakest) {
-  constexpr double least_diagonal =
-      1e-12;                            // of the largest entry beside it: smaller ones do not set the scale
   constexpr double least_rcond = 1e-15; // of the scaled matrix: below, it counts as singular
   const Eigen::Index n = matrix.rows();
   Eigen::VectorXd scale(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double largest = std::max(matrix.row(i).cwiseAbs().maxCoeff(), matrix.col(i).cwiseAbs().maxCoeff());
     const double d = std::abs(matrix(i, i));
-    scale[i] = largest > 0 ? 1 / std::sqrt(std::max(d, least_diagonal * largest)) : 0;
+    scale[i] = largest > 0 ? 1 / std::sqrt(std::max(d, LEAST_DIAGONAL * largest)) : 0;
     if (largest == 0) {
       weakest = i >= first ? static_cast<int>(i - first) : -1;
       return false;

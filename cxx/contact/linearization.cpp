@@ -45,6 +45,33 @@ TiedRow<Dim> tied_row(const SurfacePoint<Dim>& p, const Vector<Dim>& F, const No
   return tied;
 }
 
+// A surface point as the node's supports let it move there: with its admissible normal, tangents and motions.
+template <int Dim>
+SurfacePoint<Dim> admitted(const ContactModel<Dim>& model, int candidate, SurfacePoint<Dim> p,
+                           const Curvature<Dim>& free) {
+  if (!model.is_constrained(candidate)) return p;
+  const Vector<Dim> n = admissible_normal(model, candidate, p.n);
+  p.E = (p.E * free).eval();
+  p.x_q = (n * (p.n.transpose() * p.x_q) + p.E * (p.E.transpose() * p.x_q)).eval();
+  p.n = n;
+  return p;
+}
+
+// Rows and geometric terms of a node's own slip.
+template <int Dim>
+void add_slip(const SurfacePoint<Dim>& p, const SlidingRows<Dim>& rows, const Curvature<Dim>& turning,
+              GeometricTerms terms, NodeLinearization<Dim>& node) {
+  node.W = rows.W;
+  node.constant = rows.constant;
+  node.geo_ss = turning;
+  if (terms != GeometricTerms::NONE) {
+    node.geo_ss += rows.by_slip;
+    node.geo_sq = rows.by_q;
+  }
+  for (Eigen::Index a = 0; terms == GeometricTerms::COMPLETE && a < Dim - 1; ++a)
+    node.geo_qs.row(a) = node.F.transpose() * p.E_q[static_cast<std::size_t>(a)];
+}
+
 // The slip across the free direction of a guided node is zero: its row has `diagonal` alone.
 template <int Dim> void guide(const Curvature<Dim>& free, double diagonal, NodeLinearization<Dim>& node) {
   node.geo_ss = free * node.geo_ss * free + diagonal * (Curvature<Dim>::Identity() - free);
@@ -52,6 +79,14 @@ template <int Dim> void guide(const Curvature<Dim>& free, double diagonal, NodeL
   node.geo_qs = (free * node.geo_qs).eval();
   node.W = (node.W * free).eval();
   node.constant = (free * node.constant).eval();
+}
+
+// Rows of the sliding ends of a tied node, by what its own supports leave.
+template <int Dim>
+void add_ties(const SurfacePoint<Dim>& p, const Curvature<Dim>& free, NodeCones<Dim> cones,
+              GeometricTerms terms, NodeLinearization<Dim>& node) {
+  for (auto& end : cones.ends) end.motion.follows = (free * end.motion.follows).eval();
+  for (const auto& end : cones.ends) node.ties.push_back(tied_row(p, node.F, cones, end, terms));
 }
 
 } // namespace
@@ -64,21 +99,15 @@ NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const Cont
   NodeLinearization<Dim> result;
   result.candidate = candidate;
   result.tool = node.tool;
-  const bool tied = cones && cones->tied;
-  const bool constrained = model.is_constrained(candidate);
+  const bool tied = cones && cones->tied, constrained = model.is_constrained(candidate);
   result.sliding = node.state == NodeState::SLIDING && model.can_slip(candidate) && !tied;
   const ContactPoint<Dim> at = contact_point(model, poses, node);
-  SurfacePoint<Dim> p = result.point = at.surface;
-  const Vector<Dim> F = result.F = nodal_force(model, candidate, p, R).F;
-  const Curvature<Dim> free = constrained ? slip_space(model, candidate, p) : Curvature<Dim>::Identity();
+  result.point = at.surface;
+  const Vector<Dim> F = result.F = nodal_force(model, candidate, at.surface, R).F;
+  const Curvature<Dim> free =
+      constrained ? slip_space(model, candidate, at.surface) : Curvature<Dim>::Identity();
+  const SurfacePoint<Dim> p = admitted(model, candidate, at.surface, free);
   result.x_q = p.x_q;
-  if (constrained) {
-    const Vector<Dim> n = admissible_normal(model, candidate, p.n);
-    const Tangents<Dim> E = p.E * free;
-    result.x_q = n * (p.n.transpose() * p.x_q) + E * (E.transpose() * p.x_q);
-    p.n = n;
-    p.E = E;
-  }
   result.E = p.E;
   const Eigen::Index nq = p.x_q.cols();
   for (int k = 0; k < nq; ++k) result.at.push_back(model.first[node.tool] + k);
@@ -86,26 +115,14 @@ NodeLinearization<Dim> linearize_node(const ContactModel<Dim>& model, const Cont
   result.geo_qq = Eigen::MatrixXd::Zero(nq, nq);
   if (result.sliding) {
     const TangentialLaw<Dim>& law = model.law(candidate, node);
-    const SlidingRows<Dim> rows =
-        cones ? law.rows(p, F, at.m, cones->own, cones->turn) : law.rows(p, F, at.m, node.tributary_area);
-    result.W = rows.W;
-    result.constant = rows.constant;
-    if (cones) result.geo_ss = cones->turn.cHD;
-    if (terms != GeometricTerms::NONE) {
-      result.geo_ss += rows.by_slip;
-      result.geo_sq = rows.by_q;
-    }
-    for (Eigen::Index a = 0; terms == GeometricTerms::COMPLETE && a < Dim - 1; ++a)
-      result.geo_qs.row(a) = F.transpose() * p.E_q[static_cast<std::size_t>(a)];
+    const ConeTangent cone = cones ? cones->own : law.cone(F.dot(p.n), node.tributary_area);
+    const SlipTurn<Dim> turn = cones ? cones->turn : SlipTurn<Dim>();
+    add_slip(p, law.rows(p, F, at.m, cone, turn), turn.cHD, terms, result);
     if (constrained) guide(free, std::max(1., F.norm()), result);
   }
-  if (tied) {
-    NodeCones<Dim> seen = *cones; // by what the node's own supports leave
-    for (auto& end : seen.ends) end.motion.follows = (free * end.motion.follows).eval();
-    for (const auto& end : seen.ends) result.ties.push_back(tied_row(p, F, seen, end, terms));
-  }
-  if (terms == GeometricTerms::COMPLETE)
-    for (Eigen::Index k = 0; k < nq; ++k) result.geo_qq.row(k) = F.transpose() * p.x_qq[k];
+  if (tied) add_ties(p, free, *cones, terms, result);
+  for (Eigen::Index k = 0; terms == GeometricTerms::COMPLETE && k < nq; ++k)
+    result.geo_qq.row(k) = F.transpose() * p.x_qq[k];
   return result;
 }
 

@@ -64,10 +64,21 @@ void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, Contac
   follow_ends(model, state);
 }
 
+template <int Dim>
+double direction_residual(const TangentialLaw<Dim>& law, const DecidingForce<Dim>& deciding,
+                          const Param<Dim>& m, const Param<Dim>& slip, double c) {
+  const double size = slip.norm(), g = deciding.unpressed ? 0 : law.capacity(deciding);
+  if (Dim == 2 || !(g > 0) || !(c * size > 0) || TangentialLaw<Dim>::slips_back(slip, m, 0)) return 0;
+  const double own = c / SLIP_STIFFNESS * size;
+  return (m - slip / size).norm() * g * own / (g + own);
+}
+
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template double slip_stiffness<Dim>(const ContactModel<Dim>&, const NodeBlockMatrix<Dim>&);                \
   template void begin_turn<Dim>(const ContactModel<Dim>&, const BeginningSlips<Dim>&, int, NodeCones<Dim>&); \
-  template void turn_slips<Dim>(const ContactModel<Dim>&, const Eigen::VectorXd&, ContactState<Dim>&);
+  template void turn_slips<Dim>(const ContactModel<Dim>&, const Eigen::VectorXd&, ContactState<Dim>&);       \
+  template double direction_residual<Dim>(const TangentialLaw<Dim>&, const DecidingForce<Dim>&,              \
+                                          const Param<Dim>&, const Param<Dim>&, double);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

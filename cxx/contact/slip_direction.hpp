@@ -30,4 +30,10 @@ void begin_turn(const ContactModel<Dim>& model, const BeginningSlips<Dim>& slips
 template <int Dim>
 void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, ContactState<Dim>& state);
 
+/// What the direction m of a sliding node is off its slip D, as a force: METHOD.md (3.14f). Zero in the plane, and of a node that has
+/// slipped against m, which is to stick. @param c of METHOD.md (3.14) [force/length] @returns [force]
+template <int Dim>
+double direction_residual(const TangentialLaw<Dim>& law, const DecidingForce<Dim>& deciding,
+                          const Param<Dim>& m, const Param<Dim>& slip, double c);
+
 } // namespace burnish

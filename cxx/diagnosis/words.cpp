@@ -19,7 +19,9 @@ std::string words(const LastIteration& last) {
   case Residue::UNKNOWN:
     break;
   }
-  return "";
+  return last.inconsistent > 0 && !last.moves_on ? ": states go to and fro, and none of them agree with "
+                                                   "their forces: shorter steps, or a finer surface, may help"
+                                                 : "";
 }
 
 std::string not_converged(const Failure& f) {

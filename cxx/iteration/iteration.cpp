@@ -77,8 +77,9 @@ template <int Dim> StepStatus Iteration<Dim>::check(Eigen::VectorXd& u, const Ei
 template <int Dim> Failure Iteration<Dim>::not_converged() const {
   const bool moved = m_q_before.size() == m_state.q.size();
   return burnish::not_converged<Dim>({m_model, m_body, m_state, m_prescribed, m_balance, m_options, m_number,
-                                      m_policy.last(), moved ? m_state.q - m_q_before : Eigen::VectorXd(),
-                                      m_first_dq, m_u_before, m_R});
+                                      m_unsolved, m_policy.last(),
+                                      moved ? m_state.q - m_q_before : Eigen::VectorXd(),
+                                      m_state.q - m_predicted_q, m_first_dq, m_u_before, m_R});
 }
 
 template <int Dim> void Iteration<Dim>::state_problem(WindowProblem<Dim>& problem) {

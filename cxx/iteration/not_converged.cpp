@@ -8,29 +8,34 @@ namespace burnish {
 namespace {
 
 // What a residual that stays too large comes from.
-template <int Dim>
-Residue residue_of(const Balance& balance, const BodyView<Dim>& body, const LastIteration& last,
-                   double last_residual) {
+template <int Dim> Residue residue_of(const LastIterate<Dim>& iterate, const LastIteration& last) {
   constexpr double nothing = 1e-8;   // depth of the load under the largest stiffness, over the spacing
   constexpr double falls = 0.5;      // ratio of the last residuals
   constexpr double exhausted = 1e-3; // part of the friction that is left
+  const Balance& balance = iterate.balance.last();
   if (last.rounding > last.allowed) {
-    const double place = 4 * std::numeric_limits<double>::epsilon() * body.X.cwiseAbs().maxCoeff();
+    const double place = 4 * std::numeric_limits<double>::epsilon() * iterate.body.X.cwiseAbs().maxCoeff();
     const double depth = last.load / last.rounding * place;
-    return depth < nothing * body.spacing ? Residue::NO_LOAD : Residue::TOO_LARGE;
+    return depth < nothing * iterate.body.spacing ? Residue::NO_LOAD : Residue::TOO_LARGE;
   }
-  if (last_residual >= 0 && balance.residual < falls * last_residual) return Residue::FALLS;
+  if (iterate.last_residual >= 0 && balance.residual < falls * iterate.last_residual) return Residue::FALLS;
   const bool used_up = balance.worst_coordinate >= 0 && balance.friction_limit > 0 &&
                        balance.friction > (1 - exhausted) * balance.friction_limit;
   return used_up ? Residue::FRICTION : Residue::UNKNOWN;
 }
 
-// Whether a coordinate under force still moves by a good part of its first increment.
-bool moves_on(const PrescribedValues& prescribed, const Eigen::VectorXd& last, const Eigen::VectorXd& first) {
+// Whether a coordinate under force goes on one way, in the last iteration and in the mean of all by a good part of its first
+// increment. Where contact states go to and fro so does a tool.
+template <int Dim> bool moves_on(const LastIterate<Dim>& iterate) {
   constexpr double part = 0.1;
-  if (first.size() != last.size()) return false;
-  for (Eigen::Index k = 0; k < last.size(); ++k)
-    if (!prescribed.is_motion[k] && std::abs(last[k]) > part * std::abs(first[k])) return true;
+  const Eigen::VectorXd &first = iterate.first_dq, &last = iterate.dq;
+  if (iterate.unsolved > 0 || first.size() != last.size()) return false;
+  for (Eigen::Index k = 0; k < last.size(); ++k) {
+    const double least = part * first[k] * first[k];
+    if (!iterate.prescribed.is_motion[k] && last[k] * first[k] > least &&
+        iterate.way[k] * first[k] > iterate.number * least)
+      return true;
+  }
   return false;
 }
 
@@ -78,8 +83,8 @@ template <int Dim> Failure not_converged(const LastIterate<Dim>& iterate) {
   last.lagged = iterate.options.friction_tangent != FrictionTangent::CONSISTENT;
   Failure failure(Cause::NO_BALANCE);
   if (last.residual > last.allowed) {
-    last.residue = residue_of(balance, iterate.body, last, iterate.last_residual);
-    last.moves_on = last.rounding <= last.allowed && moves_on(prescribed, iterate.dq, iterate.first_dq);
+    last.residue = residue_of(iterate, last);
+    last.moves_on = last.rounding <= last.allowed && moves_on(iterate);
   } else if (balance.friction_limit > 0 &&
              std::count(prescribed.is_motion.begin(), prescribed.is_motion.end(), 0) > 0 &&
              balance.friction > (1 + iterate.options.tolerance) * balance.friction_limit) {

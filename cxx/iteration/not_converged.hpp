@@ -14,8 +14,10 @@ template <int Dim> struct LastIterate {
   const StepBalance<Dim>& balance;
   const IterationOptions& options;
   int number;           ///< iterations made
+  int unsolved;         ///< of them the last ones whose window has no solution
   double last_residual; ///< of the iterate before, < 0: none [force]
   Eigen::VectorXd dq;   ///< of the last iteration; empty: unknown
+  Eigen::VectorXd way;  ///< of the coordinates since the prediction
   const Eigen::VectorXd &first_dq, &u,
       &R; ///< of the first iteration; displacement and forces before the last one
 };

@@ -15,7 +15,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 from settings import SOURCE, read_settings  # noqa: E402
 
 NAMES, ALGORITHMS = "cxx/NAMES.md", "cxx/ALGORITHMS.md"
-WRITERS = ["edp/cases/rcOutput.idp", "edp/cases/rcSummary.idp", "edp/run/rcRunState.idp", "cxx/contact/events.cpp",
+WRITERS = ["edp/cases/rcHistory.idp", "edp/cases/rcOutput.idp", "edp/cases/rcSummary.idp", "edp/run/rcRunState.idp", "cxx/contact/events.cpp",
            "cxx/output/workpiece_file.cpp", "cxx/output/contact_files.cpp"]
 SHORT = [("anderson_memory", "memory"), ("elements", "elementevents")]  # their structures say the rest
 OPTION_FILES = ["cxx/iteration/options.hpp", "cxx/run/step_control.hpp", "cxx/run/stepper.hpp",

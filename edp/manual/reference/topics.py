@@ -13,7 +13,7 @@ PAGES = [("plugins/contact", "contact"), ("plugins/tool", "tool"), ("plugins/mat
          ("plugins/step_", "stepcontrol"), ("plugins/checkpoint", "stepcontrol"), ("plugins/scene_report", "stepcontrol")]
 FIRST = ["plugins/contact_type.cpp", "plugins/tool_type.cpp", "plugins/material_type.cpp", "plugins/step_control.cpp",
          "edp/run/rcRun.idp", "edp/run/rcRunState.idp", "edp/cases/rcCaseOptions.idp", "edp/cases/rcCase.idp", "edp/cases/rcResults.idp",
-         "plugins/options.cpp", "edp/cases/rcOutput.idp"]  # then by name
+         "plugins/options.cpp", "edp/cases/rcHistory.idp", "edp/cases/rcOutput.idp"]  # then by name
 FILES = ("history.csv", "events.csv", "surface.csv", "tools.csv", "fields.vtu", "surface.vtp", "tools.vtp", "supports.vtp", "summary.json", "event")
 
 

@@ -1,96 +1,39 @@
 // Tied edges in space: every block of the condensed tangent against finite differences of the shared rows, on a face whose
 // three mid nodes are tied to corners that slide or stick.
-#include "contact/condensation.hpp"
-#include "contact/slip_direction.hpp"
-#include "geometry/plane_surface.hpp"
-#include "geometry/simple_surfaces.hpp"
-#include "kinematics/cartesian_in_space.hpp"
-#include "unit/contact/spring_body.hpp"
-#include "unit/finite_difference.hpp"
+#include "unit/contact/bound_nodes.hpp"
 
 using namespace burnish;
 using namespace burnish::test;
 
 namespace {
 
-/// Corners 0 to 2, mid nodes 3 to 5 behind them (01, 12, 20), two free nodes; all bound to one another by a potential.
-struct TiedFace {
-  static constexpr int CORNERS = 3, TOUCHING = 6, NODES = 8, DOFS = 3 * NODES, Q = 6;
-  static constexpr double MU = 0.3, C = 0.4;
-  ContactModel<3> model;
-  BodyView<3> body;
-  ContactState<3> state;
-  PrescribedValues prescribed;
-  NodeBlockMatrix<3> K = pattern_from_elements<3>(NODES, NODES, {0, 1, 2, 3, 4, 5, 6, 7});
-  Eigen::MatrixXd stiffness;
-  Eigen::VectorXd along, u = Eigen::VectorXd::Zero(DOFS), load = u;
+/// Corners 0 to 2, mid nodes 3 to 5 behind them (01, 12, 20), two free nodes.
+struct TiedFace : BoundNodes<8> {
+  static constexpr int CORNERS = 3, TOUCHING = 6;
+  static constexpr double MU = 0.3;
 
   /// @param sliding per corner, 's' or 'k'
-  TiedFace(std::shared_ptr<const Surface<3>> surface, const std::string& sliding, double mu) {
-    std::mt19937 random(11);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    const auto any = [&] { return uniform(random); };
-    const Eigen::MatrixXd A = Eigen::MatrixXd::NullaryExpr(DOFS, DOFS, any);
-    stiffness = A * A.transpose() / DOFS + 0.5 * Eigen::MatrixXd::Identity(DOFS, DOFS);
-    along = Eigen::VectorXd::NullaryExpr(DOFS, any);
-    model.tools = {std::make_shared<Tool<3>>("tool", surface, std::make_shared<CartesianInSpace>())};
-    model.laws.emplace_back(make_coulomb(mu));
-    model.first = {0, Q};
-    model.candidates = {0, 1, 2, 3, 4, 5, 6, 7};
+  TiedFace(std::shared_ptr<const Surface<3>> shape, const std::string& sliding, double mu)
+      : BoundNodes(std::move(shape), mu, 11) {
     model.edge_ends.assign(NODES, {-1, -1});
     for (int e = 0; e < 3; ++e) model.edge_ends[3 + e] = {e, (e + 1) % 3};
-    body.X = Eigen::VectorXd::Zero(DOFS);
-    body.fixed.assign(DOFS, 0);
-    state.nodes.resize(NODES);
-    state.q = Eigen::VectorXd::Zero(Q);
     state.q << 0.1, 0.05, -0.2, 0.1, 0.3, -0.15;
-    state.slip_stiffness = C;
-    prescribed.is_motion.assign(Q, 0);
-    prescribed.value = Eigen::VectorXd::Zero(Q);
     const Vector<3> above[] = {{0.1, 0.2, 2}, {0.35, 0.25, 2}, {0.2, 0.45, 2}};
-    for (int i = 0; i < CORNERS; ++i)
-      touch(*surface, i, above[i], Param<3>(0.05 * any(), 0.05 * any()), sliding[i] == 's');
+    for (int i = 0; i < CORNERS; ++i) {
+      touch(i, above[i]);
+      const Param<3> slip(0.05 * any(), 0.05 * any());
+      if (sliding[i] == 's') slide(i, tangent_vector(i, slip));
+    }
     for (int m = CORNERS; m < TOUCHING; ++m) {
       const auto& [a, b] = model.edge_ends[m];
-      touch(*surface, m, 0.5 * (above[a] + above[b]), Param<3>::Zero(), false);
+      touch(m, 0.5 * (above[a] + above[b]));
       state.nodes[m].tied = true;
     }
     follow_ends(model, state);
-    const auto pose = model.poses(state.q)[0];
-    for (int i = 0; i < TOUCHING; ++i)
-      u.segment<3>(3 * i) = model.tools[0]->position(pose, state.nodes[i].place);
-    for (int d = 3 * TOUCHING; d < DOFS; ++d) u[d] = any();
-    const Eigen::VectorXd own = force(u);
-    for (int i = 0; i < TOUCHING; ++i) { // pressed, and pulled along
-      const SurfacePoint<3> p = model.tools[0]->point(pose, state.nodes[i].place);
-      load.segment<3>(3 * i) = p.n + p.E * Param<3>(0.3 + 0.1 * i, -0.4) - own.segment<3>(3 * i);
-    }
-    if (mu > 0) turn_slips(model, force(u), state);
-  }
-  void touch(const Surface<3>& surface, int i, const Vector<3>& near, const Param<3>& slip, bool slides) {
-    ContactNode<3>& node = state.nodes[i];
-    node.tool = 0;
-    node.state = NodeState::STICKING;
-    place_at(node, surface.foot(near, Param<3>::Zero()).place);
-    if (!slides) return;
-    const Vector<3> way = surface.frame(node.place).E * slip;
-    node.slip_origin = surface.foot(node.place.y - way, node.place.hint).place;
-    make_slide(node, Vector<3>(model.laws[0].frictionless() ? Vector<3>::Zero() : way.normalized()));
+    settle();
+    press(TOUCHING, [](int i) { return Param<3>(0.3 + 0.1 * i, -0.4); });
   }
   bool slides(int corner) const { return state.nodes[corner].state == NodeState::SLIDING; }
-  Eigen::VectorXd force(const Eigen::VectorXd& x) const {
-    return stiffness * x + 0.1 * std::pow(along.dot(x), 2) * along + load;
-  }
-  Eigen::MatrixXd tangent() {
-    const Eigen::MatrixXd k = stiffness + 0.2 * along.dot(u) * along * along.transpose();
-    for (int a = 0; a < NODES; ++a)
-      for (int b = 0; b < NODES; ++b)
-        Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&K.value[9 * K.find(a, b)]) =
-            k.block<3, 3>(3 * a, 3 * b);
-    Condensation<3> condensation(model, body);
-    return dense(
-        condensation.condense({K, state, prescribed, prescribed, u, force(u), GeometricTerms::COMPLETE}));
-  }
   std::vector<int> slips() const {
     std::vector<int> list;
     for (int i = 0; i < CORNERS; ++i)
@@ -140,7 +83,7 @@ struct TiedFace {
           N += 0.5 * f[m].dot(surface.frame(nodes[m].place).n);
         }
       if (!slides(c)) continue;
-      const Param<3> T = at.E.transpose() * sum, tau = T - C * slip_of(model, nodes[c]);
+      const Param<3> T = at.E.transpose() * sum, tau = T - state.slip_stiffness * slip_of(model, nodes[c]);
       const Param<3> row = T - MU * N * tau.normalized();
       r.segment<2>(3 * c) = surface.frame(state.nodes[c].place).E.transpose() * (at.E * row);
     }
@@ -154,15 +97,11 @@ struct Part {
   double tolerance; // of the block of slips: the torus lacks the gradient of the curvature
 };
 std::vector<Part> parts() {
-  AxisFrame axis;
-  axis.base << 0, 1, 0, 0, 0, 1, 1, 0, 0;
-  axis.point = Vector<3>(0, -4, 0);
-  AxisFrame ring = axis;
-  ring.point.setZero();
-  return {{"plane", std::make_shared<PlaneSurface>(Vector<3>(0, 0, 1), Vector<3>(0, 0, 1), 1), 1e-7},
-          {"cylinder", cylinder(1.5, 8, axis), 1e-7},
-          {"sphere", sphere(1.3), 1e-7},
-          {"torus", torus(1.2, 0.4, ring), 1e-3}};
+  const auto surfaces = four_surfaces();
+  return {{"plane", surfaces[0], 1e-7},
+          {"cylinder", surfaces[1], 1e-7},
+          {"sphere", surfaces[2], 1e-7},
+          {"torus", surfaces[3], 1e-3}};
 }
 
 } // namespace
