@@ -27,14 +27,14 @@ AxisFrame axis_frame(const char* where, const Vector<3>& point, const Vector<3>&
 }
 
 AxisFrame turned_frame(const char* where, const Vector<3>& direction) {
-  constexpr double opposite = 1e-9;
   AxisFrame frame = axis_frame(where, Vector<3>::Zero(), direction);
-  const Vector<3> axis = frame.base.col(2);
-  if (axis.head<2>().norm() > opposite ||
-      axis[2] > 0) // by half the angle from z to the axis, about what is across both
-    frame.base = Eigen::Quaterniond(1 + axis[2], -axis[1], axis[0], 0).normalized().toRotationMatrix();
-  else
-    frame.base = Vector<3>(1, -1, -1).asDiagonal();
+  const Vector<3> z = frame.base.col(2);
+  const double across = z.head<2>().squaredNorm(); // squared sine of the angle; h: 1 + its cosine
+  const double h = z[2] > 0 ? 1 + z[2] : across / (1 - z[2]);
+  Vector<3> x = Vector<3>::UnitX();
+  if (h > 0) x = Vector<3>(1 - z[0] * z[0] / h, -z[0] * z[1] / h, -z[0]).normalized();
+  frame.base.col(0) = x;
+  frame.base.col(1) = z.cross(x);
   return frame;
 }
 

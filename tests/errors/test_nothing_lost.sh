@@ -121,7 +121,7 @@ finish external 20 'contact.external: size of the values = 3, expected '
 odd="$SCRATCH/a \"quoted\" \\name"
 "$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -nu 0.3200000001 -out "$odd" >"$SCRATCH/odd.log" 2>&1
 status=$?
-finish odd 0 'rolling at t = 1'
+finish odd 0 'rolling: finished at t = 1'
 whole "$odd" finished '' 20 15e-3
 "${PYTHON:-/usr/bin/python3}" - "$odd" <<'END' || report "the options of the summary"
 import json, sys
