@@ -94,13 +94,19 @@ void add_geometric_terms(const std::vector<NodeLinearization<Dim>>& nodes, const
   }
 }
 
-// Replaces rows of coordinates under motion. The nodes need not see such a motion, as a turn about the axis that the only one lies on.
+// Replaces rows of coordinates under motion. One that its own nodes do not see, as a turn about the axis that the only one lies on, has no
+// pivot of its own: its column goes to the right.
 void prescribe_motion(const PrescribedValues& prescribed, const Eigen::VectorXd& q, Eigen::Index first,
                       Eigen::MatrixXd& matrix, Eigen::VectorXd& rhs) {
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     if (!prescribed.is_motion[k]) continue;
-    const double beside = LEAST_DIAGONAL * matrix.col(first + k).cwiseAbs().maxCoeff();
-    const double pivot = std::max({std::abs(matrix(first + k, first + k)), beside, 1e-300});
+    double pivot = std::abs(matrix(first + k, first + k));
+    if (pivot < LEAST_DIAGONAL * matrix.col(first + k).cwiseAbs().maxCoeff()) {
+      rhs -= matrix.col(first + k) * (prescribed.value[k] - q[k]);
+      matrix.col(first + k).setZero();
+      pivot = 1;
+    }
+    pivot = std::max(pivot, 1e-300);
     matrix.row(first + k).setZero();
     matrix(first + k, first + k) = pivot;
     rhs[first + k] = pivot * (prescribed.value[k] - q[k]);

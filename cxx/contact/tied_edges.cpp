@@ -1,5 +1,4 @@
 #include "contact/tied_edges.hpp"
-#include <algorithm>
 
 namespace burnish {
 namespace {
@@ -94,15 +93,11 @@ template <int Dim> void take_states_of_middles(const ContactModel<Dim>& model, C
     }
 }
 
-// Where edges are tied a weightless vertex is released by its force with the shares of all mid nodes on its tool, tied or not; else by its
-// own: only so the answer does not depend on the way to it (METHOD.md 3.19).
+// A weightless vertex is released by its force with the shares of all mid nodes on its tool, tied or not.
 template <int Dim>
 void add_shares_of_all(const ContactModel<Dim>& model, const ContactState<Dim>& state,
                        const std::vector<SurfaceForce<Dim>>& own, std::vector<DecidingForce<Dim>>& deciding) {
-  if (model.weightless.empty()) return;
-  if (std::none_of(state.nodes.begin(), state.nodes.end(), [](const auto& node) { return node.tied; }))
-    return;
-  for (std::size_t i = 0; i < own.size(); ++i) {
+  for (std::size_t i = 0; i < own.size() && !model.weightless.empty(); ++i) {
     const ContactNode<Dim>& node = state.nodes[i];
     if (!model.is_middle(static_cast<int>(i)) || !in_contact(node.state)) continue;
     for (const int end : model.edge_ends[i])
