@@ -24,6 +24,8 @@
 //   rcOptionsEnd()   refuses unknown options; those named like a setting of rcContact, stepcontrol or rcMaterial, -stepsperfactor 2, go
 //       before what the script gives there; with -h the help is printed and the script ends there, with -options list
 //       all options with their values, as one line of JSON
+//   rcOptionsEnd(dummy)   the same, of older scripts
+//     dummy     not read
 //   rcOptionUsed(name, words)   whether the script uses one of the names, outside of comments; if not, the option is refused
 //     name      of an option that would have no say otherwise
 //     words     "rcScheme", or several
@@ -95,6 +97,7 @@ bool options_end() {
     return true;
   });
 }
+bool options_end_of_older(const long&) { return options_end(); }
 bool option_used(string* const& name, string* const& words) {
   return guarded([&] {
     const char* path = std::getenv("FF_INCLUDEPATH");
@@ -138,7 +141,8 @@ void register_options() {
   Global.Add("rcRange", "(", new OneOperator3_<bool, string*, double, double>(range));
   Global.Add("rcPositive", "(", new OneOperator1_<bool, string*>(positive));
   Global.Add("rcOptionUsed", "(", new OneOperator2_<bool, string*, string*>(option_used));
-  Global.Add("rcOptionsEnd", "(", new OneOperator0<bool>(options_end));
+  Global.Add("rcOptionsEnd", "(", new OneOperator0<bool>(options_end),
+             new OneOperator1_<bool, long>(options_end_of_older));
   Global.Add("rcScriptFolder", "(", new OneOperator1s_<string*, long>(script_folder));
 }
 
