@@ -69,7 +69,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock .ci/build $(BUILD) $(MAKE) 
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) --
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep explore stability chart matrices references chart-quick bench-peers test $(SUITES:%=test-%) bench bench-growth install uninstall docs packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep explore stability chart matrices references chart-quick bench-peers test $(SUITES:%=test-%) bench bench-growth install deb try-deb try-docker uninstall docs packages format format-check clean help FORCE
 .PHONY: compile compile-run programs compile-programs sanitize sanitized fuzz test-alone
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -181,6 +181,18 @@ bench-growth: build ## time and memory of some ten steps, in the plane to 270 00
 
 install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines for plain FreeFem++ are printed
 	@.ci/install $(PLUGIN) $(GMSH) $(CAD)
+
+deb: build ## the Debian package of the plugin that is built, build/burnish_VERSION_ARCHITECTURE.deb, checked by lintian
+	@$(PACKAGES) deb
+	@.ci/deb $(abspath $(BUILD)) $(MAKE)
+
+try-deb: deb ## that package in a clean Debian (debootstrap, as root), by a user who is not root; seconds of each step
+	@$(PACKAGES) clean
+	@.ci/chroot $(abspath $(BUILD))/clean deb $(abspath $(BUILD))/burnish_*.deb
+
+try-docker: ## the lines of edp/manual/Dockerfile in a clean Debian, without a container engine (as root, a quarter of an hour)
+	@$(PACKAGES) clean
+	@mkdir -p $(BUILD) && .ci/chroot $(abspath $(BUILD))/clean docker edp/manual/Dockerfile
 
 uninstall: ## remove what make install has put there
 	rm -rf $(DESTDIR)$(PREFIX)/bin/burnish $(DESTDIR)$(PREFIX)/lib/burnish $(DESTDIR)$(PREFIX)/share/burnish

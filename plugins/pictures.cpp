@@ -11,6 +11,7 @@
 #include "script_options.hpp"
 
 #include <cstdlib>
+#include <dlfcn.h>
 #include <filesystem>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -25,7 +26,21 @@ std::string environment(const char* name, const std::string& otherwise) {
   return value && *value ? value : otherwise;
 }
 
-std::string scene_program() { return environment("BURNISH_TOP", ".") + "/cases/plotting/scene.py"; }
+/// The folder of cases/: $BURNISH_TOP; set here, for the programs started too, where share/burnish lies beside an installed plugin's
+/// lib/burnish.
+std::string top() {
+  Dl_info self;
+  if (!std::getenv("BURNISH_TOP") && dladdr(reinterpret_cast<const void*>(&register_pictures), &self)) {
+    std::error_code none;
+    const auto plugin = std::filesystem::canonical(self.dli_fname, none);
+    const auto share = plugin.parent_path() / "../../share/burnish";
+    if (std::filesystem::exists(share / "cases/plotting", none))
+      setenv("BURNISH_TOP", share.lexically_normal().c_str(), 1);
+  }
+  return environment("BURNISH_TOP", ".");
+}
+
+std::string scene_program() { return top() + "/cases/plotting/scene.py"; }
 std::string plot_program() {
   const std::string beside = script_options().folder() + "plot.py";
   return std::filesystem::exists(beside) ? beside : scene_program();
@@ -72,7 +87,7 @@ long movie(string* const& folder) {
 
 long leaner(string* const& folder) {
   cout.flush();
-  const std::string program = environment("BURNISH_TOP", ".") + "/cases/sweep/leaner.py";
+  const std::string program = top() + "/cases/sweep/leaner.py";
   const int code = run({environment("PYTHON", "python3"), program, *folder, script_options().script()});
   if (code != 0)
     cout << "burnish: warning: leaner models could not be compared (exit status " << code << ")" << endl;

@@ -13,7 +13,7 @@ root_doc = "edp/manual/index"
 include_patterns = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "cxx/*.md", "cases/README.md", "cases/*/README.md", "cases/labs/*.md",
                     "cases/labs/*/*.md", "tests/chart/*.md", "tests/peers/README.md", "edp/manual/*.md", "edp/manual/*/*.md", "out/reference/*.md"]
 exclude_patterns = ["build/**", "**/key.md", "out/docs/**"]
-extensions = ["myst_parser", "mathml"]
+extensions = ["myst_parser", "mathml", "sphinx_copybutton"]
 source_suffix = {".md": "markdown"}
 myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 4
@@ -28,6 +28,7 @@ html_copy_source = False
 html_show_sphinx = False
 html_math_renderer = "mathml"
 
+TARGET = re.compile(r"\]\(([^)#\s]+/)\)")
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)#\s]+/)\)")
 FENCES = {"freefem": "cpp"}
 
@@ -37,10 +38,10 @@ def to_site(app, document, source):
     folder = TOP / Path(document).parent
 
     def readme(link):
-        page = Path(link[3]) / "README.md"
-        return f"[{link[2]}]({page})" if (folder / page).is_file() else link[2]
+        page = Path(link[1]) / "README.md"
+        return f"]({page})" if (folder / page).is_file() else link[0]
 
-    text = LINK.sub(readme, source[0])
+    text = LINK.sub(r"\2", TARGET.sub(readme, source[0]))
     for name, other in FENCES.items():
         text = re.sub(rf"^```{name}\b.*$", f"```{other}", text, flags=re.MULTILINE)
     source[0] = text

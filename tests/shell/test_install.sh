@@ -15,6 +15,10 @@ grep -q "^t 1 " run.txt || fail "the run has not reached its end"
 env -u BURNISH -u BURNISH_TOP "$SCRATCH/usr/bin/burnish" help contact.add >help.txt && grep -q frictionlaw= help.txt || fail "burnish help"
 cp "$SCRATCH/usr/share/burnish/freefem++.pref" "$SCRATCH/home/.freefem++.pref"
 env -u FF_LOADPATH -u FF_INCLUDEPATH -u BURNISH_TOP HOME="$SCRATCH/home" ${FREEFEM:-FreeFem++} -nw -v 0 own.edp >plain.txt 2>&1 || { fail "FreeFem++: exit status $?"; tail -n 5 plain.txt; }
+printf 'load "burnish"\nrcPicture("none");\n' >picture.edp
+env -u FF_LOADPATH -u FF_INCLUDEPATH -u BURNISH_TOP HOME="$SCRATCH/home" ${FREEFEM:-FreeFem++} -nw -v 0 picture.edp >picture.txt 2>&1 || true
+grep -q "open file.*scene.py" picture.txt && fail "plain FreeFem++ does not find what draws"
+grep -q "could not be drawn" picture.txt || { fail "plain FreeFem++ draws nothing, and says nothing"; cat picture.txt; }
 cmp -s <(grep "^t " run.txt) <(grep "^t " plain.txt) || fail "plain FreeFem++ gives other numbers"
 cd - >/dev/null
 make -s PACKAGES=true BUILD="$BUILD" PREFIX="$SCRATCH/usr" uninstall >/dev/null
