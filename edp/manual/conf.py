@@ -1,19 +1,22 @@
 """The site of the manual: Sphinx with MyST reads the pages where they lie in the tree; make docs."""
-import os
 import re
 import sys
 from pathlib import Path
 
+import furo
+
 HERE = Path(__file__).resolve().parent
 TOP = HERE.parents[1]
 sys.path.insert(0, str(HERE))
+import runs  # noqa: E402
 
 project, author, copyright = "Burnish", "the authors of Burnish", "the authors of Burnish, GPL-3.0-or-later"
+release = version = re.search(r'BURNISH_VERSION "(.*)"', (TOP / "cxx/base/version.hpp").read_text())[1]
 root_doc = "edp/manual/index"
 include_patterns = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "cxx/*.md", "cases/README.md", "cases/*/README.md", "cases/labs/*.md",
                     "cases/labs/*/*.md", "tests/chart/*.md", "tests/peers/README.md", "edp/manual/*.md", "edp/manual/*/*.md", "out/reference/*.md"]
 exclude_patterns = ["build/**", "**/key.md", "out/docs/**"]
-extensions = ["myst_parser", "mathml", "sphinx_copybutton"]
+extensions = ["myst_parser", "mathml", "sphinx_copybutton", "domain", "excerpts"]
 source_suffix = {".md": "markdown"}
 myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 4
@@ -21,10 +24,14 @@ myst_dmath_allow_labels = False
 suppress_warnings = ["misc.highlighting_failure"]
 highlight_language = "none"
 html_theme = "furo"
-html_title = "Burnish: rigid-tool contact for FreeFEM"
+# Debian's style sheet lacks the colors of a system that is dark, its theme's sources have them
+dark = re.search(r"@mixin colors-dark \{(.*?)\n\}", (Path(furo.__file__).parent / "assets/styles/variables/_colors.scss").read_text(), re.DOTALL)[1]
+html_theme_options = {"dark_css_variables": dict(re.findall(r"--([\w-]+): ([^;]+);", dark))}
+html_title = f"Burnish {version}"
 html_static_path = ["static"]
-html_css_files = ["burnish.css"]
+html_css_files, html_js_files = ["burnish.css"], ["theme.js"]
 html_copy_source = False
+html_domain_indices = ["burnish-names"]
 html_show_sphinx = False
 html_math_renderer = "mathml"
 
@@ -41,7 +48,7 @@ def to_site(app, document, source):
         page = Path(link[1]) / "README.md"
         return f"]({page})" if (folder / page).is_file() else link[0]
 
-    text = LINK.sub(r"\2", TARGET.sub(readme, source[0]))
+    text = runs.shown(LINK.sub(r"\2", TARGET.sub(readme, source[0])), TOP / "out/manual")
     for name, other in FENCES.items():
         text = re.sub(rf"^```{name}\b.*$", f"```{other}", text, flags=re.MULTILINE)
     source[0] = text

@@ -4,7 +4,7 @@ A page says what it wants by a comment, which nothing but the site shows:
     <!-- picture of edp/manual/examples/block.edp -steps 20: final.png; What is seen. -->
 Each run is carried out once, in a folder of its own; on the site the comment becomes the picture, what is seen, the seconds of the processor, the
 results on the screen and the script to be downloaded. A script that ends with rcRun or rcRunLaw writes no files: a copy with rcCase or
-rcCaseLaw in that place does. press.edp is what burnish new makes. A run that is younger than its script and the plugin is not repeated.
+rcCaseLaw in that place does, in mm and MPa. press.edp is what burnish new makes. A run that is younger than its script and the plugin is not repeated.
 """
 import json
 import os
@@ -27,8 +27,8 @@ def folder_of(out, script, options):
     return Path(out) / re.sub(r"[^\w.=-]+", "_", Path(script).stem + options)
 
 
-def copied(script, folder):
-    """The script itself, or a copy in folder that keeps files: (path, whether it is a copy)."""
+def copied(script, folder, draw):
+    """The script itself, or a copy in folder that keeps files and draws as -pictures says: (path, whether it is a copy)."""
     if script == "press/press.edp":
         subprocess.run([BURNISH, "new", "press"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
         return folder / script, False
@@ -37,7 +37,10 @@ def copied(script, folder):
         text = text.replace(run, case)
     if text == whole:
         return TOP / script, False
-    (folder / Path(script).name).write_text(text + "rcCaseEnd(C, M, S);\n")
+    for beside in (TOP / script).parent.iterdir():       # drawings that it reads
+        if beside.suffix in (".geo", ".step"):
+            (folder / beside.name).symlink_to(beside)
+    (folder / Path(script).name).write_text(text + f"rcUnits(\"mm\", \"MPa\");\nrcDraw = {draw};\nrcCaseEnd(C, M, S);\n")
     return folder / Path(script).name, True
 
 
@@ -45,10 +48,10 @@ def results(screen):
     """What a run says of itself, up to what it was computed with."""
     lines = []
     for line in screen.splitlines():
-        if line.startswith("burnish: ") or re.match(r"  P[12], \d+ nodes", line):
+        if line.startswith(("burnish: ", ": finished")) or re.match(r"  P[12], \d+ nodes", line):
             break
         lines.append(line.rstrip())
-    return "\n".join(lines[-12:]).strip("\n")
+    return "\n".join(lines[-6:]).strip("\n")
 
 
 def processor():
@@ -60,16 +63,17 @@ def processor():
 def run(out, script, options, pictures):
     """Carries out one run; what is wrong, or ""."""
     folder = folder_of(out, script, options)
-    done, sources = folder / "run.json", [TOP / script, TOP / "build/plugins/burnish.so", *(TOP / "cases/plotting").glob("*.py")]
+    done, sources = folder / "run.json", [TOP / script, TOP / "build/plugins/burnish.so", Path(__file__), *(TOP / "cases/plotting").glob("*.py")]
     newest = max(path.stat().st_mtime for path in sources if path.exists())
     if done.is_file() and done.stat().st_mtime > newest and all((folder / name).exists() for name in pictures):
         return ""
     subprocess.run(["rm", "-rf", str(folder)], check=True)
     folder.mkdir(parents=True)
-    path, copy = copied(script, folder)
+    draw = 1 if pictures == {"final.png"} else 2
+    path, copy = copied(script, folder, draw)
     words = [BURNISH, str(path), *options.split()]
     if not copy:
-        words += ["-out", str(folder / "out")] + (["-pictures", "2"] if pictures != {"final.png"} else [])
+        words += ["-out", str(folder / "out"), "-pictures", str(draw)]
     start = time.time()
     # a process of its own, whose children are those of this run alone
     said = subprocess.run([sys.executable, __file__, "--alone", *words], cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -102,7 +106,7 @@ def shown(text, out):
         source = f"/{(folder / script).relative_to(TOP)}" if script == "press/press.edp" else f"/{script}"
         image = f"/{(folder / picture).relative_to(TOP)}"
         said = f"\n```text\n{run['results']}\n```\n" if run["results"] else ""
-        return (f"```{{figure}} {image}\n:alt: {words.splitlines()[0]}\n:target: {image}\n\n{words} {run['seconds']:.1f} s of the processor: "
+        return (f"```{{figure}} {image}\n:alt: {json.dumps(words)}\n\n{words} {run['seconds']:.1f} s of the processor: "
                 f"{{download}}`{Path(script).name} <{source}>`{options}\n```\n{said}")
     return MARK.sub(figure, text)
 

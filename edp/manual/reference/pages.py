@@ -175,12 +175,7 @@ class Pages:
 
     def index(self, pages):
         text = ("(reference)=\n# Reference\nMade from the tables of the plugin and the heads of `plugins/` and `edp/`; "
-                "`burnish help NAME` prints the same.\n\n```{toctree}\n:maxdepth: 2\n\n" + "\n".join(pages) + "\n```\n\n")
-        for page in pages:
-            found = sorted((topic for topic in self.reference.topics.values() if topic.page == page and page != "files"),
-                           key=lambda topic: topic.key.lower())
-            if found and page not in ("statuses", "formulas"):
-                text += f"**{page}** " + ", ".join(f"[`{topic.key.split('.')[-1]}`]({topic.anchor})" for topic in found) + "\n\n"
+                "`burnish help NAME` prints the same.\n\n```{toctree}\n:maxdepth: 2\n\n" + "\n".join(pages) + "\n```\n\n{ref}`burnish-names`\n\n")
         return text + EDITORS
 
     def all(self):
