@@ -23,16 +23,17 @@ FEWEST, MOST_LEVELS = 1e-3, 16
 FLOWING = 0.1                  # of the first level, below which the workpiece keeps its color
 GHOST = (0, (4, 2.5))
 GALLERY = (690, 460)           # pixels
+THIN = 1e-3                    # zone over the view of the gallery by area, below which it shows the stress
 LONG = 2.0                     # width over height of what the gallery shows, at most
 
 
 class Shown:
-    """What is drawn of one instant, in the units of the pictures."""
+    """What is drawn of one instant, in the units of the pictures. strain: where it flows, of the stress else."""
 
-    def __init__(self, run, t, field, surface=None):
+    def __init__(self, run, t, field, surface=None, strain=True):
         self.t, self.run, self.surface, scale = t, run, surface, run.units.length
-        strain = field.data.get("plastic_strain_eq")
-        plastic = strain is not None and np.nanmax(strain, initial=0) > FEWEST
+        values = field.data.get("plastic_strain_eq") if strain else None
+        plastic = values is not None and np.nanmax(values, initial=0) > FEWEST
         self.quantity = fields.STRAIN if plastic else fields.STRESS
         self.unit, factor = fields.unit_of(run, self.quantity, field)
         self.smooth = quadratic.smooth(field, factor * np.nan_to_num(field.data[self.quantity.name]), scale)
@@ -237,8 +238,17 @@ def cropped(box, outlines):
     return center - half, center + half, y0, y1
 
 
+def share_of_zone(shown, box):
+    """Area where the values are large over that of a view."""
+    mesh = shown.smooth.mesh
+    x, y, large = mesh.x[mesh.triangles], mesh.y[mesh.triangles], shown.smooth.values[mesh.triangles].mean(axis=1) > ZONE * shown.largest
+    area = 0.5 * np.abs((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0]))
+    return area[large].sum() * (1 + len(shown.mirrors)) / ((box[1] - box[0]) * (box[3] - box[2]))
+
+
 def gallery_figure(run):
-    """The process at a look, without words: all pictures of this kind have one size."""
+    """The process at a look, without words: all pictures of this kind have one size. Stress, not strain, where that is in zones too
+    thin to be seen; who shows such a picture says so."""
     shown = Shown(run, *at_work(run))
     shown.ways, shown.first = [], shown.outlines
     figure = Figure(figsize=(GALLERY[0] / 150, GALLERY[1] / 150), dpi=150, layout="none")
@@ -246,7 +256,11 @@ def gallery_figure(run):
     figure.placed = True
     axes = figure.add_axes((0, 0, 1, 1))
     box = cropped(fields.view_of(run, shown.smooth.mesh, shown.outlines), shown.outlines)
-    draw_panel(axes, shown, fitted(box, GALLERY[0] / GALLERY[1]))
+    box = fitted(box, GALLERY[0] / GALLERY[1])
+    if shown.levels is not None and share_of_zone(shown, box) < THIN:
+        shown = Shown(run, *at_work(run), strain=False)
+        shown.ways, shown.first = [], shown.outlines
+    draw_panel(axes, shown, box)
     axes.set_axis_off()
     return figure
 
