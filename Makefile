@@ -190,7 +190,7 @@ try-deb: deb ## that package in a clean Debian (debootstrap, as root), by a user
 	@$(PACKAGES) clean
 	@.ci/chroot $(abspath $(BUILD))/clean deb $(abspath $(BUILD))/burnish_*.deb
 
-try-docker: ## the lines of edp/manual/Dockerfile in a clean Debian, without a container engine (as root, a quarter of an hour)
+try-docker: ## the lines of edp/manual/Dockerfile in a clean Debian, without a container engine (as root, half an hour)
 	@$(PACKAGES) clean
 	@mkdir -p $(BUILD) && .ci/chroot $(abspath $(BUILD))/clean docker edp/manual/Dockerfile
 

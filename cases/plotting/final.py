@@ -14,7 +14,7 @@ from plotting.figure import BLUE, GRAY, ORANGE
 from plotting.units import amount, plain
 
 WIDTH = 8.0                    # inches at 150 pixels
-LEFT, RIGHT, BELOW, ABOVE, BETWEEN = 0.62, 1.2, 0.9, 0.42, 0.55   # inches beside the panels
+LEFT, RIGHT, BELOW, ABOVE, BETWEEN = 0.72, 1.2, 0.9, 0.42, 0.55   # inches beside the panels
 BODY, TOOL, RIM = "#f4f1ea", "#c9d0d8", "#4d5a68"
 LARGE = 4.0                    # a tool over the workpiece, from which only its part near the workpiece is drawn
 FAR = 0.02                     # a way over the view, below which it is not drawn
