@@ -15,7 +15,8 @@ import topics  # noqa: E402
 FOLDER = "out/reference"
 KINDS = ("constructor", "method", "member", "function", "macro", "setting", "constant")
 # in the code that Pygments has colored: a word, or one behind a point
-WORD = re.compile(r'(?<!">)(<span class="n[cfv]?">)(rc[A-Z]\w+)(</span>)|(<span class="n">\w+</span><span class="p">\.</span><span class="n">)(\w+)(</span>)')
+WORD = re.compile(r'(?<!">)(<span class="n[cfv]?">)(rc[A-Z]\w+)(</span>)|'
+                  r'(<span class="n">\w+</span><span class="p">\.</span><span class="n">)(\w+)(</span>)')
 CODE = re.compile(r'<div class="highlight-cpp.*?</pre>', re.DOTALL)
 
 

@@ -4,7 +4,8 @@ A page says what it wants by a comment, which nothing but the site shows:
     <!-- picture of edp/manual/examples/block.edp -steps 20: final.png; What is seen. -->
 Each run is carried out once, in a folder of its own; on the site the comment becomes the picture, what is seen, the seconds of the processor, the
 results on the screen and the script to be downloaded. A script that ends with rcRun or rcRunLaw writes no files: a copy with rcCase or
-rcCaseLaw in that place does, in mm and MPa. press.edp is what burnish new makes. A run that is younger than its script and the plugin is not repeated.
+rcCaseLaw in that place does, in mm and MPa. press.edp is what burnish new makes. A run that is younger than its script and
+the plugin is not repeated. A page that runs a script and shows no picture is an error.
 """
 import json
 import os
@@ -18,6 +19,7 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[2]
 BURNISH = os.environ.get("BURNISH", str(TOP / "build/burnish"))
 MARK = re.compile(r"^<!-- picture of (\S+\.edp)((?: [^:\n]*)?): (\S+\.png); (.*?) -->$", re.MULTILINE | re.DOTALL)
+RUNS = re.compile(r"^build/burnish \S+\.edp|^<!-- from \S+\.edp -->", re.MULTILINE)
 AS_CASE = (("rcRun(C, M, u[], S, program, record)", "rcCase(C, M, u[], S, program, record)"),
            ("rcRunLaw(C, M, u[], S, program, record, law)", "rcCaseLaw(C, M, u[], S, program, record, law)"))
 ENDED = (0, 4)
@@ -112,14 +114,17 @@ def shown(text, out):
 
 
 def main(out):
-    wanted = {}
+    wanted, wrong = {}, []
     for page in sorted((TOP / "edp/manual").glob("*.md")):
-        for script, options, picture, _ in MARK.findall(page.read_text()):
+        text = page.read_text()
+        if RUNS.search(text) and not MARK.search(text) and "![" not in text:
+            wrong.append(f"{page.name}: it runs a script and shows no picture")
+        for script, options, picture, _ in MARK.findall(text):
             wanted.setdefault((script, options), set()).add(picture)
     out = TOP / out
     with ThreadPoolExecutor(int(os.environ.get("JOBS", 2))) as pool:
-        wrong = [text for text in pool.map(lambda one: run(out, *one[0], one[1]), wanted.items()) if text]
-    print(f"{len(wanted)} runs for the manual, {len(wrong)} failed", *wrong, sep="\n")
+        wrong += [text for text in pool.map(lambda one: run(out, *one[0], one[1]), wanted.items()) if text]
+    print(f"{len(wanted)} runs for the manual, {len(wrong)} wrong", *wrong, sep="\n")
     return 1 if wrong else 0
 
 
