@@ -49,9 +49,11 @@ def made(words):
 
 def sweep(words):
     """sweep CASE=hertz "VARY=..." ...: as make sweep, one variant after the other."""
-    given = dict(word.split("=", 1) for word in words[1:])
+    given = {"OPTIONS": "", **dict(word.split("=", 1) for word in words[1:])}
     shutil.rmtree(folder(words), ignore_errors=True)
-    return called(["cases/sweep/sweep.sh"], words, OUT / f"sweep-{given['CASE']}", {"OPTIONS": "", **given, "JOBS": "1"})
+    case = given["CASE"]
+    command = [BURNISH, "sweep", f"cases/{case}/{case}.edp", *shlex.split(given["VARY"]), "-study", case, "-jobs", "1", *shlex.split(given["OPTIONS"])]
+    return called(command, words, OUT / f"sweep-{case}", {})
 
 
 def lab(words):
