@@ -16,6 +16,7 @@ Surface = namedtuple("Surface", "kind predict error share")
 SPARE = 2            # points beyond the coefficients of a polynomial
 MOST_SPLINE = 300    # points up to which splines are tried: each is left out once
 LEVERAGE = 1 - 1e-9
+ROUNDING = 1e-9      # of the largest result: errors below it are alike, and the simpler surface is taken
 TRUSTED = 0.5        # share from which indices of the surface are told
 POWER = 13           # 2^13 points of the Sobol sequence
 
@@ -65,7 +66,8 @@ def surface_of(x, y):
     known = [(kind, *made) for kind, made in tried if made and np.isfinite(made[1]).all()]
     if not known:
         return None
-    kind, predict, errors = min(known, key=lambda found: (found[2] ** 2).sum())
+    least = len(y) * (ROUNDING * np.abs(y).max()) ** 2
+    kind, predict, errors = min(known, key=lambda found: max((found[2] ** 2).sum(), least))
     return Surface(kind, predict, np.sqrt(np.mean(errors ** 2)), 1 - (errors ** 2).sum() / ((y - y.mean()) ** 2).sum())
 
 

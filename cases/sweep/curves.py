@@ -6,8 +6,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.p
 import numpy as np
 from gather import read_summary
 from plotting import units
-from plotting.inputs import InputError
-from plotting.run import Run
+from plotting.inputs import InputError, read_whole_table
 
 MOST_NUMBERS = 300000   # of all curves together
 FEWEST, MOST = 20, 300  # points of a curve
@@ -22,16 +21,29 @@ def plain_text(label):
     return label.replace("10^", "1e")
 
 
+class Run:
+    """History of a run and what its columns are."""
+
+    def __init__(self, folder):
+        self.summary = read_summary(folder)
+        self.history = read_whole_table(os.path.join(folder, "history.csv"))
+        said, ring = self.summary.get("units"), self.summary.get("mesh", {}).get("axisymmetric")
+        if said:
+            self.columns = units.describe(list(self.history), units.named(said["length"], said["stress"], whole=ring))
+        else:
+            self.columns = units.describe(list(self.history), units.neutral(1.0, 1.0, ring), None, units.LENGTHS)
+
+
 def runs_of(folders):
     """{number: Run} of the variants whose history can be read."""
     found = {}
     for number, folder in enumerate(folders):
-        run = Run(folder) if os.path.isdir(folder) else None
         try:
-            if run and len(run.history.get("t", ())) > 1 and read_summary(folder):
-                found[number] = run
+            run = Run(folder)
         except InputError:
             continue
+        if run.summary and len(run.history.get("t", ())) > 1:
+            found[number] = run
     return found
 
 

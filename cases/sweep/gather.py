@@ -56,7 +56,7 @@ def status_of(folder, summary):
 
 def rows_of(study):
     """(columns, rows) of all variants, as sweep.csv has them."""
-    rows, columns = [], ["status"]
+    rows, own, columns = [], [], []
     for name, values in study.variants.items():
         folder = study.place_of(name)
         summary = read_summary(folder)
@@ -66,10 +66,12 @@ def rows_of(study):
             row["reason"] = f"exit code {read_text(os.path.join(folder, 'exit.txt')).strip()}: {why(folder, summary)}"
         if os.path.exists(os.path.join(folder, "again.json")):
             row["again"] = " ".join(words_of(read_again(folder))) or "once more"
+        own += [c for c in summary.get("results") or {} if c not in own and c in row]
         columns += [c for c in row if c not in columns]
         rows.append({**values, "status": state, **row})
-    columns += [columns.pop(columns.index(c)) for c in ("steps", "cpu_seconds", "again", "reason") if c in columns]
-    return [p["name"] for p in study.parameters] + columns, rows
+    last = [c for c in ("steps", "cpu_seconds", "again", "reason") if c in columns]
+    between = [c for c in columns if c not in own and c not in last]
+    return [p["name"] for p in study.parameters] + ["status", *own, *between, *last], rows
 
 
 def write_csv(path, columns, rows):

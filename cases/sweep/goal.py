@@ -16,7 +16,7 @@ import re
 import numpy as np
 from runner import run
 from study import finished
-from values import SweepError, to_number
+from values import Failed, SweepError, to_number
 
 NUDGES = (0.004, -0.004, 0.02, -0.02)   # over the range of each unknown
 STEP = 0.01                             # of a difference, over the range
@@ -24,8 +24,8 @@ MOST_RUNS = 200
 FIRST = 4                               # points drawn first, a number for each unknown
 
 
-class Failed(Exception):
-    """A goal that is not reached, or a run that it cannot do without."""
+class Enough(Exception):
+    """Residuals within what is allowed; z: where."""
 
 
 class Runs:
@@ -135,6 +135,7 @@ def one_target(runs, name, target, within):
     from scipy.optimize import brentq
     results = Results(runs, [name])
     ends = [0.0, 1.0]
+    results.many([[0.0], [1.0]])
     for k, way in ((0, 0.1), (1, -0.1)):
         while results.one([ends[k]]) is None:
             ends[k] += way
@@ -170,7 +171,8 @@ def differences(many, z, here):
 
 
 def least_squares(many, dimension, tolerance, enough=0.0):
-    """Gauss-Newton from the best of some points; many: rows of residuals, None where a run failed. @returns SciPy's result, jac at x"""
+    """Gauss-Newton from the best of some points; many: rows of residuals, None where a run failed; enough: residuals that end it.
+    @returns z"""
     from scipy import optimize
     from scipy.stats import qmc
     points = [np.full(dimension, 0.5), *qmc.LatinHypercube(dimension, seed=1).random(2 * dimension)]
@@ -183,11 +185,16 @@ def least_squares(many, dimension, tolerance, enough=0.0):
         row = many([z])[0]
         if row is None:
             return np.full_like(rows[0][0], bad)
-        return np.where(np.abs(row) <= enough, 0.0, row)
+        if (np.abs(row) <= enough).all():
+            raise Enough(np.array(z))
+        return row
 
     start = min(rows, key=lambda pair: np.linalg.norm(pair[0]))[1]
-    return optimize.least_squares(residual, np.clip(start, 0.02, 0.98), jac=lambda z: differences(many, z, many([z])[0]), bounds=(0, 1),
-                                  ftol=tolerance, xtol=tolerance, gtol=1e-10, max_nfev=25)
+    try:
+        return optimize.least_squares(residual, np.clip(start, 0.02, 0.98), jac=lambda z: differences(many, z, many([z])[0]), bounds=(0, 1),
+                                      ftol=tolerance, xtol=tolerance, gtol=1e-10, max_nfev=25).x
+    except Enough as found:
+        return found.args[0]
 
 
 def several_targets(runs, targets, within):
@@ -199,13 +206,13 @@ def several_targets(runs, targets, within):
     size = np.where(wanted != 0, np.abs(wanted), np.abs(first) if first is not None else 1.0)
     many = lambda points: [None if r is None else (r - wanted) / np.where(size > 0, size, 1.0) for r in results.many(points)]  # noqa: E731
     found = least_squares(many, len(runs.names), 1e-8, within)
-    reached = results.one(found.x)
+    reached = results.one(found)
     told = [f"{n} = {r:.8g}, target {t:g}" for n, r, t in zip(targets, reached, wanted)]
-    far = np.abs(many([found.x])[0])
+    far = np.abs(many([found])[0])
     if far.max() > within and len(targets) == len(runs.names):
-        at = ", ".join(f"{n} = {t}" for n, t in runs.texts(found.x).items())
+        at = ", ".join(f"{n} = {t}" for n, t in runs.texts(found).items())
         raise Failed(f"nearest at {at}: {'; '.join(told)}; expected other ranges or targets")
-    return answer_of(runs, found.x, told)
+    return answer_of(runs, found, told)
 
 
 def least(runs, name, sign, constraints, within):

@@ -9,8 +9,8 @@ import csv
 import os
 
 import numpy as np
-from goal import Failed, answer_of, differences, least_squares
-from values import SweepError
+from goal import answer_of, differences, least_squares
+from values import Failed, SweepError
 
 CONFIDENCE = 0.95
 
@@ -75,15 +75,15 @@ def identify(runs, path, within):
         return [seen[tuple(z)] for z in points]
 
     found = least_squares(many, len(runs.names), 0.1 * within)
-    residual = many([found.x])[0]
-    half, correlation = intervals(differences(many, found.x, residual), residual, runs.high - runs.low)
+    residual = many([found])[0]
+    half, correlation = intervals(differences(many, found, residual), residual, runs.high - runs.low)
     rms = np.sqrt(np.mean(residual ** 2))
     told = [f"rms of {rms:.3g} of the largest measured value"]
     told += [f"correlation of {a} and {b} {correlation[i, j]:.2f}" for i, a in enumerate(runs.names) for j, b in enumerate(runs.names) if i < j]
-    edge = [n for n, z in zip(runs.names, found.x) if min(z, 1 - z) < 1e-3]
+    edge = [n for n, z in zip(runs.names, found) if min(z, 1 - z) < 1e-3]
     if edge:
-        raise Failed(f"{', '.join(edge)} runs against an end of its range; expected a wider one")
-    answer = answer_of(runs, found.x, told)
+        raise Failed(f"{' and '.join(edge)} at an end of the range, expected a wider one")
+    answer = answer_of(runs, found, told)
     answer["interval"] = {n: f" +- {h:.2g}" for n, h in zip(runs.names, half)}
     answer["measured"] = {n: [float(f"{x:.6g}") for x in v] for n, v in measured.items()}
     return answer

@@ -15,7 +15,6 @@ from analysis import TRUSTED, scaled, sobol, surface_of, value_at
 from curves import curves_of
 from gather import read_summary
 from request import read_text
-from shared import draw_fields
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DIGITS = 5
@@ -101,16 +100,24 @@ def plotly():
     """plotly.js, packed; empty without its package."""
     try:
         from plotly.offline import get_plotlyjs
-        return base64.b64encode(gzip.compress(get_plotlyjs().encode(), 6)).decode()
+        return base64.b64encode(gzip.compress(get_plotlyjs().encode(), 1)).decode()
     except (ImportError, OSError) as error:
         print(f"burnish sweep: {error}; plots of the page need the Debian package python3-plotly", file=sys.stderr)
         return ""
 
 
+def fields_of(folders):
+    """Draws the fields where there are some. @returns their scale, None without"""
+    if not any(os.path.exists(os.path.join(folder, "final.vtu")) for folder in folders):
+        return None
+    from shared import draw_fields
+    return draw_fields(folders)
+
+
 def data_of(study, rows, answer):
     results = results_of(study)
     good = [study.place_of(n) for n, row in zip(study.variants, rows) if row["status"] == "finished"]
-    scale = draw_fields(good)
+    scale = fields_of(good)
     variants = [variant_of(study, i, name, row, results) for i, (name, row) in enumerate(zip(study.variants, rows))]
     columns = curves_of(variants, [study.place_of(n) for n in study.variants])
     return {"name": study.name, "script": study.request.script, "varied": study.request.varied, "goals": study.request.goals,

@@ -14,7 +14,7 @@ try:
     from plotting.curves import COLORS, DASHES
     from plotting.figure import apply_style, new_figure, save, say_empty
 except ImportError as error:
-    sys.exit(f"sweep: {error}; the Debian packages python3-matplotlib and python3-numpy are needed")
+    sys.exit(f"burnish sweep: {error}; the Debian packages python3-matplotlib and python3-numpy are needed")
 
 MARKERS = "os^vD<>P*X"
 # meanings of options that change the error, not the problem

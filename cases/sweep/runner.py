@@ -22,39 +22,48 @@ class Stopped(Exception):
 
 
 def command(study, name):
-    words = [os.environ["BURNISH"], study.request.script, *study.words(name)]
-    return shlex.join([os.path.join(HERE, "variant.sh"), study.place_of(name), *words])
+    return [os.path.join(HERE, "variant.sh"), study.place_of(name), os.environ["BURNISH"], study.request.script, *study.words(name)]
 
 
-def parallel(study, listed):
-    """The process of GNU parallel that runs these variants, in a session of its own: Ctrl-C is ours to pass on. If this process is
-    killed it gets a SIGTERM: runs that are under way end, no other one begins."""
+def started(study, listed):
+    """The process that runs these variants, in a session of its own: Ctrl-C is ours to pass on. One alone runs by itself, others by GNU
+    parallel. If this process is killed it gets a SIGTERM: no other run begins."""
+    alone = len(listed) == 1 and not study.request.ssh
+    words = command(study, listed[0]) if alone else parallel(study)
+    path = os.path.join(study.folder, "commands.txt")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("".join(shlex.join(command(study, name)) + "\n" for name in listed))
+    try:
+        with open(path, encoding="utf-8") as file, open(os.path.join(study.folder, "parallel.txt"), "w", encoding="utf-8") as told:
+            return subprocess.Popen(["setpriv", "--pdeathsig", "TERM", *words], stdin=file, stdout=told, stderr=subprocess.STDOUT,
+                                    start_new_session=True, close_fds=False)
+    except FileNotFoundError as error:
+        sys.exit(f"burnish sweep: {error.filename} is missing; the Debian packages parallel and util-linux are needed")
+
+
+def parallel(study):
     request = study.request
-    words = ["setpriv", "--pdeathsig", "TERM", "parallel", "--will-cite", "--joblog", os.path.join(study.folder, "joblog.txt")]
+    words = ["parallel", "--will-cite", "--joblog", os.path.join(study.folder, "joblog.txt")]
     if request.ssh:
         words += ["--sshlogin", request.ssh, "--workdir", os.getcwd()]
     if not request.ssh or request.jobs != os.cpu_count():
         words += ["--jobs", str(request.jobs)]
-    commands = "".join(command(study, name) + "\n" for name in listed)
-    path = os.path.join(study.folder, "commands.txt")
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(commands)
-    try:
-        with open(path, encoding="utf-8") as file, open(os.path.join(study.folder, "parallel.txt"), "w", encoding="utf-8") as told:
-            return subprocess.Popen(words, stdin=file, stdout=told, stderr=subprocess.STDOUT, start_new_session=True, close_fds=False)
-    except FileNotFoundError as error:
-        sys.exit(f"sweep: {error.filename} is missing; the Debian packages parallel and util-linux are needed")
+    return words
 
 
 def stop(process):
     """Runs and GNU parallel are ended at once; the variants under way count as not run."""
-    for _ in range(2):  # the first one lets runs go on to their ends
+    for _ in range(2):  # the first one lets GNU parallel's runs go on to their ends
         process.terminate()
-        time.sleep(0.3)
+        time.sleep(PAUSE)
     try:
         process.wait(10)
     except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGKILL)
+        pass
+    try:
+        os.killpg(process.pid, signal.SIGKILL)  # the run of a variant that was alone
+    except ProcessLookupError:
+        pass
 
 
 def time_of(folder):
@@ -149,7 +158,7 @@ def run(study, listed, quiet=False):
         return
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, raise_stopped)
-    process, progress = parallel(study, listed), Progress(study, listed, quiet)
+    process, progress = started(study, listed), Progress(study, listed, quiet)
     try:
         while process.poll() is None:
             progress.look()
@@ -162,5 +171,5 @@ def run(study, listed, quiet=False):
         raise Stopped from None
     if progress.waiting:
         told = read_text(os.path.join(study.folder, "parallel.txt")).strip().splitlines()
-        sys.exit(f"sweep: {len(progress.waiting)} variants did not run: " + (told[-1] if told else "GNU parallel was ended") +
+        sys.exit(f"burnish sweep: {len(progress.waiting)} variants did not run: " + (told[-1] if told else "GNU parallel was ended") +
                  "; the same command runs the rest")

@@ -47,7 +47,7 @@ class Study:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            print(f"sweep: waits for runs of another sweep in {self.folder}", flush=True)
+            print(f"burnish sweep: waits for runs of another sweep in {self.folder}", flush=True)
             fcntl.flock(lock, fcntl.LOCK_EX)
 
     def write(self):

@@ -9,12 +9,10 @@ that failed are listed; 1: a goal is not reached; 20: what cannot be run; 130: s
 import sys
 
 from gather import rows_of, write_csv
-from goal import Failed, reach
-from page import write_page
 from request import read_request
 from runner import Stopped, run
 from study import open_study
-from values import SweepError
+from values import Failed, SweepError
 
 USAGE = """usage: burnish sweep SCRIPT.edp NAME=VALUES ... [-option value ...]
   R=14:20:4  E=1e3:1e6:7:log  mu=0.1,0.2  element=P1,P2    values; R=5:15:latin, R=5:15:random with -samples 20 -seed 1
@@ -52,6 +50,7 @@ def finish(study, answer):
     columns, rows = rows_of(study)
     write_csv(f"{study.folder}/sweep.csv", columns, rows)
     list_failed(study, rows)
+    from page import write_page  # what takes long to load: not before it is needed
     print(write_page(study, rows, answer))
     if not study.request.draw:
         return 0
@@ -67,6 +66,7 @@ def main(words):
     begin(study)
     answer, unreached = None, None
     if study.request.goals:
+        from goal import reach
         try:
             answer = reach(study)
         except Failed as error:
@@ -75,7 +75,7 @@ def main(words):
         run(study, study.missing())
     status = finish(study, answer)
     if unreached:
-        print(f"sweep: {unreached}", file=sys.stderr)
+        print(f"burnish sweep: {unreached}", file=sys.stderr)
     return 1 if unreached else status
 
 

@@ -18,6 +18,10 @@ class SweepError(Exception):
     """What is wrong with the request."""
 
 
+class Failed(Exception):
+    """A goal that is not reached, or a run that it cannot do without."""
+
+
 def to_number(text, where):
     try:
         value = float(text)
