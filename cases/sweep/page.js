@@ -96,7 +96,7 @@ function markdown() {
 // --- fields -------------------------------------------------------------------------------------------------------
 function showScale() {
   const s = data.scale;
-  byId("field").textContent = s ? `${s.label[0].toUpperCase()}${s.label.slice(1)}${s.unit ? ` [${s.unit}]` : ""} at the end of each run; the largest of all is ${s.largest}.`
+  byId("field").textContent = s ? `${s.label[0].toUpperCase()}${s.label.slice(1)}${s.unit ? ` [${s.unit}]` : ""} at the end of each run; the largest of all is ${s.largest}. Gray: tools; thick black: where they touch. One view for all.`
     : "No variant left a field.";
   if (!s) return;
   s.colors.forEach((color, k) => element(element(byId("scale"), "span", {style: `background:${color}`}), "i", {}, s.levels[k]));

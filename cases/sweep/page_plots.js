@@ -25,7 +25,7 @@ function drawEffects() {
     const xs = vs.map(v => numeric(p) ? Number(v.values[p.name]) : v.values[p.name]), ys = vs.map(v => v.results[name]);
     const means = p.values.map(t => vs.filter(v => v.values[p.name] === t).map(v => v.results[name])).map(a => a.length ? a.reduce((s, y) => s + y, 0) / a.length : null);
     const line = 2 * p.values.length > vs.length && surface && surface.lines[p.name] ? {x: surface.axes[p.name], y: surface.lines[p.name]}
-      : {x: p.values.map(t => numeric(p) ? Number(t) : t), y: means};
+      : {x: p.values.map(t => numeric(p) ? Number(t) : t).filter((_, i) => means[i] !== null), y: means.filter(y => y !== null)};
     plot(`effect-${k}`, [{...line, mode: "lines", line: {color: COLORS[1], width: 3}, hoverinfo: "skip"}, dots(vs, xs, ys)], axisOfParameter(p), axisOf(name), {xaxis: spaced(p)});
   });
 }
