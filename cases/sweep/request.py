@@ -24,8 +24,8 @@ from types import SimpleNamespace
 
 from values import DRAWN, SweepError, parse_vary, to_number, whole
 
-# what every variant gets unless it is asked for: numbers only, no pictures, no field files on the way
-DEFAULTS = {"pictures": "0", "series": "0", "check": "0"}
+# what every variant gets unless it is asked for: no pictures of its own, one field file (that pictures in space are drawn from)
+DEFAULTS = {"pictures": "0", "series": "1", "check": "0"}
 SETTINGS = {"study": "", "again": "", "jobs": "", "samples": "20", "seed": "1", "ssh": "", "draw": ""}
 GOALS = ("target", "minimize", "maximize", "where", "measured", "within")
 BY_SWEEP = ("out", "options", "resume")

@@ -45,10 +45,16 @@ def draw_plane(runs, scale):
 
 
 def draw_space(runs, scale):
-    from plotting.space import case
     from plotting.space import final as space_final
-    for folder in runs:
-        save(space_final.gallery_figure(case.space_run(Run(folder)), scale), folder, "field")
+    for folder, run in runs.items():
+        save(space_final.gallery_figure(run, scale), folder, "field")
+
+
+def in_space(runs):
+    """The same runs read as those in space, and their fields."""
+    from plotting.space import case
+    runs = {folder: case.space_run(run) for folder, run in runs.items()}
+    return runs, [run.last.body for run in runs.values()]
 
 
 def draw_fields(folders):
@@ -58,9 +64,10 @@ def draw_fields(folders):
         if not runs:
             return None
         apply_style()
-        scale = final.scale_of(list(runs.values()), [run.field for run in runs.values()], MOST_LEVELS)
-        in_space = next(iter(runs.values())).in_space
-        (draw_space if in_space else draw_plane)(runs, scale)
+        space = next(iter(runs.values())).in_space
+        runs, listed = in_space(runs) if space else (runs, [run.field for run in runs.values()])
+        scale = final.scale_of(list(runs.values()), listed, MOST_LEVELS)
+        (draw_space if space else draw_plane)(runs, scale)
         return legend(scale)
     except (InputError, ImportError, KeyError, ValueError) as error:
         print(f"burnish sweep: no pictures of fields: {type(error).__name__}: {error}", file=sys.stderr)

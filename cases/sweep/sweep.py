@@ -59,7 +59,7 @@ def finish(study, answer):
 
 
 def main(words):
-    if not words or words[0] in ("-h", "--help"):
+    if not words or {"-h", "--help"} & {words[0], words[-1]}:
         print(USAGE)
         return 0 if words else 20
     study = open_study(read_request(words))
