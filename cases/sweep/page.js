@@ -55,6 +55,15 @@ function compare(a, b) {
 }
 const sorted = () => order.column ? [...data.variants].sort(compare) : [...data.variants];
 
+const cellOf = (c, v) => typeof c.of(v) === "number" ? short(c.of(v)) : c.of(v) ?? "";
+
+// Cells of the columns; of a run that failed the reason takes the place of its results.
+function addCells(row, v) {
+  const failed = v.status !== "finished", count = data.parameters.length;
+  for (const c of failed ? columns.slice(0, count) : columns) element(row, "td", c.title === "status" ? {class: "words"} : {}, cellOf(c, v));
+  if (failed) element(row, "td", {class: "words reason", colspan: columns.length - count}, columns[columns.length - 1].of(v));
+}
+
 function showTable() {
   byId("head").replaceChildren();
   const head = element(byId("head"), "tr");
@@ -71,7 +80,7 @@ function showTable() {
     const row = element(byId("rows"), "tr", {class: (v.status === "finished" ? "" : "failed ") + (marked.has(v) ? "marked" : "")});
     const picture = element(row, "td");
     if (v.picture) element(picture, "img", {src: v.picture, alt: `field of ${labelOf(v)}`, loading: "lazy"});
-    for (const c of columns) element(row, "td", c.title === "status" ? {class: "words"} : {}, c.of(v) === null ? "" : typeof c.of(v) === "number" ? short(c.of(v)) : c.of(v));
+    addCells(row, v);
     const files = element(row, "td", {class: "words"});
     for (const f of v.files) { element(files, "a", {href: encodeURI(`${v.folder}/${f}`)}, f.split(".")[0]); files.append(" "); }
     row.onclick = event => { if (event.target.tagName !== "A") mark(v); };
@@ -96,7 +105,7 @@ function markdown() {
 // --- fields -------------------------------------------------------------------------------------------------------
 function showScale() {
   const s = data.scale;
-  byId("field").textContent = s ? `${s.label[0].toUpperCase()}${s.label.slice(1)}${s.unit ? ` [${s.unit}]` : ""} at the end of each run; the largest of all is ${s.largest}. Gray: tools; thick black: where they touch. One view for all.`
+  byId("field").textContent = s ? `${s.label[0].toUpperCase()}${s.label.slice(1)}${s.unit ? ` [${s.unit}]` : ""} at the end of each run; the largest of all is ${s.largest}. ${s.words}`
     : "No variant left a field.";
   if (!s) return;
   s.colors.forEach((color, k) => element(element(byId("scale"), "span", {style: `background:${color}`}), "i", {}, s.levels[k]));

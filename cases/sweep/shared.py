@@ -23,13 +23,13 @@ def runs_of(folders):
     return found
 
 
-def legend(scale):
-    """{label, unit, levels, colors} for the page; None without a field."""
+def legend(scale, words):
+    """{label, unit, levels, colors, words} for the page; None without a field."""
     if scale.levels is None:
         return None
     from matplotlib.colors import to_hex
     colors = [to_hex(c) for c in fields.band_colors(scale.quantity, scale.levels).colors]
-    return {"label": scale.quantity.label, "unit": plain(scale.unit).replace("$", "").strip("-"), "largest": float(f"{scale.largest:.4g}"),
+    return {"words": words, "label": scale.quantity.label, "unit": plain(scale.unit).replace("$", "").strip("-"), "largest": float(f"{scale.largest:.4g}"),
             "levels": [float(f"{v:.4g}") for v in scale.levels], "colors": colors}
 
 
@@ -68,7 +68,7 @@ def draw_fields(folders):
         runs, listed = in_space(runs) if space else (runs, [run.field for run in runs.values()])
         scale = final.scale_of(list(runs.values()), listed, MOST_LEVELS)
         (draw_space if space else draw_plane)(runs, scale)
-        return legend(scale)
+        return legend(scale, "Gray: tools." if space else "Gray: tools; thick black: where they touch. One view for all.")
     except (InputError, ImportError, KeyError, ValueError) as error:
         print(f"burnish sweep: no pictures of fields: {type(error).__name__}: {error}", file=sys.stderr)
         return None

@@ -5,7 +5,10 @@
 folder=$1
 shift
 mkdir -p "$folder" && rm -f "$folder"/summary.json "$folder"/exit.txt || exit 1
-OPENBLAS_NUM_THREADS=1 "$@" -out "$folder" >"$folder/log.txt" 2>&1 </dev/null
+trap 'kill -KILL $run; exit 143' TERM
+OPENBLAS_NUM_THREADS=1 "$@" -out "$folder" >"$folder/log.txt" 2>&1 </dev/null &
+run=$!
+wait $run
 code=$?
 echo "$code" >"$folder/exit.txt"
 exit "$code"
