@@ -199,8 +199,6 @@ def least_squares(many, dimension, tolerance, enough=0.0):
 
 def several_targets(runs, targets, within):
     results = Results(runs, list(targets))
-    if len(targets) < len(runs.names):
-        raise SweepError(f"target: {len(targets)} results for {len(runs.names)} unknowns, expected at least as many")
     wanted = np.array(list(targets.values()))
     first = results.one(np.full(len(runs.names), 0.5))
     size = np.where(wanted != 0, np.abs(wanted), np.abs(first) if first is not None else 1.0)
@@ -253,7 +251,11 @@ def least(runs, name, sign, constraints, within):
 
 
 def chosen_goal(study):
-    """The function that reaches the goal of a request."""
+    """The function that runs variants until the goal of the request is reached; a SweepError says what is wrong with it before any runs."""
+    try:
+        import scipy  # noqa: F401
+    except ImportError as error:
+        raise SweepError(f"{error}; the Debian package python3-scipy is needed") from None
     goals, within, runs = study.request.goals, study.request.within, Runs(study)
     if not 0 < within < 1:
         raise SweepError(f"within is {within:g}, expected 0 < within < 1")
@@ -263,24 +265,23 @@ def chosen_goal(study):
     if "where" in goals and asked[0] not in ("minimize", "maximize"):
         raise SweepError("where= goes with minimize= or maximize=")
     if asked[0] == "measured":
-        from identify import identify
-        return lambda: identify(runs, goals["measured"], within)
+        from identify import identify, read_measured
+        measured = read_measured(goals["measured"], len(runs.names))
+        return lambda: identify(runs, measured, within)
     if asked[0] == "target":
         targets = parse_targets(goals["target"])
         if len(targets) == 1 and len(runs.names) == 1:
             return lambda: one_target(runs, *next(iter(targets.items())), within)
+        if len(targets) < len(runs.names):
+            raise SweepError(f"target: {len(targets)} results for {len(runs.names)} unknowns, expected at least as many")
         return lambda: several_targets(runs, targets, within)
     constraints = parse_constraints(goals.get("where", ""))
     return lambda: least(runs, goals[asked[0]].strip(), 1 if asked[0] == "minimize" else -1, constraints, within)
 
 
-def reach(study):
-    """Runs until the goal is reached, prints it. @returns {"values": {unknown: text}, "told": [lines], ...} for the page"""
-    try:
-        import scipy  # noqa: F401
-    except ImportError as error:
-        raise SweepError(f"{error}; the Debian package python3-scipy is needed") from None
-    answer = chosen_goal(study)()
+def reach(study, goal):
+    """Reaches the goal and prints it. @returns {"values": {unknown: text}, "told": [lines], ...} for the page"""
+    answer = goal()
     print(", ".join(f"{n} = {t}" + answer.get("interval", {}).get(n, "") for n, t in answer["values"].items())
           + f": {'; '.join(answer['told'])}, {len(study.variants)} runs")
     return answer

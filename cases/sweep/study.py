@@ -39,6 +39,14 @@ class Study:
         self.variants[name] = values
         return name
 
+    def open(self):
+        """Makes or finds the folder, which is this process's from now on, with the variants that are listed; a goal adds its own."""
+        self.hold()
+        if not self.request.goals:
+            for values in combinations(self.request.vary, self.request.samples, self.request.seed):
+                self.add(values)
+        self.write()
+
     def hold(self):
         """The study is this process's until it and its runs have ended; waits for those of another one."""
         os.makedirs(self.folder, exist_ok=True)
@@ -168,14 +176,3 @@ def finished(folder):
     except (ValueError, KeyError, TypeError):
         return False
     return done and read_text(os.path.join(folder, "exit.txt")).strip() == "0"
-
-
-def open_study(request):
-    """The study of a request with its variants, held by this process."""
-    study = Study(request)
-    study.hold()
-    if not request.goals:
-        for values in combinations(request.vary, request.samples, request.seed):
-            study.add(values)
-    study.write()
-    return study

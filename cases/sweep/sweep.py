@@ -11,7 +11,7 @@ import sys
 from gather import rows_of, write_csv
 from request import read_request
 from runner import Stopped, run
-from study import open_study
+from study import Study
 from values import Failed, SweepError
 
 USAGE = """usage: burnish sweep SCRIPT.edp NAME=VALUES ... [-option value ...]
@@ -62,13 +62,16 @@ def main(words):
     if not words or {"-h", "--help"} & {words[0], words[-1]}:
         print(USAGE)
         return 0 if words else 20
-    study = open_study(read_request(words))
+    study, goal = Study(read_request(words)), None
+    if study.request.goals:
+        from goal import chosen_goal, reach
+        goal = chosen_goal(study)
+    study.open()
     begin(study)
     answer, unreached = None, None
-    if study.request.goals:
-        from goal import reach
+    if goal:
         try:
-            answer = reach(study)
+            answer = reach(study, goal)
         except Failed as error:
             unreached = error
     else:
