@@ -57,9 +57,10 @@ def intervals(jacobian, residual, width):
     freedom = len(residual) - jacobian.shape[1]
     if np.linalg.matrix_rank(jacobian) < jacobian.shape[1]:
         raise Failed("the measured curve does not tell the unknowns apart; expected fewer of them")
-    covariance = (residual @ residual) / freedom * np.linalg.inv(jacobian.T @ jacobian)
-    deviation = np.sqrt(np.diag(covariance))
-    return t.ppf(0.5 + 0.5 * CONFIDENCE, freedom) * deviation * width, covariance / np.outer(deviation, deviation)
+    inverse = np.linalg.inv(jacobian.T @ jacobian)
+    deviation = np.sqrt(np.diag(inverse))
+    scatter = np.sqrt(residual @ residual / freedom)
+    return t.ppf(0.5 + 0.5 * CONFIDENCE, freedom) * scatter * deviation * width, inverse / np.outer(deviation, deviation)
 
 
 def identify(runs, measured, within):

@@ -23,7 +23,7 @@ const short = x => x === null || x === undefined ? "" : String(Number(Number(x).
 // --- summary ------------------------------------------------------------------------------------------------------
 function showSummary() {
   const failed = data.variants.filter(v => v.status !== "finished");
-  const range = p => p.values.length > 6 ? `${p.values[0]} to ${p.values[p.values.length - 1]}` : p.values.join(", ");
+  const range = p => p.ends.length && data.answer ? `between ${p.ends[0]} and ${p.ends[1]}` : p.values.length > 6 ? `${p.values[0]} to ${p.values[p.values.length - 1]}` : p.values.join(", ");
   const of = data.parameters.map(p => `${p.meaning || p.name} (${p.name}) ${range(p)} ${p.unit}`.trim()).join("; ");
   byId("summary").textContent = `${data.variants.length} variants of ${data.script}: ${of}. `;
   if (failed.length) element(byId("summary"), "b", {class: "failed"}, `${failed.length} failed; their rows say why.`);

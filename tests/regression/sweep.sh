@@ -17,9 +17,9 @@ END
 "$BURNISH" sweep "$scene" measured=curve.csv sigY=100:400 H=200:2000 $coarse >log 2>&1 || fail "identification: exit status $?"
 "$PYTHON" - log <<'END' || fail "identification"
 import re
-found = re.search(r"^sigY = (\S+) \+- (\S+), H = (\S+) \+- (\S+): rms of (\S+) of", open("log").read(), re.M)
-sigY, _, H, _, rms = map(float, found.groups())
-assert abs(sigY - 240) < 0.24 and abs(H - 800) < 2 and rms < 3e-4, (sigY, H, rms)
+found = re.search(r"^sigY = (\S+) \+- (\S+), H = (\S+) \+- (\S+): rms of (\S+) of.*correlation of sigY and H (\S+),", open("log").read(), re.M)
+sigY, _, H, _, rms, correlation = map(float, found.groups())
+assert abs(sigY - 240) < 0.24 and abs(H - 800) < 2 and rms < 3e-4 and -1 < correlation < -0.5, (sigY, H, rms, correlation)
 END
 force=$("$BURNISH" "$scene" $coarse -mu 0.1 -pictures 0 -series 0 -check 0 -out friction >/dev/null 2>&1; tail -n 1 friction/history.csv | cut -d, -f21)
 "$BURNISH" sweep "$scene" target="Q_y=$("$PYTHON" -c "print(-$force/2)")" mu=0.02:0.15 $coarse >log 2>&1 || fail "target: exit status $?"
