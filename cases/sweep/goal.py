@@ -7,7 +7,7 @@ or of "final" in summary.json; runs are variants of the study, none is repeated.
   minimize="drive force", maximize=...     COBYLA (scipy.optimize) from the best of some points drawn first; where="depth<0.1,width>0.5"
                                            are its constraints
   measured=curve.csv                       identify.py
-  within=1e-3                              allowed distance of a result from its target, over the target's size
+  within=1e-3                              allowed distance of a result from its target or its bound, over the size of that
 A name that holds a comma: separate by semicolons. A point whose run fails gives way to its neighbors, NUDGES of the range apart; a
 point all of whose neighbors fail, too, counts as worse than all others.
 """
@@ -205,6 +205,8 @@ def several_targets(runs, targets, within):
     many = lambda points: [None if r is None else (r - wanted) / np.where(size > 0, size, 1.0) for r in results.many(points)]  # noqa: E731
     found = least_squares(many, len(runs.names), 1e-8, within)
     reached = results.one(found)
+    if reached is None:
+        raise Failed("runs about the last point failed; expected other ranges")
     told = [f"{n} = {r:.8g}, target {t:g}" for n, r, t in zip(targets, reached, wanted)]
     far = np.abs(many([found])[0])
     if far.max() > within and len(targets) == len(runs.names):

@@ -77,6 +77,8 @@ def identify(runs, measured, within):
 
     found = least_squares(many, len(runs.names), 0.1 * within)
     residual = many([found])[0]
+    if residual is None:
+        raise Failed("runs about the last point failed; expected other ranges")
     half, correlation = intervals(differences(many, found, residual), residual, runs.high - runs.low)
     rms = np.sqrt(np.mean(residual ** 2))
     told = [f"rms of {rms:.3g} of the largest measured value"]

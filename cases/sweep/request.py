@@ -73,10 +73,7 @@ def sorted_words(words, script):
             value = next(waiting, None)
             if value is None:
                 raise SweepError(f"{word} has no value")
-            place = settings if word[1:] in settings else options
-            if place is options and word[1:] in options:
-                raise SweepError(f"{word} is given twice")
-            place[word[1:]] = value
+            (settings if word[1:] in settings else options)[word[1:]] = value  # the last one counts, as in a run
         elif word.partition("=")[0] in GOALS and "=" in word:
             name, _, text = word.partition("=")
             if name in goals:
