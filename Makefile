@@ -69,7 +69,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock .ci/build $(BUILD) $(MAKE) 
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) --
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep explore stability chart matrices references chart-quick bench-peers test $(SUITES:%=test-%) bench bench-growth install deb try-deb try-docker uninstall docs packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep stability chart matrices references chart-quick bench-peers test $(SUITES:%=test-%) bench bench-growth install deb try-deb try-docker uninstall docs packages format format-check clean help FORCE
 .PHONY: compile compile-run programs compile-programs sanitize sanitized fuzz test-alone
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -108,13 +108,8 @@ figures: packages ## draw all pictures of out/CASE, CASE=rolling unless given; C
 tables: build ## measure the tables in the READMEs of rolling, planetary, bending, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch again, OPTIONS="--keep rolling"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) cases/tables.py $(OPTIONS)
 
-sweep: build ## run CASE for all values of VARY="R=14e-3:20e-3:4 mu=0.2,0.3", or find the option BY for a TARGET: cases/sweep/sweep.sh
-explore: export EXPLORE=1
-explore: build ## a sweep as one page, out/sweep/CASE/explore.html: sliders for the varied options; pictures and curves follow
-sweep explore:
-	@CASE='$(CASE)' VARY='$(VARY)' OPTIONS='$(OPTIONS)' RESULT='$(RESULT)' JOBS='$(JOBS)' SSH='$(SSH)' SAMPLES='$(SAMPLES)' \
-	  SEED='$(SEED)' TARGET='$(TARGET)' BY='$(BY)' TOLERANCE='$(TOLERANCE)' \
-	  BURNISH='$(abspath $(WRAPPER))' cases/sweep/sweep.sh
+sweep: build ## burnish sweep for a case: make sweep CASE=rolling VARY="R=14e-3:20e-3:4 mu=0.2,0.3" OPTIONS="-outer 80": cases/sweep/sweep.py
+	@$(WRAPPER) sweep $(or $(wildcard cases/$(CASE)/$(CASE).edp),$(CASE)) $(VARY) -jobs $(JOBS) $(OPTIONS)
 
 stability: build ## the map of what can go wrong, out/stability/map.png; OPTIONS="--only snap --references --store": tests/stability/run.py
 	@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) tests/stability/run.py $(OPTIONS)

@@ -12,12 +12,14 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[1]
 OUT = TOP / "out/figures"
 BURNISH = os.environ.get("BURNISH", str(TOP / "build/burnish"))
 ENDED = {0, 4}
+PAGE = (1500, 3290)   # pixels of a page of a sweep that are seen, drawn at two thirds
 
 
 def rows(pattern):
@@ -49,9 +51,26 @@ def made(words):
 
 def sweep(words):
     """sweep CASE=hertz "VARY=..." ...: as make sweep, one variant after the other."""
-    given = dict(word.split("=", 1) for word in words[1:])
+    given = {"OPTIONS": "", **dict(word.split("=", 1) for word in words[1:])}
     shutil.rmtree(folder(words), ignore_errors=True)
-    return called(["cases/sweep/sweep.sh"], words, OUT / f"sweep-{given['CASE']}", {"OPTIONS": "", **given, "JOBS": "1"})
+    case = given["CASE"]
+    command = [BURNISH, "sweep", f"cases/{case}/{case}.edp", *shlex.split(given["VARY"]), "-study", case, "-jobs", "1", *shlex.split(given["OPTIONS"])]
+    wrong = called(command, words, OUT / f"sweep-{case}", {})
+    if not wrong and shutil.which("chromium"):
+        look_at(folder(words) / "index.html")
+    return wrong
+
+
+def look_at(page):
+    """page.png beside it, as Chromium shows the page."""
+    from PIL import Image
+    picture = page.with_name("page.png")
+    with tempfile.TemporaryDirectory() as profile:
+        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", f"--user-data-dir={profile}",
+                        "--virtual-time-budget=15000", f"--window-size={PAGE[0]},{PAGE[1]}", f"--screenshot={picture}", page.resolve().as_uri()],
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    image = Image.open(picture).convert("RGB").resize((2 * PAGE[0] // 3, 2 * PAGE[1] // 3), Image.Resampling.LANCZOS)
+    image.quantize(256, dither=Image.Dither.NONE).save(picture)
 
 
 def lab(words):

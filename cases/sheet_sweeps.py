@@ -27,8 +27,8 @@ def variants(case, samples, vary, drawn):
     """Folders of the sweep, run unless they are to be kept: in the order of the samples."""
     top = os.path.join("out/sweep", case)
     if not Run.keep:
-        words = {"CASE": case, "VARY": f"{vary} {drawn}", "SAMPLES": str(samples), "OPTIONS": COMMON}
-        subprocess.run(["cases/sweep/sweep.sh"], env={**os.environ, **words}, check=False)
+        command = [os.environ["BURNISH"], "sweep", f"cases/{case}/{case}.edp", vary, *drawn.split(), "-samples", str(samples), "-study", case]
+        subprocess.run([*command, *COMMON.split()], check=True)
     values = vary.split("=")[1].split(",")
     found = sorted(f for f in os.listdir(top) if f.startswith(vary.split("=")[0] + "=") and f.split(",")[0].split("=")[1] in values)
     if len(found) != samples * len(values):

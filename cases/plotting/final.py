@@ -1,5 +1,7 @@
 """final.png, the picture of a run in the plane: workpiece with its field and mesh, the whole tools with their way, beside it what is near
 the contact where that is small. 1200 pixels wide; few artists, since a run draws it every time."""
+from collections import namedtuple
+
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
@@ -22,25 +24,20 @@ ZONE, SMALL = 0.2, 0.25        # of the largest value: what makes the zone; zone
 FEWEST, MOST_LEVELS = 1e-3, 16
 FLOWING = 0.1                  # of the first level, below which the workpiece keeps its color
 GHOST = (0, (4, 2.5))
+Scale = namedtuple("Scale", "quantity unit factor largest levels")
 GALLERY = (690, 460)           # pixels
 THIN = 1e-3                    # zone over the view of the gallery by area, below which it shows the stress
 LONG = 2.0                     # width over height of what the gallery shows, at most
 
 
 class Shown:
-    """What is drawn of one instant, in the units of the pictures. strain: where it flows, of the stress else."""
+    """What is drawn of one instant, in the units of the pictures. scale: quantity, unit, factor, largest, levels; by default its own"""
 
-    def __init__(self, run, t, field, surface=None, strain=True):
-        self.t, self.run, self.surface, scale = t, run, surface, run.units.length
-        values = field.data.get("plastic_strain_eq") if strain else None
-        plastic = values is not None and np.nanmax(values, initial=0) > FEWEST
-        self.quantity = fields.STRAIN if plastic else fields.STRESS
-        self.unit, factor = fields.unit_of(run, self.quantity, field)
-        self.smooth = quadratic.smooth(field, factor * np.nan_to_num(field.data[self.quantity.name]), scale)
-        self.largest = factor * np.nanmax(field.data[self.quantity.name], initial=0)
-        self.levels = fields.levels_to(self.largest, MOST_LEVELS, self.quantity)
-        if plastic:
-            self.levels[0] = FLOWING * self.levels[1]
+    def __init__(self, run, t, field, surface=None, scale=None):
+        self.t, self.run, self.surface = t, run, surface
+        scale = scale or scale_of([run], [field], MOST_LEVELS)
+        self.quantity, self.unit, self.largest, self.levels = scale.quantity, scale.unit, scale.largest, scale.levels
+        self.smooth = quadratic.smooth(field, scale.factor * np.nan_to_num(field.data[self.quantity.name]), run.units.length)
         self.outlines, self.first = (tools.at_time(run.tools, when) for when in (t, 0.0))
         self.mirrors, self.rim = run.mirrors, maps.rim_edges(self.smooth.mesh)
         self.seen = [o.name for o in self.outlines if tools.closed(o.points) and not tools.encloses(o.points, self.smooth.mesh)
@@ -71,6 +68,35 @@ class Shown:
         mesh = self.smooth.mesh
         some = self.smooth.values > ZONE * self.largest
         return maps.box_of(mesh.x[some], mesh.y[some], 0.15) if some.any() else None
+
+
+def largest_of(listed, name):
+    return max((np.nanmax(field.data[name], initial=0) for field in listed if name in field.data), default=0)
+
+
+def scale_of(runs, listed, number, strain=True):
+    """Quantity, unit, factor, largest value, levels for the fields of these runs: the plastic strain where there is some and it is wanted,
+    else the stress. number: of the levels, about"""
+    quantity = fields.STRAIN if strain and largest_of(listed, fields.STRAIN.name) > FEWEST else fields.STRESS
+    top = max(listed, key=lambda field: largest_of([field], quantity.name))
+    unit, factor = fields.unit_of(runs[0], quantity, top)
+    largest = factor * largest_of(listed, quantity.name)
+    levels = fields.levels_to(largest, number, quantity)
+    if quantity is fields.STRAIN:
+        levels[0] = FLOWING * levels[1]
+    return Scale(quantity, unit, factor, largest, levels)
+
+
+def common_view(listed):
+    """Limits for several Shown: of where the values are large, where that is small in the workpieces, else of all."""
+    zones = [z for z in (shown.zone() for shown in listed) if z]
+    whole, zone = hull([shown.whole() for shown in listed]), hull(zones) if zones else None
+    small = zone and max(zone[1] - zone[0], zone[3] - zone[2]) <= SMALL * max(whole[1] - whole[0], whole[3] - whole[2])
+    return zone if small else whole
+
+
+def hull(boxes):
+    return tuple(f(b[k] for b in boxes) for k, f in enumerate((min, max, min, max)))
 
 
 def way_of(outlines, name, t):
@@ -246,23 +272,27 @@ def share_of_zone(shown, box):
     return area[large].sum() * (1 + len(shown.mirrors)) / ((box[1] - box[0]) * (box[3] - box[2]))
 
 
-def gallery_figure(run):
-    """The process at a look, without words: all pictures of this kind have one size. Stress, not strain, where that is in zones too
-    thin to be seen; who shows such a picture says so."""
-    shown = Shown(run, *at_work(run))
+def bare_figure(shown, box):
+    """Workpiece and tools without words, in the size of the gallery."""
     shown.ways, shown.first = [], shown.outlines
     figure = Figure(figsize=(GALLERY[0] / 150, GALLERY[1] / 150), dpi=150, layout="none")
     FigureCanvasAgg(figure)
     figure.placed = True
     axes = figure.add_axes((0, 0, 1, 1))
-    box = cropped(fields.view_of(run, shown.smooth.mesh, shown.outlines), shown.outlines)
-    box = fitted(box, GALLERY[0] / GALLERY[1])
-    if shown.levels is not None and share_of_zone(shown, box) < THIN:
-        shown = Shown(run, *at_work(run), strain=False)
-        shown.ways, shown.first = [], shown.outlines
-    draw_panel(axes, shown, box)
+    draw_panel(axes, shown, fitted(box, GALLERY[0] / GALLERY[1]))
     axes.set_axis_off()
     return figure
+
+
+def gallery_figure(run):
+    """The process at a look, without words: all pictures of this kind have one size. Stress, not strain, where that is in zones too
+    thin to be seen; who shows such a picture says so."""
+    now = at_work(run)
+    shown = Shown(run, *now)
+    box = cropped(fields.view_of(run, shown.smooth.mesh, shown.outlines), shown.outlines)
+    if shown.levels is not None and share_of_zone(shown, fitted(box, GALLERY[0] / GALLERY[1])) < THIN:
+        shown = Shown(run, *now, scale=scale_of([run], [now[1]], MOST_LEVELS, strain=False))
+    return bare_figure(shown, box)
 
 
 def add_words(figure, shown, handles, height):

@@ -1,14 +1,14 @@
-"""Collects the summaries of a sweep: out/sweep/CASE/sweep.csv, one row for each variant of sweep.json, and the list of
-those that failed. Columns: the varied options, status, every number of the summary's "final" and "results" (NAME_error
-where a result has an expected value; "final.NAME" where a result has the same name; "run.NAME" where a varied option
-has it), steps, cpu_seconds. Exit status 1 if one failed.
+"""Collects the summaries of a study: rows of sweep.csv, one for each variant, and why variants failed. Columns: the varied options,
+status, the results of the script (NAME_error where one has an expected value), then every number of the summary's "final"
+("final.NAME" where a result has the same name; "run.NAME" where a varied option has it), steps, cpu_seconds, and reason, again where
+a variant failed or was tried again.
 """
 import csv
 import json
 import os
-import sys
 
-from grid import case_name, read_text
+from request import read_text, words_of
+from study import ended, finished, read_again
 
 
 def read_summary(folder):
@@ -21,13 +21,13 @@ def read_summary(folder):
 
 
 def row_of(summary):
-    """{column: number} of one summary."""
-    results = summary.get("results") or {}
-    row = {("final." + k if k in results else k): v for k, v in (summary.get("final") or {}).items()}
+    """{column: number} of one summary, the script's own results first."""
+    results, row = summary.get("results") or {}, {}
     for name, entry in results.items():
         row[name] = entry["value"]
         if "error" in entry:
             row[name + "_error"] = entry["error"]
+    row.update({("final." + k if k in results else k): v for k, v in (summary.get("final") or {}).items()})
     if summary:
         row["steps"] = summary["counts"]["steps"]
         row["cpu_seconds"] = summary["cpu_seconds"]["total"]
@@ -40,37 +40,42 @@ def why(folder, summary):
         return summary["reason"]
     lines = [line.strip() for line in read_text(os.path.join(folder, "log.txt")).splitlines() if line.strip()]
     told = [line for line in lines if line.startswith("burnish:") and "warning" not in line]
-    return (told or lines or ["no log"])[-1]
+    said = (told or lines or ["no log"])[-1]
+    return said[len("burnish:"):].strip() if said.startswith("burnish:") else said
 
 
-def main():
-    top = f"out/sweep/{case_name()}"
-    with open(f"{top}/sweep.json", encoding="utf-8") as file:
-        sweep = json.load(file)
-    rows, failed, columns = [], [], ["status"]
-    for variant in sweep["variants"]:
-        folder = variant["folder"]
-        summary, code = read_summary(folder), read_text(f"{folder}/exit.txt").strip() or "none"
-        good = code == "0" and summary.get("status") == "finished"
-        row = {("run." + k if k in variant["values"] else k): v for k, v in row_of(summary).items()}
+def status_of(folder, summary):
+    """finished, or what the summary says, or failed; missing where no run has ended."""
+    if not ended(folder):
+        return "missing"
+    if finished(folder):
+        return "finished"
+    said = summary.get("status", "failed")
+    return "failed" if said == "finished" else said
+
+
+def rows_of(study):
+    """(columns, rows) of all variants, as sweep.csv has them."""
+    rows, own, columns = [], [], []
+    for name, values in study.variants.items():
+        folder = study.place_of(name)
+        summary = read_summary(folder)
+        row = {("run." + k if k in values else k): v for k, v in row_of(summary).items()}
+        state = status_of(folder, summary)
+        if state not in ("finished", "missing"):
+            row["reason"] = f"exit code {read_text(os.path.join(folder, 'exit.txt')).strip()}: {why(folder, summary)}"
+        if os.path.exists(os.path.join(folder, "again.json")):
+            row["again"] = " ".join(words_of(read_again(folder))) or "once more"
+        own += [c for c in summary.get("results") or {} if c not in own and c in row]
         columns += [c for c in row if c not in columns]
-        rows.append({**variant["values"], "status": "finished" if good else summary.get("status", "failed"), **row})
-        if not good:
-            rows[-1]["status"] = "failed" if rows[-1]["status"] == "finished" else rows[-1]["status"]
-            failed.append((os.path.basename(folder), code, why(folder, summary)))
-    columns += [columns.pop(columns.index(c)) for c in ("steps", "cpu_seconds") if c in columns]
-    with open(f"{top}/sweep.csv", "w", encoding="utf-8", newline="") as file:
-        names = [p["name"] for p in sweep["parameters"]]
-        writer = csv.DictWriter(file, names + columns, restval="", lineterminator="\n")
+        rows.append({**values, "status": state, **row})
+    last = [c for c in ("steps", "cpu_seconds", "again", "reason") if c in columns]
+    between = [c for c in columns if c not in own and c not in last]
+    return [p["name"] for p in study.parameters] + ["status", *own, *between, *last], rows
+
+
+def write_csv(path, columns, rows):
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, columns, restval="", lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
-    print(f"{top}/sweep.csv")
-    if failed:
-        print(f"{len(failed)} of {len(rows)} variants failed (log.txt in their folders in {top}):")
-        for name, code, reason in failed:
-            print(f"  {name}: exit code {code}: {reason}")
-    return 1 if failed else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

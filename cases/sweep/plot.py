@@ -1,16 +1,11 @@
-"""The pictures of a sweep in out/sweep/CASE: sweep.png from sweep.csv; histories.png (overlay.py); cost.png, error against
-CPU seconds, where an option of mesh, steps or solver is varied and results with expected values change (plotting/cost.py);
-and index.html (table.py). A panel for each quantity of RESULT (names with commas, or with
-semicolons where a name has a comma; default: the results of the case that change, else forces of the drives) against
-the first varied option, a line for each combination of the others. Exit status 1 if a quantity of RESULT is not there.
+"""The pictures of -draw in a study's folder: sweep.png; cost.png, error against CPU seconds, where an option of mesh, steps or solver
+is varied and results with expected values change (plotting/cost.py). A panel for each result asked for (names with commas, or with
+semicolons where a name has a comma) against the first varied option, a line for each combination of the others. Exit status 1 if a
+result is not there.
 """
-import csv
-import json
 import os
 import re
 import sys
-
-from grid import case_name
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 try:
@@ -18,13 +13,9 @@ try:
     from plotting.cost import cost_figure, results_of
     from plotting.curves import COLORS, DASHES
     from plotting.figure import apply_style, new_figure, save, say_empty
-
-    from overlay import overlay_figure
-    from table import write_table
 except ImportError as error:
-    sys.exit(f"sweep: {error}; the Debian packages python3-matplotlib and python3-numpy are needed")
+    sys.exit(f"burnish sweep: {error}; the Debian packages python3-matplotlib and python3-numpy are needed")
 
-MOST = 9  # panels
 MARKERS = "os^vD<>P*X"
 # meanings of options that change the error, not the problem
 NUMERICAL = re.compile(r"\b(elements?|divisions?|mesh|steps?|tolerance|accuracy|spacing|scheme|P1 or P2|nodes?|solver)\b")
@@ -45,27 +36,13 @@ def units_of(sweep):
     return units
 
 
-def changes(values):
-    """By more than what the tolerance of the residual leaves."""
-    known = [v for v in values if np.isfinite(v)]
-    return bool(known) and max(known) - min(known) > 1e-3 * max(map(abs, known))
-
-
-def asked_for():
-    """Names in RESULT, separated by commas, or by semicolons where a name has a comma."""
-    text = os.environ.get("RESULT", "")
-    return [name.strip() for name in text.split(";" if ";" in text else ",") if name.strip()]
-
-
-def chosen(columns, units, parameters, rows):
+def chosen(text, columns):
     """Quantities to draw."""
-    asked = asked_for()
-    known = [c for c in columns if c not in parameters and c not in ("status", "t")]
-    missing = [name for name in asked if name not in known]
+    asked = [name.strip() for name in text.split(";" if ";" in text else ",") if name.strip()]
+    missing = [name for name in asked if name not in columns]
     if missing:
-        raise LookupError(f"RESULT: no quantity {', '.join(missing)}; there are: {', '.join(known)}")
-    varies = [c for c in known if len(rows) == 1 or changes([number(r[c]) for r in rows])]
-    return asked or ([c for c in varies if c in units] or [c for c in varies if c.startswith("Q_")] or varies)[:MOST]
+        raise LookupError(f"-draw: no result {', '.join(missing)}; there are: {', '.join(columns)}")
+    return asked
 
 
 def axis(name, unit):
@@ -113,46 +90,24 @@ def figure_of(sweep, rows, quantities, units):
     return figure
 
 
-def draw(sweep, rows, columns, top):
-    """Prints the paths of the pictures. @returns the exit status"""
-    good = [row for row in rows if row["status"] == "finished"]
+def draw_asked(study, columns, rows):
+    """Draws what -draw names and prints the paths. @returns the exit status"""
+    names = [p["name"] for p in study.parameters]
+    good = [(name, row) for name, row in zip(study.variants, rows) if row["status"] == "finished"]
     if not good:
-        print("sweep: nothing to draw, no variant finished", file=sys.stderr)
+        print("burnish sweep: nothing to draw, no variant finished", file=sys.stderr)
         return 1
-    units = units_of(sweep)
     try:
-        quantities = chosen(columns, units, [p["name"] for p in sweep["parameters"]], good)
+        asked = chosen(study.request.draw, [c for c in columns if c not in (*names, "status", "t", "reason", "again")])
     except LookupError as error:
-        print(f"sweep: {error.args[0]}", file=sys.stderr)
+        print(f"burnish sweep: {error.args[0]}", file=sys.stderr)
         return 1
+    shown = [{n: "" if row.get(n) is None else str(row.get(n, "")) for n in columns} for _, row in good]
+    sweep = {"case": study.request.name, "parameters": study.parameters, "variants": [{"folder": study.place_of(n)} for n, _ in good]}
     apply_style()
-    if quantities:
-        print(save(figure_of(sweep, good, quantities, units), top, "sweep"))
-    else:
-        print("sweep: nothing to draw, no number changes from variant to variant", file=sys.stderr)
-    folders = [v["folder"] for v, row in zip(sweep["variants"], rows) if row["status"] == "finished"]
-    numerical = any(NUMERICAL.search(p["meaning"]) for p in sweep["parameters"])
-    for name, figure in (("histories", overlay_figure(sweep, good, folders)),
-                         ("cost", cost_figure(sweep, good, asked_for()) if numerical else None)):
-        if figure is not None:
-            print(save(figure, top, name))
+    print(save(figure_of(sweep, shown, asked, units_of(sweep)), study.folder, "sweep"))
+    numerical = any(NUMERICAL.search(p["meaning"]) for p in study.parameters)
+    figure = cost_figure(sweep, shown, asked) if numerical else None
+    if figure is not None:
+        print(save(figure, study.folder, "cost"))
     return 0
-
-
-def main():
-    top = f"out/sweep/{case_name()}"
-    with open(f"{top}/sweep.json", encoding="utf-8") as file:
-        sweep = json.load(file)
-    with open(f"{top}/sweep.csv", encoding="utf-8", newline="") as file:
-        reader = csv.DictReader(file)
-        rows, columns = list(reader), reader.fieldnames
-    for name in ("sweep", "histories", "cost"):  # of another sweep
-        if os.path.exists(f"{top}/{name}.png"):
-            os.remove(f"{top}/{name}.png")
-    status = draw(sweep, rows, columns, top)
-    print(write_table(sweep, rows, columns, top))
-    return status
-
-
-if __name__ == "__main__":
-    sys.exit(main())

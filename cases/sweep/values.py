@@ -1,13 +1,13 @@
-"""The values of VARY. For each option one of
+"""The values of what a sweep varies. For each option one of
   name=a,b,c              numbers or words
   name=first:last:number  equally spaced;  first:last:number:log: equal ratios
-  name=first:last:random  SAMPLES points drawn at random;  first:last:latin: a Latin hypercube of SAMPLES points
-Listed and spaced options are combined, each with each. Those that are drawn form one set of SAMPLES points, which every
-combination of the others gets; SEED makes another set.
+  name=first:last:random  -samples points drawn at random;  first:last:latin: a Latin hypercube of -samples points
+  name=first:last         an unknown between these ends, which a goal finds (goal.py)
+Listed and spaced options are combined, each with each. Those that are drawn form one set of points, which every combination of the
+others gets; -seed makes another set.
 """
 import itertools
 import math
-import os
 import re
 
 WORD = re.compile(r"[A-Za-z0-9_.+-]+")
@@ -16,6 +16,10 @@ DRAWN = ("random", "latin")
 
 class SweepError(Exception):
     """What is wrong with the request."""
+
+
+class Failed(Exception):
+    """A goal that is not reached, or a run that it cannot do without."""
 
 
 def to_number(text, where):
@@ -31,7 +35,7 @@ def to_number(text, where):
 def whole(text, where, least, most):
     number = to_number(text, where)
     if number != int(number) or not least <= number <= most:
-        raise SweepError(f"{where}: \"{text}\" values, expected a whole number from {least} to {most}")
+        raise SweepError(f"{where}: \"{text}\", expected a whole number from {least} to {most}")
     return int(number)
 
 
@@ -58,14 +62,20 @@ def plain(text):
     return f"{value:.10g}" if math.isfinite(value) else text
 
 
+def ascending(parts, where):
+    first, last = to_number(parts[0], where), to_number(parts[1], where)
+    if not last > first:
+        raise SweepError(f"{where}: {parts[0]} to {parts[1]}, expected an ascending range")
+    return first, last
+
+
 def parse_one(values, where):
-    """List of values, or (kind, first, last) of an option that is drawn."""
+    """List of values, or (kind, first, last) of an option that is drawn, kind "unknown" of one that a goal finds."""
     parts = values.split(":")
+    if len(parts) == 2:
+        return ("unknown", *ascending(parts, where))
     if len(parts) == 3 and parts[2] in DRAWN:
-        first, last = to_number(parts[0], where), to_number(parts[1], where)
-        if not last > first:
-            raise SweepError(f"{where}: {parts[0]} to {parts[1]}, expected an ascending range")
-        return parts[2], first, last
+        return (parts[2], *ascending(parts, where))
     listed = spaced(parts, where) if ":" in values else [plain(v) for v in values.split(",")]
     for value in listed:
         if not WORD.fullmatch(value):
@@ -75,28 +85,25 @@ def parse_one(values, where):
     return listed
 
 
-def parse_vary(text, forbidden=()):
-    """ "R=1:2:3 mu=0.1:0.4:latin" -> {"R": ["1", "1.5", "2"], "mu": ("latin", 0.1, 0.4)} """
+def parse_vary(words, forbidden=()):
+    """["R=1:2:3", "mu=0.1:0.4:latin"] -> {"R": ["1", "1.5", "2"], "mu": ("latin", 0.1, 0.4)}"""
     vary = {}
-    for part in text.split():
-        name, equals, values = part.partition("=")
+    for word in words:
+        name, equals, values = word.partition("=")
         if not equals or not name or not values:
-            raise SweepError(f"VARY: \"{part}\" is not name=values, such as R=10e-3:20e-3:5 or mu=0.1,0.2")
-        where = f"VARY: {name}"
+            raise SweepError(f"\"{word}\" is not name=values, such as R=10:20:5 or mu=0.1,0.2")
         if not re.fullmatch(r"[A-Za-z][A-Za-z0-9]*", name):
-            raise SweepError(f"VARY: \"{name}\" is not the name of an option (without its dash)")
+            raise SweepError(f"\"{name}\" is not the name of an option (without its dash)")
         if name in vary:
-            raise SweepError(f"{where} is given twice")
+            raise SweepError(f"{name} is given twice")
         if name in forbidden:
-            raise SweepError(f"{where} cannot be varied")
-        vary[name] = parse_one(values, where)
-    if not vary:
-        raise SweepError('VARY is empty, expected for example VARY="R=10e-3:20e-3:5 mu=0.1,0.2"')
+            raise SweepError(f"{name} cannot be varied")
+        vary[name] = parse_one(values, name)
     return vary
 
 
 def drawn_points(drawn, samples, seed):
-    """[{name: text}], SAMPLES points of the options that are drawn; one empty point if there are none."""
+    """[{name: text}], points of the options that are drawn; one empty point if there are none."""
     if not drawn:
         return [{}]
     try:
@@ -112,12 +119,10 @@ def drawn_points(drawn, samples, seed):
             for i in range(samples)]
 
 
-def combinations(vary):
+def combinations(vary, samples, seed):
     """[{name: text}] in the order of the options, the first one slowest."""
     lists = {n: v for n, v in vary.items() if isinstance(v, list)}
     drawn = {n: v for n, v in vary.items() if n not in lists}
-    samples = whole(os.environ.get("SAMPLES") or "20", "SAMPLES", 2, 10000) if drawn else 0
-    seed = whole(os.environ.get("SEED") or "1", "SEED", 0, 2 ** 31)
     points = drawn_points(drawn, samples, seed)
     made = [{**dict(zip(lists, values)), **point} for values in itertools.product(*lists.values()) for point in points]
     return [{n: one[n] for n in vary} for one in made]

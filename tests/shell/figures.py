@@ -32,11 +32,11 @@ def wrong_picture(picture, made):
     return "is made by no line of cases/figures.csv and no target"
 
 
-def wrong_sweeps(made):
+def wrong_sweeps(made, shown):
     for picture, words in made.items():
         if words[0] == "sweep":
-            page = (picture.parent / "README.md").read_text().replace("\\\n", " ")
-            printed = [shlex.split(line) for line in page.splitlines() if line.startswith("make sweep")]
+            text = "\n".join(page.read_text() for page, name in shown if name == picture).replace("\\\n", " ")
+            printed = [shlex.split(line) for line in text.splitlines() if line.startswith("make sweep")]
             if not any(set(words[1:]) == set(line[2:]) - {"JOBS=1"} for line in printed):
                 yield f"{picture.relative_to(TOP)}: {shlex.join(words)} is not the command of its page"
 
@@ -47,7 +47,7 @@ def main(folder):
     wrong = [f"{page.name}: {picture.name} {text}" for page, picture in sorted(shown) if (text := wrong_picture(picture, made))]
     if folder == TOP:
         wrong += [f"{picture.relative_to(TOP)} is shown on no page" for picture in made if picture not in {p for _, p in shown}]
-        wrong += wrong_sweeps(made)
+        wrong += wrong_sweeps(made, shown)
     print(*wrong, f"{len(shown)} pictures, {len(made)} lines of figures.csv, {len(wrong)} wrong", sep="\n")
     return 1 if wrong or not shown else 0
 

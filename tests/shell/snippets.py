@@ -48,7 +48,7 @@ def with_options(words, options):
             words[given[0]] += " " + options
         else:
             words.append("OPTIONS=" + options)
-    elif len(words) > 1 and words[1].endswith(".edp") and "-h" not in words:
+    elif "sweep" in words[1:2] or len(words) > 1 and words[1].endswith(".edp") and "-h" not in words:
         words += shlex.split(options)
     return words
 

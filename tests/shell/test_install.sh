@@ -13,6 +13,11 @@ cd "$SCRATCH/away"
 env -u BURNISH -u BURNISH_TOP "$SCRATCH/usr/bin/burnish" own.edp >run.txt 2>&1 || { fail "the wrapper: exit status $?"; tail -n 5 run.txt; }
 grep -q "^t 1 " run.txt || fail "the run has not reached its end"
 env -u BURNISH -u BURNISH_TOP "$SCRATCH/usr/bin/burnish" help contact.add >help.txt && grep -q frictionlaw= help.txt || fail "burnish help"
+# an own scene, two variants that finish, one that says why not
+env -u BURNISH -u BURNISH_TOP "$SCRATCH/usr/bin/burnish" new press >new.txt
+env -u BURNISH -u BURNISH_TOP "$SCRATCH/usr/bin/burnish" sweep press/press.edp R=8,12,-1 -fine 1 -steps 3 >sweep.txt 2>&1 || { fail "burnish sweep: exit status $?"; tail -n 5 sweep.txt; }
+grep -q "R=-1: exit code 20: option -R is -1, expected > 0" sweep.txt && [ "$(cat out/sweep/press/*/exit.txt | sort -n | xargs)" = "0 0 20" ] || { fail "burnish sweep: its variants"; cat sweep.txt; }
+[ "$(grep -o 'data:image/png;base64,' out/sweep/press/index.html | wc -l)" = 2 ] || fail "burnish sweep: pictures of its page"
 cp "$SCRATCH/usr/share/burnish/freefem++.pref" "$SCRATCH/home/.freefem++.pref"
 env -u FF_LOADPATH -u FF_INCLUDEPATH -u BURNISH_TOP HOME="$SCRATCH/home" ${FREEFEM:-FreeFem++} -nw -v 0 own.edp >plain.txt 2>&1 || { fail "FreeFem++: exit status $?"; tail -n 5 plain.txt; }
 printf 'load "burnish"\nrcPicture("none");\n' >picture.edp

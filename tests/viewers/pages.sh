@@ -1,42 +1,53 @@
 #!/usr/bin/env bash
-# The pages of a sweep and of a movie in Chromium, from files: what stands there after loading, and after a slider is moved.
+# The pages of a sweep and of a movie in Chromium, from files: what stands there after loading, and after a user has clicked.
 set -u
 failures=0 TOP=$PWD
 fail() { echo "FAILED: $1"; failures=$((failures + 1)); }
 work=$SCRATCH/top # links to the cases, so that out/ is our own
 mkdir -p "$work" && ln -s "$PWD/cases" "$work" && cd "$work" || exit 1
-# make explore's script
-EXPLORE=1 CASE=incline VARY="tan=0.2,0.3 nx=4,8" OPTIONS="-element P1 -movie 1 -series 3" JOBS=1 bash cases/sweep/sweep.sh >log 2>&1 ||
-  { cat log; exit 1; }
+"$BURNISH" sweep cases/incline/incline.edp tan=0.2,0.25,0.3 nx=4,8,0 -element P1 -movie 1 -series 3 >log 2>&1 || { cat log; exit 1; }
 top=$PWD/out/sweep/incline
 # dom FILE ADDRESS: the page as text after its script has run
-dom() { timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$SCRATCH/browser" --virtual-time-budget=3000 --dump-dom "file://$1$2" 2>/dev/null; }
+dom() { timeout 60 chromium --headless --no-sandbox --disable-gpu --user-data-dir="$SCRATCH/browser" --virtual-time-budget=8000 --dump-dom "file://$1$2" 2>/dev/null; }
 # holds NAME WORDS: in the last page
 holds() { grep -qF -- "$2" page || fail "$1 lacks '$2'"; }
 
-dom "$top/explore.html" "#tan=0.3,nx=4" >page
-holds chosen 'tan = 0.3, nx = 4'
-holds chosen 'src="tan=0.3,nx=4/stress.png"' 
-"$PYTHON" - "$top" <<'END' || fail "chosen: the table of results"
-import csv, re, sys
+# the page of a sweep: a user sorts by the second parameter, downwards, marks the first row, chooses the last result, saves
+sed 's#</body>#<script>{ const wait = setInterval(() => { if (!document.body.dataset.drawn) return; clearInterval(wait); \
+  for (const _ of [1, 2]) byId("head").querySelectorAll("th")[2].click(); \
+  byId("rows").querySelector("tr").click(); \
+  byId("result").selectedIndex = byId("result").options.length - 1; byId("result").dispatchEvent(new Event("change")); \
+  element(document.body, "pre", {id: "tried"}, JSON.stringify({csv: csv(), markdown: markdown(), marked: [...marked].map(labelOf), \
+    curves: byId("historyplot").data.length, effects: data.parameters.map((_, k) => byId(`effect-${k}`).data[1].y.length), \
+    result: resultName(), contour: byId("surfaceplot").data[0].type, front: byId("front").textContent})); }, 50); }</script></body>#' "$top/index.html" >"$top/tried.html"
+dom "$top/tried.html" "" >page
+"$PYTHON" - "$top" <<'END' || fail "what the page of a sweep shows"
+import csv, html, io, json, re, sys
 page = open("page").read()
-row = [r for r in csv.DictReader(open(sys.argv[1] + "/sweep.csv")) if (r["tan"], r["nx"]) == ("0.3", "4")][0]
-cells = re.findall(r"<tr><td>([^<]*)</td><td>([^<]*)</td>", page)
-assert cells, "no table"
-for name, value in cells:
-    assert abs(float(value) - float(row[name])) <= 1e-4 * abs(float(value)), (name, value, row[name])
-assert len(re.findall('<path class="mine" d="M', page)) >= 2, "no curves"
-assert page.count('<path class="other" d="M') >= 3, "not those of the other variants"
-assert not re.search("NaN|undefined|Infinity", re.sub("<script.*?</script>", "", page, flags=re.S)), "numbers missing"
+tried = json.loads(html.unescape(re.search('<pre id="tried">(.*?)</pre>', page, re.S).group(1)))
+rows = list(csv.DictReader(open(sys.argv[1] + "/sweep.csv")))
+good = [r for r in rows if r["status"] == "finished"]
+assert len(rows) == 9 and len(good) == 6, [r["status"] for r in rows]
+body = re.search('<tbody id="rows">(.*?)</tbody>', page, re.S).group(1)
+shown = re.findall(r'<tr class="([^"]*)"><td>(?:<img[^>]*>)?</td><td>([^<]*)</td><td>([^<]*)</td>', body)
+assert [s[2] for s in shown] == ["8"] * 3 + ["4"] * 3 + ["0"] * 3, shown
+assert "marked" in shown[0][0] and tried["marked"] == [f"tan = {shown[0][1]}, nx = 8"]
+assert all(("failed" in s[0]) == (s[2] == "0") for s in shown) and body.count("expected") >= 3
+assert body.count('<img src="data:image/png;base64,') == 6
+saved = list(csv.reader(io.StringIO(tried["csv"])))
+assert len(saved) == 10 and saved[0][1] == "nx" and [s[1] for s in saved[1:]] == [s[2] for s in shown]
+by = {(r["tan"], r["nx"]): r for r in rows}
+for line in saved[1:7]:
+    for title, cell in zip(saved[0][2:], line[2:]):
+        name = title.split(" [")[0]
+        if name in rows[0] and name != "status":
+            assert abs(float(cell) - float(by[tuple(line[:2])][name])) <= 1e-4 * abs(float(cell)), (name, cell)
+assert tried["markdown"].count("\n") == 11 and tried["markdown"].startswith("| tan | nx |")
+assert tried["effects"] == [6, 6] and tried["curves"] == 6 and tried["contour"] == "contour", tried
+assert tried["front"].startswith("On the front: tan = ")
+assert page.count('class="main-svg"') >= 8, page.count('class="main-svg"')
+assert not re.search("NaN|undefined|Infinity", re.sub("<script.*?</script>|<[^>]*>", " ", page, flags=re.S)), "numbers missing"
 END
-
-# a user moves the second slider
-sed 's#</body>#<script>{ const s = document.getElementById("slider-1"); s.value = 1; s.dispatchEvent(new Event("input")); }</script></body>#' \
-  "$top/explore.html" >"$top/moved.html"
-dom "$top/moved.html" "#tan=0.2,nx=4" >page
-holds moved 'tan = 0.2, nx = 8'
-holds moved 'src="tan=0.2,nx=8/stress.png"'
-holds moved '>nx</text>'
 
 dom "$top/tan=0.2,nx=4/movie.html" "#1" >page
 "$PYTHON" - <<'END' || fail "movie: the frame of its address"

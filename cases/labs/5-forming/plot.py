@@ -63,9 +63,9 @@ def curl(axes, runs):
     axes.legend(*[a + b for a, b in zip(axes.get_legend_handles_labels(), other.get_legend_handles_labels())], loc="upper left")
 
 
-def draw(folder, sweep=None):
+def draw(folder, *sweeps):
     folder = Path(folder)
-    runs = sorted(f.parent for f in Path(sweep or folder).glob("*/answers.csv"))
+    runs = sorted(f.parent for sweep in sweeps or [folder] for f in Path(sweep).glob("*/answers.csv"))
     figure, axes = new_figure(6.4, 9.6, nrows=3)
     bending(axes[0], folder)
     grip(axes[1], runs)
@@ -74,4 +74,4 @@ def draw(folder, sweep=None):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:3], lambda folder: draw(folder, *sys.argv[3:4]), scene=False))
+    sys.exit(main(sys.argv[1:3], lambda folder: draw(folder, *sys.argv[3:]), scene=False))

@@ -41,10 +41,11 @@ def final_figure(run):
     return figure
 
 
-def gallery_figure(run):
-    """The same without words, in the size of plotting/final.py's."""
+def gallery_figure(run, shared=None):
+    """The same without words, in the size of plotting/final.py's. shared: a scale of several runs, as of plotting/final.py's scale_of"""
     frame, (wide, high) = run.last, final.GALLERY
-    image, places = scene.picture(run, frame, scene.box_of([frame]), scene.scale_of(run, [frame]), (2 * wide, 2 * high))
+    scale = scene.Scale(shared.quantity, "", shared.factor, shared.levels) if shared else scene.scale_of(run, [frame])
+    image, places = scene.picture(run, frame, scene.box_of([frame]), scale, (2 * wide, 2 * high))
     (top, bottom), (left, right) = near(image, places)
     figure = final.new_figure(final.WIDTH * high / wide)
     figure.set_dpi(wide / final.WIDTH)

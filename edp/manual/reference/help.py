@@ -22,7 +22,7 @@ A value out of its range, and what else is wrong in a script, ends it with exit 
 value and what is allowed."""
 # what has a page of the manual and no entry: words, then the page and what it says
 PAGES = (
-    (("sweep", "explore", "vary"), "sweeps", "runs for all values of some options: make sweep, or a loop of the shell"),
+    (("sweep", "study", "target", "minimize", "measured"), "sweeps", "burnish sweep: runs for all values of some options, values for a result"),
     (("sequence.png", "scene.png", "stress.png", "plastic-strain.png", "stress-error.png", "history.png", "pressure.png", "expected.png",
       "pictures", "plot.py", "movie.html", "movie.gif"), "pictures", "the pictures and movies of a run, and curves of your own"),
     (("springback", "sheet", "u-channel.edp"), "thin-strips", "thin strips and sheets, their support and springback"),
