@@ -2,6 +2,9 @@
 //   S.remeshdue   the elements are bad: the worst has a shape below 0.3, and below half of its first one; or the steps crawl since an
 //       element would turn inside out
 //   S.remeshings   number of new meshes in this run | -
+//   S.remeshchange(name)   largest relative change by one of them, 0 without any | -
+//     name      "volume", "energy", "force"
+//     ! , expected volume, energy or force
 //   M.shape     shape of the worst element where it is now: 1 equilateral, 0 flat | -
 //   M.volume    of the workpiece where it is now: area, of a ring and in space volume | length^2, length^3
 //   M.outline(size)   boundary of the deformed workpiece as straight edges: for each x, y of its start, x, y of its end, label; the
@@ -27,7 +30,8 @@
 #include "named.hpp"
 #include "remesh/deformed_boundary.hpp"
 #include "step_control.hpp"
-#include <cstdio>
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace burnish {
@@ -107,6 +111,18 @@ bool due(S* const& s) {
   });
 }
 long remeshings(S* const& s) { return static_cast<long>(s->get().remeshings.size()); }
+struct ChangeTag {};
+double change(const Method<S, ChangeTag>& m, string* const& name) {
+  return guarded([&] {
+    const bool volume = *name == "volume", energy = *name == "energy";
+    if (!volume && !energy && *name != "force")
+      fail("stepcontrol.remeshchange", "unknown name \"" + *name + "\", expected volume, energy or force");
+    double largest = 0;
+    for (const Remeshing& one : m->get().remeshings)
+      largest = std::max(largest, std::abs(volume ? one.volume() : energy ? one.energy() : one.force()));
+    return largest;
+  });
+}
 double shape(M* const& m) {
   return on(m, [](auto& material) { return least_shape(material.workpiece()); });
 }
@@ -133,6 +149,8 @@ KN_<double> outline_of(Stack stack, const Method<M, OutlineTag>& m, const double
 void register_remesh() {
   Add<S*>("remeshdue", ".", new OneOperator1_<bool, S*>(due));
   Add<S*>("remeshings", ".", new OneOperator1_<long, S*>(remeshings));
+  add_method<S, ChangeTag>("remeshchange",
+                           [] { return new OneOperator2_<double, Method<S, ChangeTag>, string*>(change); });
   Add<M*>("shape", ".", new OneOperator1_<double, M*>(shape));
   Add<M*>("volume", ".", new OneOperator1_<double, M*>(volume));
   add_method<M, OutlineTag>(

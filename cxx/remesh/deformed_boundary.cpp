@@ -1,6 +1,5 @@
 #include "remesh/deformed_boundary.hpp"
 #include "base/error.hpp"
-#include "mesh/point_tree.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,6 +9,7 @@ namespace {
 
 constexpr double CORNER = 0.3;  // turn of the boundary at a vertex that stays [rad]
 constexpr double WITHIN = 0.25; // of an edge: how far its mid node may be moved
+constexpr double CURVED = 1e-4; // of an edge: the bulge of a straight one is smaller
 constexpr int SAMPLES = 16;     // of an arc, before its nearest place is refined
 constexpr int REFINEMENTS = 30; // by a third each
 
@@ -59,32 +59,79 @@ std::pair<Vector<2>, double> nearest_on(const BoundaryArc& arc, const Vector<2>&
   return {arc.at(best), least};
 }
 
+// Area within the loops, of a ring its volume.
+double enclosed(const std::vector<std::vector<BoundaryArc>>& loops, bool ring) {
+  const std::array<std::array<double, 2>, 3> rule{
+      {{0.5 - 0.5 * std::sqrt(0.6), 5. / 18}, {0.5, 8. / 18}, {0.5 + 0.5 * std::sqrt(0.6), 5. / 18}}};
+  double sum = 0;
+  for (const auto& loop : loops)
+    for (const BoundaryArc& arc : loop)
+      for (const auto& [s, weight] : rule) {
+        const double x = arc.at(s)[0];
+        const Vector<2> along = (4 * s - 3) * arc.x[0] + (4 - 8 * s) * arc.x[1] + (4 * s - 1) * arc.x[2];
+        sum += weight * (ring ? M_PI * x * x : x) * along[1];
+      }
+  return sum;
+}
+
+struct MiddleNode {
+  int node;
+  Vector<2> x, outward; // middle of its straight edge; normal times the length of the edge
+};
+std::vector<MiddleNode> middle_nodes(const Mesh<2>& mesh) {
+  std::map<std::array<int, 2>, int> middle;
+  for (const Facet<2>& facet : mesh.facets) middle[facet.vertex] = facet.middle[0];
+  std::vector<MiddleNode> nodes;
+  for (const auto& loop : boundary_loops(mesh, Eigen::VectorXd::Zero(mesh.num_dofs())))
+    for (const BoundaryArc& edge : loop) {
+      const Vector<2> chord = edge.x[2] - edge.x[0];
+      nodes.push_back({middle[edge.vertex], edge.x[1], Vector<2>(chord[1], -chord[0])});
+    }
+  return nodes;
+}
+
+// Place on the arcs of a label that is nearest to the middle of an edge, itself where none is near.
+Vector<2> place_of(const MiddleNode& middle, long label, const std::vector<BoundaryArc>& arcs) {
+  std::pair<Vector<2>, double> best{middle.x, WITHIN * WITHIN * middle.outward.squaredNorm()};
+  for (const BoundaryArc& arc : arcs) {
+    const double reach = length(arc) + WITHIN * middle.outward.norm();
+    if (arc.label != label || (arc.x[1] - middle.x).squaredNorm() > reach * reach) continue;
+    const auto found = nearest_on(arc, middle.x);
+    if (found.second < best.second) best = found;
+  }
+  return best.first;
+}
+
+// What is missing of the volume goes to the mid nodes of curved edges, all by the same way along the normal.
+void keep_volume(double volume, const Mesh<2>& fresh, Eigen::VectorXd& start) {
+  const double missing = volume - enclosed(boundary_loops(fresh, start), fresh.axisymmetric);
+  std::vector<MiddleNode> curved;
+  double per_way = 0;
+  for (const MiddleNode& middle : middle_nodes(fresh)) {
+    const double size = middle.outward.norm();
+    if (start.segment<2>(2 * middle.node).norm() <= CURVED * size) continue;
+    curved.push_back(middle);
+    per_way += 2. / 3 * size * (fresh.axisymmetric ? 2 * M_PI * middle.x[0] : 1);
+  }
+  for (const MiddleNode& middle : curved)
+    start.segment<2>(2 * middle.node) += missing / per_way * middle.outward.normalized();
+}
+
 template <int Dim>
 void place_middles(const Mesh<Dim>&, const Eigen::VectorXd&, const Mesh<Dim>&, Eigen::VectorXd&) {}
 
 template <>
 void place_middles<2>(const Mesh<2>& old, const Eigen::VectorXd& u, const Mesh<2>& fresh,
                       Eigen::VectorXd& start) {
+  if (fresh.nodes_per_element == 3) return;
+  std::map<int, long> label; // of the edge of a mid node
+  for (const Facet<2>& facet : fresh.facets) label[facet.middle[0]] = facet.label;
+  const auto loops = boundary_loops(old, u);
   std::vector<BoundaryArc> arcs;
-  std::vector<Vector<2>> middles;
-  for (const auto& loop : boundary_loops(old, u))
-    for (const BoundaryArc& arc : loop) arcs.push_back(arc);
-  for (const auto& loop : boundary_loops(fresh, Eigen::VectorXd::Zero(fresh.num_dofs())))
-    for (const BoundaryArc& edge : loop) {
-      const Vector<2> chord = edge.x[2] - edge.x[0];
-      std::pair<Vector<2>, double> best{edge.x[1], WITHIN * WITHIN * chord.squaredNorm()};
-      for (const BoundaryArc& arc : arcs) {
-        if (arc.label != edge.label) continue;
-        const double reach = length(arc) + WITHIN * chord.norm();
-        if ((arc.x[1] - edge.x[1]).squaredNorm() > reach * reach) continue;
-        const auto found = nearest_on(arc, edge.x[1]);
-        if (found.second < best.second) best = found;
-      }
-      const int* node = nullptr;
-      for (const Facet<2>& facet : fresh.facets)
-        if (facet.vertex[0] == edge.vertex[0] && facet.vertex[1] == edge.vertex[1]) node = &facet.middle[0];
-      if (node && *node >= 0) start.segment<2>(2 * *node) = best.first - edge.x[1];
-    }
+  for (const auto& loop : loops) arcs.insert(arcs.end(), loop.begin(), loop.end());
+  for (const MiddleNode& middle : middle_nodes(fresh))
+    start.segment<2>(2 * middle.node) = place_of(middle, label[middle.node], arcs) - middle.x;
+  keep_volume(enclosed(loops, old.axisymmetric), fresh, start);
 }
 
 } // namespace

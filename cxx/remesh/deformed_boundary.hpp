@@ -27,9 +27,9 @@ struct OutlineEdge {
 /// @throws std::invalid_argument if size is < 0 or not finite
 std::vector<OutlineEdge> outline(const Mesh<2>& mesh, const Eigen::VectorXd& u, double size);
 
-/// Displacement that takes the mid nodes of a new mesh's boundary to the deformed boundary of the old one, at components
-/// that are not fixed; zero elsewhere, and where no arc of the same label is within a quarter of the edge. Of linear
-/// elements, and in space, zero everywhere.
+/// Displacement that takes the mid nodes of a new mesh's boundary to the deformed boundary of the old one, those of curved
+/// edges a little further or less so that the volume is that of the old one; at components that are not fixed. Zero elsewhere,
+/// where no arc of the same label is within a quarter of the edge, of linear elements, and in space.
 /// @param fixed num_dofs flags of the new mesh; @returns num_dofs of it [length]
 template <int Dim>
 Eigen::VectorXd boundary_displacement(const Mesh<Dim>& old, const Eigen::VectorXd& u, const Mesh<Dim>& fresh,

@@ -8,6 +8,7 @@ namespace burnish {
 namespace {
 
 constexpr double BAD_SHAPE = 0.3, WORSE = 0.5;
+constexpr double ANY_WORSE = 0.8; // where steps crawl
 
 } // namespace
 
@@ -40,10 +41,10 @@ RemeshedRun<Dim> remeshed(const Workpiece<Dim>& body, const ContactRun<Dim>& con
 }
 
 template <int Dim> bool remesh_due(const Workpiece<Dim>& body, const StepLoop& loop) {
-  if (loop.control().crawls() && loop.last_rejection().find("inverted element") != std::string::npos)
-    return true;
-  const double shape = least_shape(body);
-  return shape < BAD_SHAPE && shape < WORSE * reference_shape(body.discretization());
+  const double shape = least_shape(body), first = reference_shape(body.discretization());
+  if (shape < BAD_SHAPE && shape < WORSE * first) return true;
+  return shape < ANY_WORSE * first && loop.control().crawls() &&
+         loop.last_rejection().find("inverted element") != std::string::npos;
 }
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \

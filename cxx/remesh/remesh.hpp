@@ -24,7 +24,7 @@ RemeshedRun<Dim> remeshed(const Workpiece<Dim>& body, const ContactRun<Dim>& con
                           Discretization<Dim> mesh, std::vector<char> fixed);
 
 /// Whether the elements are bad: the worst has a shape below 0.3 and below half of that in the reference configuration; or
-/// the steps crawl since an element would turn inside out. @param loop of the run
+/// the steps crawl since an element would turn inside out and that shape is below 0.8 of it. @param loop of the run
 template <int Dim> bool remesh_due(const Workpiece<Dim>& body, const StepLoop& loop);
 
 } // namespace burnish

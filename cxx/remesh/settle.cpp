@@ -8,8 +8,9 @@
 namespace burnish {
 namespace {
 
-constexpr double SHORT = 1e-6; // of the last step: nothing moves in it by itself
-constexpr int MOST = 100;      // iterations
+constexpr double SHORT = 1e-6;         // of the last step: nothing moves in it by itself
+constexpr int MOST = 100;              // iterations
+constexpr double LEAST_PART = 1. / 16; // of what is out of balance, that is let go of in a step
 
 template <int Dim>
 bool equilibrium(Workpiece<Dim>& body, ContactRun<Dim>& contact, Eigen::VectorXd& u, double dt,
@@ -43,25 +44,31 @@ template <int Dim> Eigen::VectorXd uncarried(const Workpiece<Dim>& body, const C
   return R;
 }
 
-// Steps in which nothing is driven, each with that share of the uncarried forces left as an external force, the last with none.
-template <int Dim>
-bool let_go(Workpiece<Dim>& body, ContactRun<Dim>& contact, double t, const std::vector<double>& shares,
-            int& iterations) {
+// Steps in which nothing is driven: part after part of the uncarried forces, held by external ones, is let go of; first all of it.
+template <int Dim> bool let_go(Workpiece<Dim>& body, ContactRun<Dim>& contact, double t, int& iterations) {
   const Eigen::VectorXd held = uncarried(body, contact);
   const double dt = SHORT * contact.accepted().history.dt;
   iterations = 0;
-  for (const double share : shares) {
-    int more = 0;
-    if (share > 0)
-      contact.loads().external.prescribe(share * held);
+  for (double share = 1, part = 1; share > 0;) {
+    const double left = std::max(0., share - part);
+    if (left > 0)
+      contact.loads().external.prescribe(left * held);
     else
       contact.loads().external.restore(Eigen::VectorXd());
     Eigen::VectorXd u = contact.accepted().u;
-    contact.begin(u, t - dt, dt, Stepping::IMPLICIT);
-    const bool found = equilibrium(body, contact, u, dt, more);
-    iterations += more;
-    if (!found) return false;
-    body.accept();
+    int made = 0;
+    contact.begin(u, t, dt, Stepping::IMPLICIT);
+    const bool found = equilibrium(body, contact, u, dt, made);
+    iterations += made;
+    if (found) {
+      body.accept();
+      share = left;
+      continue;
+    }
+    body.revert();
+    contact.revert();
+    part /= 2;
+    if (part < LEAST_PART) return false;
   }
   return true;
 }
@@ -106,23 +113,20 @@ int settle(Workpiece<Dim>& body, ContactRun<Dim>& contact, double t, const Trans
   std::fill(still.strain_increment.begin(), still.strain_increment.end(), 0);
   still.dt = 0;
   int iterations = 0;
-  for (const std::vector<double>& shares : {std::vector<double>{0}, {0.75, 0.5, 0.25, 0}}) {
-    body.set_state(still);
-    if (let_go(body, contact, t, shares, iterations)) {
-      still = body.state_old();
-      still.strain_increment = start.workpiece.strain_increment;
-      still.dt = start.workpiece.dt;
-      body.set_state(still);
-      ContactRunState<Dim> state = contact.state();
-      state.history = before.history;
-      contact.set_state(state);
-      return iterations;
-    }
-    contact.revert();
+  body.set_state(still);
+  if (!let_go(body, contact, t, iterations)) {
     contact.set_state(before);
+    body.set_state(start.workpiece);
+    return -1;
   }
-  body.set_state(start.workpiece);
-  return -1;
+  still = body.state_old();
+  still.strain_increment = start.workpiece.strain_increment;
+  still.dt = start.workpiece.dt;
+  body.set_state(still);
+  ContactRunState<Dim> state = contact.state();
+  state.history = before.history;
+  contact.set_state(state);
+  return iterations;
 }
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \

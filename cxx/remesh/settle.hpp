@@ -28,7 +28,7 @@ struct Remeshing {
   double force() const;  ///< largest change of a tool's force over the largest force before [-]; 0: not known
 };
 
-/// Iterates to equilibrium where nothing is driven; where it is not found at once, what is out of balance is let go of in four
+/// Iterates to equilibrium where nothing is driven; where it is not found at once, what is out of balance is let go of in
 /// parts. State of body and contact at its end are accepted ones, with the rates of the last step. Where it is not found both are
 /// as before.
 /// @param t     instant of the accepted state [time]

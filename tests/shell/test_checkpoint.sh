@@ -69,11 +69,14 @@ grep -qF 'script "text.edp" says `roller.force("y", -401*min(1., 2*t));' "$SCRAT
 # 5. Ctrl-C ends the step, writes a checkpoint and leaves; the run goes on from there to the same bytes
 files() { (cd "$1" && cat history.csv events.csv tools.csv fields.pvd final.vtu) | cksum; }
 interrupt() { # FOLDER OPTIONS...: interrupts the run when it has made some steps
-  local at=$1
+  local at=$1 lines=0
   shift
   setsid "$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -pictures 0 -out "$at" "$@" >"$SCRATCH/log" 2>&1 &
   local process=$!
-  while kill -0 $process 2>/dev/null && [ "$(grep -c . "$at/history.csv" 2>/dev/null)" -lt 6 ]; do sleep 0.02; done
+  while kill -0 $process 2>/dev/null && [ "${lines:-0}" -lt 6 ]; do
+    sleep 0.02
+    lines=$(grep -c . "$at/history.csv" 2>/dev/null)
+  done
   kill -INT -- -$process
   wait $process
 }

@@ -39,7 +39,7 @@ TEST(FieldTransfer, LinearFieldsAreExact) {
 }
 
 TEST(FieldTransfer, LinearFieldsInSpaceAreExact) {
-  const auto same = [](const Vector<3>& x) { return x; };
+  const auto same = [](double x, double y, double z) { return Vector<3>(x, y, z); };
   const auto from = tetrahedra(quadratic_tetrahedra(block_of_tetrahedra(3, 3, 3, same))),
              to = tetrahedra(quadratic_tetrahedra(block_of_tetrahedra(2, 4, 2, same)));
   const auto linear = [](const Vector<3>& x) { return 1 + 2 * x[0] - x[1] + 4 * x[2]; };

@@ -109,7 +109,7 @@ TEST(StateTransfer, AnotherBodyAndSmallStrainsAreRefused) {
   expect_invalid([&] { transferred(bodies.old, larger, zero, {}); },
                  "remesh: the new mesh has the volume 1.69");
   J2Parameters small = hardening_material();
-  small.small_strain = true;
+  small.rate = CorotationalRate::SMALL_STRAIN;
   Bodies linear(small);
   expect_invalid([&] { linear.carried(); }, "strain=\"small\"");
 }
