@@ -18,6 +18,8 @@ RemeshedRun<Dim> remeshed(const Workpiece<Dim>& body, const ContactRun<Dim>& con
   const Discretization<Dim>& old = body.discretization();
   require(mesh.nodes_per_element == old.nodes_per_element, "remesh", "nodes per element of the new mesh",
           mesh.nodes_per_element, std::to_string(old.nodes_per_element).c_str());
+  require(static_cast<int>(fixed.size()) == mesh.num_dofs(), "remesh", "number of fixed flags", fixed.size(),
+          "one per degree of freedom of the new mesh");
   RemeshedRun<Dim> result;
   result.report.t = t;
   result.report.before = mesh_state(body, contact);
