@@ -21,7 +21,8 @@
 //     u         displacement array, u[], out | length
 //     file      path
 //     ! expected one before its first step
-//   S.checkpointdue   the time of option -checkpoint is over since the last one, or the run is at its end and has had one
+//   S.checkpointdue   the time of option -checkpoint is over since the last one, Ctrl-C came, or the run is at its end and has had one;
+//       not after a remeshing
 //   internal: rcResumeOption rcResumable rcNoteVariables rcOutdated rcRunFile
 #include "checkpoint.hpp"
 #include "base/error.hpp"
@@ -226,8 +227,8 @@ bool checkpoint_due(StepControlHandle* const& h) {
   return guarded([&] {
     const ControlObject& object = h->get();
     const double minutes = minutes_option();
-    if (minutes == 0) return false;
-    if (object.checkpointed && object.now().finished()) return true;
+    if (minutes == 0 || !object.remeshings.empty()) return false; // resumed, a script has its first mesh
+    if (interrupt_came() || (object.checkpointed && object.now().finished())) return true;
     return std::chrono::duration<double, std::ratio<60>>(RunClock::now() - last_written()).count() >= minutes;
   });
 }
@@ -265,10 +266,10 @@ double start_from(ContactHandle* const& contact, MaterialHandle* const& material
     const StageStart start = start_stage(*path, object.setup->body().fixed, body.changed().workpiece());
     to_array(body.workpiece().state_old().displacement, u, WHERE);
     cout << "burnish: starts from " << *path << ", t = " << start.t << ": largest nodal force "
-         << start.largest << ", of what no support takes " << start.unbalanced << endl;
+         << start.balance.largest << ", of what no support takes " << start.balance.unbalanced << endl;
     if (!start.same_material)
       cout << "burnish: warning: the material is described by other numbers than that of " << *path << endl;
-    return start.unbalanced;
+    return start.balance.unbalanced;
   });
 }
 

@@ -229,6 +229,20 @@ template <int Dim> ContactRun<Dim>& ContactOf<Dim>::run() {
   return *m_run;
 }
 
+template <int Dim>
+void ContactOf<Dim>::replace(std::shared_ptr<ContactSetup<Dim>> other,
+                             std::unique_ptr<ContactRun<Dim>> run_of_it) {
+  stiffness.reset();
+  pending.clear();
+  condensed = nullptr;
+  step = {};
+  matrices = {};
+  reader = {};
+  solver.clear();
+  m_run = std::move(run_of_it);
+  setup = std::move(other);
+}
+
 template <int Dim> bool ContactOf<Dim>::take_solver(const std::string& name, Stack stack, const char* where) {
   const std::string known = name.empty() ? name : known_solver(name, where);
   if (known != solver) {

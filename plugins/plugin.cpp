@@ -75,6 +75,8 @@ static void init() {
   register_options();
   register_step_control();
   register_checkpoint();
+  register_remesh();
+  register_initial_values();
   register_files();
   register_pictures();
   register_summary();

@@ -31,6 +31,9 @@ private:
   int m_status;
 };
 
+/// Whether Ctrl-C, SIGTERM or SIGHUP came since rcCatchInterrupt.
+bool interrupt_came();
+
 /// Runs f; turns every std::exception into a PluginError.
 template <class F> auto guarded(F&& f) -> decltype(f()) {
   try {
@@ -157,5 +160,7 @@ void register_summary();
 void register_pictures();
 void register_step_control();
 void register_checkpoint();
+void register_remesh();
+void register_initial_values();
 
 } // namespace burnish

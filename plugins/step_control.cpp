@@ -75,8 +75,9 @@ const int MakeStepControl::n = static_cast<int>(list.size());
 basicAC_F0::name_and_type* const MakeStepControl::names = list.data();
 
 struct StartTag {};
-void start_run(ControlObject& object, ContactHandle* contact, std::shared_ptr<MaterialObject> material,
-               bool forms_only) {
+void start_run(const std::shared_ptr<ControlObject>& started, ContactHandle* contact,
+               std::shared_ptr<MaterialObject> material, bool forms_only) {
+  ControlObject& object = *started;
   object.stepper.reset();
   object.task = Task::STOPPED;
   object.stopping = object.checkpointed = false;
@@ -93,10 +94,13 @@ void start_run(ControlObject& object, ContactHandle* contact, std::shared_ptr<Ma
     object.stepper =
         std::make_unique<Stepper<Dim>>(run.run(), *body.body, run.diagnosis, *object.control, object.options);
     run.diagnosis.set_checks(object.checks);
+    run.runs.push_back([weak = std::weak_ptr<ControlObject>(started)] {
+      if (const auto control = weak.lock()) control->stepper.reset();
+    });
   });
 }
 bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, MaterialHandle* const& material) {
-  return guarded([&] { return start_run(m->get(), contact, material->share(), false), true; });
+  return guarded([&] { return start_run(m.object->share(), contact, material->share(), false), true; });
 }
 template <int Dim> std::shared_ptr<MaterialObject> unknown_material(const ContactOf<Dim>& contact) {
   auto material = std::make_shared<MaterialOf<Dim>>();
@@ -110,7 +114,7 @@ template <int Dim> std::shared_ptr<MaterialObject> unknown_material(const Contac
 bool start_forms(const Method<H, StartTag>& m, ContactHandle* const& contact) {
   return guarded([&] {
     auto material = visit(contact->get(), [](auto& object) { return unknown_material(object); });
-    return start_run(m->get(), contact, std::move(material), true), true;
+    return start_run(m.object->share(), contact, std::move(material), true), true;
   });
 }
 

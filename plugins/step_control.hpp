@@ -1,6 +1,7 @@
 #pragma once
 // The object behind the script type `stepcontrol`, for the files that register its members.
 #include "base/error.hpp"
+#include "remesh/settle.hpp"
 #include "run/stepper.hpp"
 #include "types.hpp"
 
@@ -18,8 +19,9 @@ struct ControlObject {
   long statements_at = -1;           // how many steps those are
   Eigen::VectorXd u;                 // as the last task left it
   Task task = Task::STOPPED;
-  bool stopping = false;     // the script has ended the run
-  bool checkpointed = false; // the run has been written to a checkpoint, or goes on from one
+  std::vector<Remeshing> remeshings; // of the run
+  bool stopping = false;             // the script has ended the run
+  bool checkpointed = false;         // the run has been written to a checkpoint, or goes on from one
   bool under_way() const { return stepper && task != Task::FINISHED && task != Task::STOPPED; }
   ControlObject() = default;
   ControlObject(const ControlObject&) = delete;

@@ -92,6 +92,13 @@ private:
                             {"solve", counts.solve_seconds},
                             {"events", contact.event_seconds},
                             {"checks", contact.diagnosis.seconds()}}}));
+    for (const Remeshing& one : control.remeshings)
+      summary["remeshings"].push_back({{"t", one.t},
+                                       {"nodes", one.after.nodes},
+                                       {"shape", one.before.shape},
+                                       {"volume", one.volume()},
+                                       {"energy", one.energy()},
+                                       {"force", one.force()}});
     return summary;
   }
 };

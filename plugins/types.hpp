@@ -11,6 +11,7 @@
 #include "run/run_stiffness.hpp"
 #include "run/seen_step.hpp"
 
+#include <functional>
 #include <map>
 
 namespace burnish {
@@ -97,7 +98,13 @@ struct ContactObject : OfDimension {
   StepSeen step;
   bool under_way = false; // a run of a stepcontrol goes on
   MatrixCheck matrices;
-  std::string solver; // of the factors
+  std::string solver;                      // of the factors
+  std::vector<std::function<void()>> runs; // what ends those of stepcontrols that refer to the run
+  /// Before the run is replaced: no stepcontrol refers to it any more.
+  void end_runs() {
+    for (const auto& end : runs) end();
+    runs.clear();
+  }
 };
 template <int Dim> struct ContactOf final : ContactObject {
   static constexpr int DIM = Dim;
@@ -118,6 +125,8 @@ template <int Dim> struct ContactOf final : ContactObject {
   /// The run, begun by the first call: the setup is closed then.
   ContactRun<Dim>& run();
   bool started() const { return m_run != nullptr; }
+  /// Another problem and its run in place of this one; nothing may refer to the run.
+  void replace(std::shared_ptr<ContactSetup<Dim>> other, std::unique_ptr<ContactRun<Dim>> run_of_it);
   /// CPU of factors, dense blocks and solves of the run.
   double linear_seconds() const;
   /// @throws std::invalid_argument "where: ..." before the first step or approach

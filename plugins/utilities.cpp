@@ -109,7 +109,7 @@ bool release_interrupt(const long&) {
   for (int k = 0; k < NUM_SIGNALS; ++k) std::signal(SIGNALS[k], handlers[k]);
   return true;
 }
-bool was_interrupted(const long&) { return interrupted != 0; }
+bool was_interrupted(const long&) { return interrupt_came(); }
 // FreeFEM's own version is a script's global.
 bool reference_blas(const long&) { return is_reference_blas(); }
 bool leave_script(const long& status) { leave(static_cast<int>(status)); }
@@ -122,6 +122,8 @@ string* erased_line(Stack stack, const long&) { return new_string(stack, "\r\033
 bool is_terminal(const long&) { return isatty(STDOUT_FILENO) != 0; }
 
 } // namespace
+
+bool interrupt_came() { return interrupted != 0; }
 
 void register_tools_of_the_trade() {
   Global.Add("rcLastError", "(", new OneOperator1s_<string*, long>(last_error_text));

@@ -1,8 +1,6 @@
 #include "checkpoint/stage.hpp"
 #include "checkpoint/identity.hpp"
 #include "run/run_archive.hpp"
-#include <algorithm>
-#include <cmath>
 
 namespace burnish {
 
@@ -21,12 +19,7 @@ StageStart start_stage(const std::string& path, const std::vector<char>& fixed, 
   const auto material = then("material");
   start.same_material = !material.empty() && material.front().value == material_words(workpiece);
   workpiece.set_state(unpacked<Dim>(checkpoint.state).body.workpiece);
-  const Eigen::VectorXd force = workpiece.internal_force();
-  for (Eigen::Index d = 0; d < force.size(); ++d) {
-    start.largest = std::max(start.largest, std::abs(force[d]));
-    if (!fixed[static_cast<std::size_t>(d)])
-      start.unbalanced = std::max(start.unbalanced, std::abs(force[d]));
-  }
+  start.balance = out_of_balance(workpiece, fixed);
   return start;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // A run that starts from the end of another one: the same workpiece, with other tools, supports, labels and steps.
-#include "workpiece/workpiece.hpp"
+#include "workpiece/initial_values.hpp"
 #include <string>
 
 namespace burnish {
@@ -9,8 +9,7 @@ namespace burnish {
 struct StageStart {
   double t = 0;              ///< of the state in the run that it is from [time]
   bool same_material = true; ///< it is described by the same words
-  double unbalanced = 0;     ///< largest internal nodal force at a component that no support holds [force]
-  double largest = 0;        ///< largest internal nodal force [force]
+  OutOfBalance balance;
 };
 
 /// Puts displacement, stress, internal variables and integrities of a checkpoint in place of the workpiece's, as they are.

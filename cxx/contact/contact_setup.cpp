@@ -4,6 +4,7 @@
 #include "contact/surface_curve.hpp"
 #include "mesh/simplex.hpp"
 #include <algorithm>
+#include <set>
 
 namespace burnish {
 namespace {
@@ -124,12 +125,33 @@ void ContactSetup<Dim>::add_tool(std::shared_ptr<DrivenTool<Dim>> tool,
   m_model.first.push_back(m_model.first.back() + static_cast<int>(tool->q().size()));
   m_tools.push_back(std::move(tool));
   m_model.laws.emplace_back(std::move(friction));
-  m_model.reach.emplace_back();
-  if (reach.empty()) return;
-  std::vector<char> reached(m_mesh.num_nodes, 0);
-  for (const Facet<Dim>& facet : reach)
-    for (const int node : nodes_of(facet)) reached[node] = 1;
-  for (const int candidate : m_model.candidates) m_model.reach.back().push_back(reached[candidate]);
+  std::set<long> labels;
+  for (const Facet<Dim>& facet : reach) labels.insert(facet.label);
+  m_reach.emplace_back(labels.begin(), labels.end());
+  m_model.reach.push_back(reached(reach));
+}
+
+// Per candidate whether it is on the facets; empty without any: all are.
+template <int Dim> std::vector<char> ContactSetup<Dim>::reached(const std::vector<Facet<Dim>>& facets) const {
+  if (facets.empty()) return {};
+  std::vector<char> nodes(m_mesh.num_nodes, 0), result;
+  for (const Facet<Dim>& facet : facets)
+    for (const int node : nodes_of(facet)) nodes[node] = 1;
+  for (const int candidate : m_model.candidates) result.push_back(nodes[candidate]);
+  return result;
+}
+
+template <int Dim> void ContactSetup<Dim>::take_tools(const ContactSetup& other) {
+  if (m_closed || !m_tools.empty()) fail("contact", "tools are taken over by a contact without any");
+  m_tools = other.m_tools;
+  m_reach = other.m_reach;
+  m_model.tools = other.m_model.tools;
+  m_model.laws = other.m_model.laws;
+  m_model.first = other.m_model.first;
+  m_model.couplings = other.m_model.couplings;
+  for (const std::vector<long>& labels : m_reach)
+    m_model.reach.push_back(labels.empty() ? std::vector<char>()
+                                           : reached(facets_with(m_mesh, labels, "contact")));
 }
 
 template <int Dim> void ContactSetup<Dim>::couple(const std::string& dependent, const std::string& text) {

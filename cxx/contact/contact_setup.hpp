@@ -22,6 +22,9 @@ public:
   /// @throws std::invalid_argument once it is closed, or if a tool of that name is there
   void add_tool(std::shared_ptr<DrivenTool<Dim>> tool, std::shared_ptr<const FrictionLaw> friction,
                 const std::vector<Facet<Dim>>& reach = {});
+  /// The tools of a contact with the same body on another mesh: with their laws, reaches by label, and couplings.
+  /// @throws std::invalid_argument once it is closed, or if it has tools
+  void take_tools(const ContactSetup& other);
   /// Coordinate "tool.coordinate" follows others, METHOD.md 2.6.
   /// @param text formula of other coordinates of this contact, "-upper.y"
   /// @throws std::invalid_argument once it is closed; see make_coupling and Prescription::follow
@@ -40,9 +43,11 @@ public:
   Eigen::VectorXd placed() const;
 
 private:
+  std::vector<char> reached(const std::vector<Facet<Dim>>& facets) const;
   Mesh<Dim> m_mesh;
   std::vector<Facet<Dim>> m_surface;
   std::vector<std::shared_ptr<DrivenTool<Dim>>> m_tools;
+  std::vector<std::vector<long>> m_reach; // labels that each tool may touch; empty: all
   ContactModel<Dim> m_model;
   BodyView<Dim> m_body;
   bool m_closed = false;

@@ -18,6 +18,14 @@ template <int Dim> void RunBody<Dim>::set_state(const BodyState<Dim>& state) {
   start();
 }
 
+template <int Dim>
+void RunBody<Dim>::replace(std::unique_ptr<Workpiece<Dim>> workpiece, const std::vector<int>& origin) {
+  m_user.take_points(origin);
+  m_workpiece = std::move(workpiece);
+  m_pending.clear();
+  start();
+}
+
 template <int Dim> void RunBody<Dim>::accept() {
   add_step_error(*m_workpiece, m_step_error);
   std::vector<ElementEvent<Dim>> acting;

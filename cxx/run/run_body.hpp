@@ -31,6 +31,8 @@ public:
   BodyState<Dim> state() const { return {m_workpiece->state_old(), m_user.state(), m_step_error}; }
   /// Replaces both states, between steps. @throws std::invalid_argument if it does not fit; nothing has changed then
   void set_state(const BodyState<Dim>& state);
+  /// Another workpiece of the same law on a new mesh, between steps. @param origin per point of it: the old one nearest to it
+  void replace(std::unique_ptr<Workpiece<Dim>> workpiece, const std::vector<int>& origin);
   void accept(); ///< the end of the step becomes the accepted state
   void revert(); ///< back to the accepted state
   /// What a law of the caller's with a state of its own has to follow before the next forces; each change once, however often

@@ -160,6 +160,19 @@ template <int Dim> void PointEvents<Dim>::set_state(const PointEventsState& stat
   m_overshoot = 0;
 }
 
+template <int Dim> void PointEvents<Dim>::take_points(const std::vector<int>& origin) {
+  for (PointEventState& event : m_state) {
+    const PointEventState before = event;
+    event.above.clear();
+    event.count.clear();
+    for (const int p : origin) {
+      event.above.push_back(before.above.at(static_cast<std::size_t>(p)));
+      event.count.push_back(before.count.at(static_cast<std::size_t>(p)));
+    }
+  }
+  m_overshoot = 0;
+}
+
 template <int Dim> const std::vector<int>& PointEvents<Dim>::counts(const std::string& name) const {
   return event_named(m_state, name).count;
 }

@@ -56,6 +56,8 @@ public:
   /// Replaces it (resume, copies). @throws std::invalid_argument unless it has these events, in this order,
   /// each with the same number of points as now; nothing has changed then
   void set_state(const PointEventsState& state);
+  /// Other points in place of these, each with the state of one of them. @param origin per new point: the old one
+  void take_points(const std::vector<int>& origin);
 
   /// How often the event has happened, per point and in all.
   /// @throws std::invalid_argument for an unknown name

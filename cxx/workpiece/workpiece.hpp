@@ -28,6 +28,7 @@ public:
             UpdateOptions options = {});
   const Discretization<Dim>& discretization() const { return m_discretization; }
   const MaterialLaw<Dim>& law() const { return *m_law; }
+  std::shared_ptr<const MaterialLaw<Dim>> shared_law() const { return m_law; }
   const WorkpieceState<Dim>& state_old() const { return m_state_old; }
   const WorkpieceState<Dim>& state() const { return m_state; }
   /// To be changed between steps only.

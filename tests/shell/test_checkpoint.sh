@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A run that is killed goes on by -resume 1 to the same bytes in all its files: a case, and a script with a law and variables of its own,
+# A run that is killed goes on by -resume 1 to the same bytes in all its files, one that is interrupted too: a case, and a script with a law and variables of its own,
 # which calls nothing for it. What does not belong to a checkpoint is refused with what differs, status 20, and no file changes.
 set -u
 failures=0
@@ -66,7 +66,32 @@ sed -i 's/-400\*min/-401*min/; s/^real E/\/\/ a comment may change\n&/' "$SCRATC
 [ $? = 20 ] || report "another text is not refused"
 grep -qF 'script "text.edp" says `roller.force("y", -401*min(1., 2*t));' "$SCRATCH/log" || { report "no word of the text"; tail -n 4 "$SCRATCH/log"; }
 
-# 5. a checkpoint that cannot be written ends no run
+# 5. Ctrl-C ends the step, writes a checkpoint and leaves; the run goes on from there to the same bytes
+files() { (cd "$1" && cat history.csv events.csv tools.csv fields.pvd final.vtu) | cksum; }
+interrupt() { # FOLDER OPTIONS...: interrupts the run when it has made some steps
+  local at=$1 lines=0
+  shift
+  setsid "$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -pictures 0 -out "$at" "$@" >"$SCRATCH/log" 2>&1 &
+  local process=$!
+  while kill -0 $process 2>/dev/null && [ "${lines:-0}" -lt 6 ]; do
+    sleep 0.02
+    lines=$(grep -c . "$at/history.csv" 2>/dev/null)
+  done
+  kill -INT -- -$process
+  wait $process
+}
+interrupt "$SCRATCH/stopped"
+status=$?
+[ $status = 130 ] || report "Ctrl-C: exit status $status instead of 130"
+[ -s "$SCRATCH/stopped/run-1.checkpoint" ] || report "Ctrl-C writes no checkpoint: $(ls "$SCRATCH/stopped")"
+"$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -pictures 0 -out "$SCRATCH/stopped" -resume 1 >"$SCRATCH/log" 2>&1 || report "after Ctrl-C: exit status $?"
+grep -q 'burnish: goes on from .*run-1.checkpoint' "$SCRATCH/log" || report "after Ctrl-C the run does not go on"
+"$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -pictures 0 -out "$SCRATCH/alone" >"$SCRATCH/log" 2>&1
+[ "$(files "$SCRATCH/stopped")" = "$(files "$SCRATCH/alone")" ] || report "after Ctrl-C the files differ"
+interrupt "$SCRATCH/bare" -checkpoint 0
+[ -e "$SCRATCH/bare/run-1.checkpoint" ] && report "Ctrl-C writes a checkpoint with -checkpoint 0"
+
+# 6. a checkpoint that cannot be written ends no run
 "$BURNISH" cases/rolling/rolling.edp "${coarse[@]}" -pictures 0 -out "$SCRATCH/kept" -checkpoint -1 >"$SCRATCH/log" 2>&1
 [ $? = 20 ] && grep -qF 'option: -checkpoint = -1, expected >= 0' "$SCRATCH/log" || report "-checkpoint -1 is taken"
 exit $((failures > 0))

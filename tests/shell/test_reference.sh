@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The reference (edp/manual/reference) agrees with the loaded plugin, the sources and the files of three runs (reference.py); an
+# The reference (edp/manual/reference) agrees with the loaded plugin, the sources and the files of four runs (reference.py); an
 # entry that is missing, superfluous or wrong in a copy is found. Pages, help and snippets are whole (reference_pages.py).
 set -u
 failures=0
 fail() { echo "FAILED: $1"; failures=$((failures + 1)); }
-runs="$SCRATCH/rolling $SCRATCH/incline $SCRATCH/ball"
+runs="$SCRATCH/rolling $SCRATCH/incline $SCRATCH/ball $SCRATCH/upsetting"
 echo 'load "burnish"
 cout << rcCallables(0);' >"$SCRATCH/list.edp"
 "$BURNISH" "$SCRATCH/list.edp" >"$SCRATCH/callables.txt" || fail "rcCallables"
@@ -15,6 +15,8 @@ cout << rcCallables(0);' >"$SCRATCH/list.edp"
   { fail "incline"; cat "$SCRATCH/run.txt"; }
 "$BURNISH" cases/ball/ball.edp -what dragged -n 2 -steps 2 -series 1 -pictures 0 -check 0 -out "$SCRATCH/ball" >"$SCRATCH/run.txt" ||
   { case $? in 4) ;; *) fail "ball"; cat "$SCRATCH/run.txt" ;; esac; }
+"$BURNISH" cases/upsetting/upsetting.edp -n 4 -steps 20 -reduction 0.7 -remesh 1 -series 1 -pictures 0 -check 0 -out "$SCRATCH/upsetting" >"$SCRATCH/run.txt" ||
+  { case $? in 4) ;; *) fail "upsetting"; cat "$SCRATCH/run.txt" ;; esac; }
 # shellcheck disable=SC2086
 check() { "$PYTHON" -B tests/shell/reference.py "$1" "$SCRATCH/callables.txt" "$SCRATCH/options.json" $runs; }
 check . || fail "the reference"

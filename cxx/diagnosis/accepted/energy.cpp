@@ -3,7 +3,7 @@
 #include "contact/resultant.hpp"
 #include "diagnosis/known_law.hpp"
 #include "diagnosis/observers.hpp"
-#include "material/stress_algebra.hpp"
+#include "workpiece/elastic_energy.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -45,20 +45,6 @@ template <int Dim> const MaterialLaw<Dim>* energetic_law(const Workpiece<Dim>& w
   const bool known =
       law && !workpiece.state().tracks_integrity() && law->internal_variables().find("backstress") < 0;
   return known ? law : nullptr;
-}
-
-template <int Dim> double elastic_energy(const Workpiece<Dim>& workpiece, const MaterialLaw<Dim>& law) {
-  const auto moduli = law.moduli();
-  const double G = moduli.at("G"), K = moduli.at("K");
-  const Discretization<Dim>& space = workpiece.discretization();
-  double sum = 0;
-  for (int p = 0; p < space.num_points(); ++p) {
-    const PointState<Dim> point = point_state(workpiece.state_old(), p);
-    const Stress<Dim> tau = point.stress, s = deviator<Dim>(tau);
-    const double m = mean<Dim>(tau);
-    sum += space.weight[p] * (contract<Dim>(s, s) / (4 * G) + m * m / (2 * K));
-  }
-  return sum;
 }
 
 // Dissipated in the step: yield stress times plastic strain, by the trapezoid.
@@ -126,7 +112,7 @@ template <int Dim> void EnergyCheck<Dim>::begin(const AcceptedStep<Dim>& step, F
   energy.friction_force = friction_forces(step);
   energy.internal_force = step.internal;
   if (const auto* law = energetic_law(*step.workpiece)) {
-    energy.elastic = energy.elastic_start = elastic_energy(*step.workpiece, *law);
+    energy.elastic = energy.elastic_start = elastic_energy(*step.workpiece);
     energy.plastic_strain_eq = plastic_strains(*step.workpiece);
   }
   // of a body that is under stress while its contact is new the forces are not known before the first step
@@ -156,7 +142,7 @@ template <int Dim> void EnergyCheck<Dim>::look(const AcceptedStep<Dim>& step, Fi
     Eigen::VectorXd strain = plastic_strains(*step.workpiece);
     energy.plastic += dissipated(*step.workpiece, *law, energy.plastic_strain_eq, strain);
     energy.plastic_strain_eq = std::move(strain);
-    energy.elastic = elastic_energy(*step.workpiece, *law);
+    energy.elastic = elastic_energy(*step.workpiece);
   }
   if (law) {
     taken = energy.elastic - energy.elastic_start + energy.plastic;

@@ -1,0 +1,166 @@
+// A run on a new mesh of its deformed workpiece (ALGORITHMS.md 19); rcRemesh (edp/run/rcRemesh.idp) makes the mesh, too.
+//   S.remeshdue   the elements are bad: the worst has a shape below 0.3, and below half of its first one; or the steps crawl since an
+//       element would turn inside out
+//   S.remeshings   number of new meshes in this run | -
+//   S.remeshchange(name)   largest relative change by one of them, 0 without any | -
+//     name      "volume", "energy", "force"
+//     ! , expected volume, energy or force
+//   M.shape     shape of the worst element where it is now: 1 equilateral, 0 flat | -
+//   M.volume    of the workpiece where it is now: area, of a ring and in space volume | length^2, length^3
+//   M.outline(size)   boundary of the deformed workpiece as straight edges: for each x, y of its start, x, y of its end, label; the
+//       body is on the left. Corners and ends of labels stay | length
+//     size      length of an edge, 0: that of the present mesh there | length | | >= 0
+//   rcOnNewMesh(S, C, M, Vh, u, held)   between steps, as in record: contact, material and run go on on the mesh of Vh, of the
+//       deformed workpiece, with u = 0 but for the mid nodes of its boundary. Stress, internal variables and integrities are
+//       carried over (METHOD.md 1.17), tools stay where they are, equilibrium is found again. Prints how far force, stored energy
+//       and volume are apart, and returns that of the force over the largest force | -
+//     S         stepcontrol of the run, or of the run to come
+//     C         contact
+//     M         material of the run
+//     Vh        fespace of the displacement on the new mesh, of the same degree
+//     u         displacement array, u[], out | length
+//     held      nonzero where the displacement is given, as fixed= of rcContact
+//     ! , expected a mesh of the deformed workpiece
+//     ! the body has no deformed place to be meshed anew
+//     ! expected supports at rest
+//     ! whose springs are on the old mesh
+//     ! in the middle of a step
+#include "remesh/remesh.hpp"
+#include "mesh/mesh_match.hpp"
+#include "named.hpp"
+#include "remesh/deformed_boundary.hpp"
+#include "step_control.hpp"
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace burnish {
+namespace {
+
+using M = MaterialHandle;
+using S = StepControlHandle;
+
+void tell(const Remeshing& report) {
+  cout << "burnish: new mesh at t = " << report.t << ": " << report.after.nodes << " nodes, "
+       << report.before.nodes << " before; shape " << report.before.shape << " -> " << report.after.shape
+       << "; apart: volume " << report.volume() << ", stored energy " << report.energy() << ", force "
+       << report.force() << "; ";
+  if (report.settled)
+    cout << report.iterations << " iterations to equilibrium" << endl;
+  else
+    cout << "equilibrium is left to the next step" << endl;
+}
+
+// The stepper of the run anew, on what has taken the place of its contact and body.
+template <int Dim>
+void go_on(ControlObject& control, ContactOf<Dim>& contact, MaterialOf<Dim>& material, RunState<Dim> state) {
+  auto stepper = std::make_unique<Stepper<Dim>>(contact.run(), *material.body, contact.diagnosis,
+                                                control.now(), control.options);
+  contact.diagnosis.set_checks(control.checks);
+  state.body = material.body->state();
+  state.contact = contact.run().state();
+  state.diagnosis = contact.diagnosis;
+  Eigen::VectorXd R;
+  stepper->set_state(state, control.u, R);
+  control.statements_at = -1;
+  control.stepper = std::move(stepper);
+}
+
+template <int Dim> struct OnNewMesh {
+  static const int n = 0;
+  static constexpr basicAC_F0::name_and_type* names = nullptr;
+  static double call(const Named&, S* s, ContactHandle* c, M* m, typename Freefem<Dim>::Fespace* space,
+                     KN_<double> u, KN_<double> held) {
+    constexpr const char* WHERE = "rcOnNewMesh";
+    ControlObject& control = s->get();
+    auto& contact = of_dimension<Dim>(c->get(), WHERE);
+    auto& material = contact.with_material(m->get(), WHERE);
+    const bool known = control.stepper && control.contact.get() == &contact;
+    if (contact.under_way && (!known || control.task != Task::RECORD))
+      fail(WHERE, "a run in the middle of a step, or of another stepcontrol, expected one that has just "
+                  "recorded a step");
+    std::optional<RunState<Dim>> running;
+    if (known) running = static_cast<Stepper<Dim>&>(*control.stepper).state();
+    const bool ring = material.workpiece().discretization().axisymmetric;
+    const Eigen::VectorXd flags = to_vector(held, WHERE, "held");
+    std::vector<char> fixed;
+    for (const double flag : flags) fixed.push_back(flag != 0);
+    RemeshedRun<Dim> result = called(WHERE, [&] {
+      return remeshed(material.workpiece(), contact.run(), control.now().time(),
+                      discretized(mesh_of<Dim>(space, WHERE, ring)), std::move(fixed));
+    });
+    contact.end_runs();
+    contact.replace(result.setup, std::move(result.contact));
+    material.changed().replace(std::move(result.workpiece), result.origin);
+    material.mesh = shared_mesh<Dim>(space, WHERE);
+    material.fingerprint = mesh_fingerprint<Dim>(material.workpiece().discretization());
+    if (running) go_on<Dim>(control, contact, material, std::move(*running));
+    to_array(material.workpiece().state_old().displacement, u, WHERE);
+    control.remeshings.push_back(result.report);
+    tell(result.report);
+    return result.report.force();
+  }
+};
+
+bool due(S* const& s) {
+  return guarded([&] {
+    const ControlObject& control = s->get();
+    if (!control.stepper) return false; // in record before the first step
+    return visit(*control.material,
+                 [&](auto& material) { return remesh_due(material.workpiece(), *control.stepper); });
+  });
+}
+long remeshings(S* const& s) { return static_cast<long>(s->get().remeshings.size()); }
+struct ChangeTag {};
+double change(const Method<S, ChangeTag>& m, string* const& name) {
+  return guarded([&] {
+    const bool volume = *name == "volume", energy = *name == "energy";
+    if (!volume && !energy && *name != "force")
+      fail("stepcontrol.remeshchange", "unknown name \"" + *name + "\", expected volume, energy or force");
+    double largest = 0;
+    for (const Remeshing& one : m->get().remeshings)
+      largest = std::max(largest, std::abs(volume ? one.volume() : energy ? one.energy() : one.force()));
+    return largest;
+  });
+}
+double shape(M* const& m) {
+  return on(m, [](auto& material) { return least_shape(material.workpiece()); });
+}
+double volume(M* const& m) {
+  return on(m, [](auto& material) { return deformed_volume(material.workpiece()); });
+}
+
+struct OutlineTag {};
+KN_<double> outline_of(Stack stack, const Method<M, OutlineTag>& m, const double& size) {
+  return guarded([&] {
+    const auto& body = of_dimension<2>(m->get(), "material.outline").workpiece();
+    std::vector<double> values;
+    for (const OutlineEdge& edge : called("material.outline", [&] {
+           return outline(body.discretization(), body.state_old().displacement, size);
+         }))
+      values.insert(values.end(),
+                    {edge.from[0], edge.from[1], edge.to[0], edge.to[1], static_cast<double>(edge.label)});
+    return new_array(stack, values);
+  });
+}
+
+} // namespace
+
+void register_remesh() {
+  Add<S*>("remeshdue", ".", new OneOperator1_<bool, S*>(due));
+  Add<S*>("remeshings", ".", new OneOperator1_<long, S*>(remeshings));
+  add_method<S, ChangeTag>("remeshchange",
+                           [] { return new OneOperator2_<double, Method<S, ChangeTag>, string*>(change); });
+  Add<M*>("shape", ".", new OneOperator1_<double, M*>(shape));
+  Add<M*>("volume", ".", new OneOperator1_<double, M*>(volume));
+  add_method<M, OutlineTag>(
+      "outline", [] { return new OneOperator2s_<KN_<double>, Method<M, OutlineTag>, double>(outline_of); });
+  Global.Add(
+      "rcOnNewMesh", "(",
+      new NamedOperator<OnNewMesh<2>, double, S*, ContactHandle*, M*, pfes*, KN_<double>, KN_<double>>);
+  Global.Add(
+      "rcOnNewMesh", "(",
+      new NamedOperator<OnNewMesh<3>, double, S*, ContactHandle*, M*, pfes3*, KN_<double>, KN_<double>>);
+}
+
+} // namespace burnish
