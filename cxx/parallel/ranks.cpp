@@ -6,7 +6,8 @@ namespace burnish {
 namespace {
 
 constexpr const char* MPI_LIBRARY = "burnish_mpi.so";
-constexpr long DIVIDE_FROM = 20000; // unknowns: below, exchanging takes what dividing saves
+// Unknowns: below, exchanging takes what dividing saves (edp/manual/processes.md).
+constexpr long DIVIDE_PLANE_FROM = 500000, DIVIDE_SPACE_FROM = 20000;
 
 // Never destroyed: the end of the process asks for it.
 std::unique_ptr<Ranks>& present_ranks() {
@@ -14,9 +15,10 @@ std::unique_ptr<Ranks>& present_ranks() {
   return *those;
 }
 
-long divide_from() {
+/// @returns -1 unless there is such a number
+long asked_divide_from() {
   const char* const given = std::getenv("BURNISH_DIVIDE_FROM");
-  return given && *given ? std::atol(given) : DIVIDE_FROM;
+  return given && *given ? std::atol(given) : -1;
 }
 
 } // namespace
@@ -31,9 +33,10 @@ std::unique_ptr<Ranks> mpi_ranks(std::function<std::string()> reason) {
   return std::unique_ptr<Ranks>(make(std::move(reason)));
 }
 
-bool divided(long unknowns) {
-  static const long from = divide_from();
-  return ranks().size() > 1 && unknowns >= from;
+bool divided(long unknowns, int dim) {
+  static const long asked = asked_divide_from();
+  const long usual = dim == 2 ? DIVIDE_PLANE_FROM : DIVIDE_SPACE_FROM;
+  return ranks().size() > 1 && unknowns >= (asked >= 0 ? asked : usual);
 }
 
 bool first_rank_says(bool answer) {

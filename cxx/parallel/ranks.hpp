@@ -38,8 +38,9 @@ void set_ranks(std::unique_ptr<Ranks> others);
 std::unique_ptr<Ranks> mpi_ranks(std::function<std::string()> reason);
 
 /// Whether the work of a body with so many unknowns is divided among the ranks, else every rank does all of it. From
-/// 20 000 on, or the number in the environment's BURNISH_DIVIDE_FROM.
-bool divided(long unknowns);
+/// 500 000 on in the plane, 20 000 in space, or from the number in the environment's BURNISH_DIVIDE_FROM.
+/// @param dim of the body: 2 or 3
+bool divided(long unknowns, int dim);
 
 /// Rank 0's answer to a question about the machine (files, clocks) that ranks might answer differently.
 bool first_rank_says(bool answer);

@@ -6,12 +6,13 @@
 namespace burnish {
 
 struct CholmodSolver::Impl {
+  int dim = 2; // of the body
   std::unique_ptr<OrderedFactor> factor;
   Eigen::PermutationMatrix<Eigen::Dynamic> place; // row of the matrix -> row of the factor
   std::vector<int> slot;                          // per entry of the factor's triangle, that of the matrix
 };
 
-CholmodSolver::CholmodSolver() : m_impl(std::make_unique<Impl>()) {}
+CholmodSolver::CholmodSolver(int dim) : m_impl(std::make_unique<Impl>()) { m_impl->dim = dim; }
 CholmodSolver::~CholmodSolver() = default;
 
 void CholmodSolver::analyze(const SparseView& pattern) {
@@ -35,7 +36,8 @@ void CholmodSolver::analyze(const SparseView& pattern) {
       row[at] = std::max(place[i], place[graph.col[k]]);
       m_impl->slot[at] = k;
     }
-  if (!m_impl->factor || m_impl->factor->size() != pattern.n) m_impl->factor = make_ordered_factor(pattern.n);
+  if (!m_impl->factor || m_impl->factor->size() != pattern.n)
+    m_impl->factor = make_ordered_factor(pattern.n, m_impl->dim);
   m_impl->factor->analyze(std::move(start), std::move(row));
 }
 

@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-std::unique_ptr<OrderedFactor> make_ordered_factor(int unknowns) {
-  if (!divided(unknowns)) return std::make_unique<CholmodFactor>();
+std::unique_ptr<OrderedFactor> make_ordered_factor(int unknowns, int dim) {
+  if (!divided(unknowns, dim)) return std::make_unique<CholmodFactor>();
   constexpr const char* name = "burnish_mpi.so";
   void* const library = open_companion(name, "MPI", "libmumps-dev");
   using Make = OrderedFactor* (*)();

@@ -40,6 +40,7 @@ public:
 
 /// By CHOLMOD, or of a divided body by MUMPS.
 /// @param unknowns of the matrix
-std::unique_ptr<OrderedFactor> make_ordered_factor(int unknowns);
+/// @param dim      of the body
+std::unique_ptr<OrderedFactor> make_ordered_factor(int unknowns, int dim);
 
 } // namespace burnish

@@ -57,7 +57,7 @@ template <int Dim> int longest_axis(const Discretization<Dim>& mesh) {
 
 template <int Dim>
 ElementDivision<Dim>::ElementDivision(const Discretization<Dim>& mesh)
-    : m_divided(burnish::divided(mesh.num_dofs())), m_num_elements(mesh.num_elements),
+    : m_divided(burnish::divided(mesh.num_dofs(), Dim)), m_num_elements(mesh.num_elements),
       m_points_per_element(mesh.points_per_element) {
   if (m_divided) divide_nodes(mesh);
 }

@@ -15,7 +15,7 @@ constexpr int BEGIN = -1, END = -2, ANALYZE = 1, FACTORIZE = 2, SOLVE = 3;
 constexpr int POSITIVE_DEFINITE = 1;
 constexpr int SINGULAR = -10, NOT_DEFINITE = -40, TOO_LITTLE_SPACE = -9, TOO_LITTLE_INTEGERS = -8,
               NO_MEMORY = -13;
-constexpr int MORE_SPACE = 30, MOST_SPACE = 1000; // percent beyond what the analysis has estimated
+constexpr int MORE_SPACE = 15, MOST_SPACE = 1000; // percent beyond what the analysis has estimated
 constexpr int CONDENSE = 1, EXPAND = 2;           // halves of a solve
 constexpr int BLOCK = 32;                         // right-hand sides at a time
 
