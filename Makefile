@@ -142,10 +142,11 @@ bench-peers: build ## CalculiX (installed) and Ipopt against ours in interleaved
 chart-quick: build ## the same on coarse meshes, three minutes
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py --quick $(OPTIONS)
 
-test: packages format-check ## all quick tests: format, unit, plugin, verification, regression (a quarter of an hour on two cores)
+test: packages format-check ## all quick tests: format, unit, plugin, verification, regression, mpi (a quarter of an hour on two cores)
 	$(if $(stray),$(error in no suite: $(stray)))
+	@$(PACKAGES) mpi || echo "no MPI: tests/mpi is skipped"
 	$(COMPILE) compile $(call program,unit) $(call program,verification)
-	@$(TEST) $(call suite,regression verification plugin unit)
+	@$(TEST) $(call suite,regression verification plugin mpi unit)
 
 test-unit: ## GoogleTest programs of the core, tests/unit
 test-plugin: ## the plugin through scripts, and every error message: tests/plugin, tests/errors, tests/shell
