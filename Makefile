@@ -7,6 +7,8 @@
 # All products go to $(BUILD); two runs of make in one tree wait for each other.
 BUILD    ?= build
 FREEFEM  ?= FreeFem++
+FREEFEM_MPI ?= FreeFem++-mpi
+MPIRUN   ?= mpirun
 PYTHON   ?= /usr/bin/python3
 PACKAGES ?= .ci/packages
 OPTIMIZE ?= -O2
@@ -27,6 +29,9 @@ FREEFEM_INCLUDE ?= /usr/include/freefem++
 EIGEN_INCLUDE   ?= /usr/include/eigen3
 SPARSE_INCLUDE  ?= /usr/include/suitesparse
 OCC_INCLUDE     ?= /usr/include/opencascade
+MPI_INCLUDE     ?= /usr/lib/$(shell $(CXX) -print-multiarch)/openmpi/include
+MUMPS_INCLUDE   ?= /usr/include
+MPI_LIBRARIES   ?= -ldmumps -lmpi -l:liblapack.so.3 -l:libblas.so.3
 # BLAS and LAPACK by their run-time names: whatever the system's alternatives select counts
 LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3 -lginac -lcln $(OCC_LIBRARIES) -lz -ldl
 # (from OpenCASCADE 7.8 on: -lTKDESTEP for the first two)
@@ -34,13 +39,15 @@ OCC_LIBRARIES ?= -lTKSTEP -lTKXSBase -lTKMesh -lTKTopAlgo -lTKBRep -lTKGeomBase 
 # what makes CAD bodies for the tests
 OCC_MODELING ?= -lTKFillet -lTKBool -lTKBO -lTKPrim -lTKShHealing
 
-SUITES   := unit plugin verification regression long labs viewers manual
+SUITES   := unit plugin verification regression long labs viewers manual mpi
 PROGRAMS := unit verification long benchmark
 CORE     := $(BUILD)/libburnish.a
 PLUGIN   := $(BUILD)/plugins/burnish.so
 # the core opens these two when a .geo or a CAD file is to be read; it looks for them beside itself, then in ../plugins
 GMSH     := $(BUILD)/plugins/burnish_gmsh.so
 CAD      := $(BUILD)/plugins/burnish_cad.so
+# ranks and factors of burnish -np, where Debian's MPI and MUMPS are (make test-mpi installs them)
+MPI      := $(if $(and $(wildcard $(MPI_INCLUDE)/mpi.h),$(wildcard $(MUMPS_INCLUDE)/dmumps_c.h)),$(BUILD)/plugins/burnish_mpi.so)
 WRAPPER  := $(BUILD)/burnish
 # flags, lists of sources and their objects, rules of compilation
 include .ci/compile.mk
@@ -60,7 +67,7 @@ CASES     = $(sort $(patsubst cases/%/,%,$(dir $(wildcard cases/*/*.edp))))
 
 # what the programs in .ci/ take from here
 EDP_FOLDERS := run cases mesh rivals
-export PYTHON CXX FREEFEM FREEFEM_LOAD FREEFEM_IDP EDP_FOLDERS PREFIX DESTDIR LDFLAGS JOBS MAKE
+export PYTHON CXX FREEFEM FREEFEM_MPI MPIRUN FREEFEM_LOAD FREEFEM_IDP EDP_FOLDERS PREFIX DESTDIR LDFLAGS JOBS MAKE
 export OPENBLAS_NUM_THREADS ?= 1
 
 # --- commands --------------------------------------------------------------------------------------------------
@@ -80,7 +87,7 @@ build: packages ## build the core, the plugin and the wrapper build/burnish (als
 programs: packages ## build the test programs of make test
 	$(COMPILE) compile compile-programs
 
-compile: compile-run $(GMSH) $(CAD)
+compile: compile-run $(GMSH) $(CAD) $(MPI)
 compile-run: $(CORE) $(WRAPPER) $(PLUGIN)
 compile-programs: $(call program,unit) $(call program,verification)
 
@@ -130,15 +137,17 @@ bench-peers: build ## CalculiX (installed) and Ipopt against ours in interleaved
 chart-quick: build ## the same on coarse meshes, three minutes
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/chart/run.py --quick $(OPTIONS)
 
-test: packages format-check ## all quick tests: format, unit, plugin, verification, regression (a quarter of an hour on two cores)
+test: packages format-check ## all quick tests: format, unit, plugin, verification, regression, mpi (a quarter of an hour on two cores)
 	$(if $(stray),$(error in no suite: $(stray)))
+	@$(PACKAGES) mpi || echo "no MPI: tests/mpi is skipped"
 	$(COMPILE) compile $(call program,unit) $(call program,verification)
-	@$(TEST) $(call suite,regression verification plugin unit)
+	@$(TEST) $(call suite,regression verification plugin mpi unit)
 
 test-unit: ## GoogleTest programs of the core, tests/unit
 test-plugin: ## the plugin through scripts, and every error message: tests/plugin, tests/errors, tests/shell
 test-verification: ## problems with known answers, tests/verification
 test-regression: ## coarse cases against stored numbers, tests/regression
+test-mpi: ## burnish -np 2 and more on small scenes, tests/mpi (half a minute; installs MUMPS and MPI)
 test-long: ## slow tests, tests/long
 test-labs: ## scripts, answers, plots and notebooks of the labs in cases/labs (three minutes)
 test-manual: ## the commands that the manual prints, the long ones, too (some minutes)
@@ -153,6 +162,7 @@ $(SUITES:%=test-%): test-%: packages
 test-manual: export TIMEOUT ?= 3000
 test-viewers: BESIDE = viewers
 test-labs: BESIDE = labs
+test-mpi: BESIDE = mpi
 
 sanitize: packages ## unit, verification and plugin tests and one case with the sanitizers of addresses and undefined behavior (an hour)
 	+@.ci/sanitize $(BUILD)/sanitize
@@ -175,7 +185,7 @@ bench-growth: build ## time and memory of some ten steps, in the plane to 270 00
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/benchmark/bench.py --growth $(OPTIONS)
 
 install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines for plain FreeFem++ are printed
-	@.ci/install $(PLUGIN) $(GMSH) $(CAD)
+	@.ci/install $(PLUGIN) $(GMSH) $(CAD) $(MPI)
 
 deb: build ## the Debian package of the plugin that is built, build/burnish_VERSION_ARCHITECTURE.deb, checked by lintian
 	@$(PACKAGES) deb

@@ -18,10 +18,11 @@ object    = $(BUILD)/obj/$(basename $(firstword $(members)))$(if $(word 2,$(memb
 objects   = $(if $(strip $(1)),$(foreach g,$(call groups,$(1)),$(call object,$(g))))
 GMSH_SOURCES   := cxx/cad/companion_gmsh/burnish_gmsh.cpp
 CAD_SOURCES    := cxx/cad/companion_occ/burnish_cad.cpp
-CXX_SOURCES    := $(filter-out $(GMSH_SOURCES) $(CAD_SOURCES),$(call sources,cxx))
+MPI_SOURCES    := $(call sources,cxx/parallel/companion_mpi)
+CXX_SOURCES    := $(filter-out $(GMSH_SOURCES) $(CAD_SOURCES) $(MPI_SOURCES),$(call sources,cxx))
 PLUGIN_SOURCES := $(sort $(wildcard plugins/*.cpp))
 $(foreach p,$(PROGRAMS),$(eval SOURCES_$(p) := $(if $(wildcard tests/$(p)),$(call sources,tests/$(p)))))
-ALL_SOURCES := $(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
+ALL_SOURCES := $(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(MPI_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
 
 # --- rules of compilation ----------------------------------------------------------------------------------------
 # $(call keep,TEXT): write TEXT to the target only if it changed, so that only real changes rebuild
@@ -35,6 +36,7 @@ $(WRAPPER): FORCE
 	@.ci/wrapper '$(CURDIR)' '$(abspath $(BUILD)/plugins)' '$(abspath $@)' >$@.new && chmod +x $@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
+$(BUILD)/obj/cxx/parallel/companion_mpi/%: GROUP_FLAGS = -isystem $(MPI_INCLUDE)$(if $(filter-out /usr/include,$(MUMPS_INCLUDE)), -isystem $(MUMPS_INCLUDE))
 $(BUILD)/obj/plugins/%: GROUP_FLAGS = $(PLUGIN_FLAGS)
 $(BUILD)/obj/tests/%:   GROUP_FLAGS = -Itests $(TEST_OPTIMIZE)
 $(foreach g,$(call groups,$(ALL_SOURCES)),$(eval $(call object,$(g)): $(call members,$(g))))
@@ -50,7 +52,7 @@ $(BUILD)/obj/cxx/%:              READ_BEFORE = -include $(BUILD)/read/core.hpp
 $(BUILD)/obj/plugins/%:          READ_BEFORE = -include $(BUILD)/read/plugins.hpp
 $(BUILD)/obj/tests/unit/%:         READ_BEFORE = -include $(BUILD)/read/tests.hpp
 $(BUILD)/obj/tests/verification/%: READ_BEFORE = -include $(BUILD)/read/tests.hpp
-$(call objects,$(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES)): $(BUILD)/read/core.hpp.gch
+$(call objects,$(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(MPI_SOURCES)): $(BUILD)/read/core.hpp.gch
 $(call objects,$(PLUGIN_SOURCES)): $(BUILD)/read/plugins.hpp.gch
 $(call objects,$(SOURCES_unit) $(SOURCES_verification)): $(BUILD)/read/tests.hpp.gch
 $(BUILD)/read/core.hpp.gch:  cxx/base/precompiled.hpp
@@ -82,6 +84,11 @@ $(GMSH): $(call objects,$(GMSH_SOURCES))
 	@mkdir -p $(@D)
 	@.ci/said $(BUILD) "link    $@"
 	@$(CXX) -shared $(LDFLAGS) $^ -lgmsh -o $@.new && mv $@.new $@
+
+$(BUILD)/plugins/burnish_mpi.so: $(call objects,$(MPI_SOURCES))
+	@mkdir -p $(@D)
+	@.ci/said $(BUILD) "link    $@"
+	@$(CXX) -shared $(LDFLAGS) $^ $(MPI_LIBRARIES) -o $@.new && mv $@.new $@
 
 define program_rule
 $(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(CORE) | $(GMSH) $(CAD)

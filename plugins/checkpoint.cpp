@@ -29,6 +29,7 @@
 #include "checkpoint/identity.hpp"
 #include "checkpoint/stage.hpp"
 #include "named.hpp"
+#include "parallel/first_rank.hpp"
 #include "run/run_archive.hpp"
 #include "script/words.hpp"
 #include "script_options.hpp"
@@ -120,7 +121,7 @@ void write_run(ControlObject& object, const std::string& path, std::vector<KeptV
   const std::vector<std::string> files(growing_paths().begin(), growing_paths().end());
   checkpoint.files = growing_files(files, folder.empty() ? "." : folder);
   checkpoint.values = std::move(values);
-  write_checkpoint(path, checkpoint);
+  on_first_rank([&] { write_checkpoint(path, checkpoint); });
   object.checkpointed = true;
   last_written() = RunClock::now();
 }
@@ -150,6 +151,7 @@ void resume_run(ControlObject& object, const std::string& path, KN_<double> u, K
   object.statements_at = -1;
   object.checkpointed = true;
   last_written() = RunClock::now();
+  first_rank_says(true); // all have read it
   cout << "burnish: goes on from " << from << ", t = " << checkpoint.t << " of " << checkpoint.t_end << endl;
 }
 
@@ -229,7 +231,8 @@ bool checkpoint_due(StepControlHandle* const& h) {
     const double minutes = minutes_option();
     if (minutes == 0 || !object.remeshings.empty()) return false; // resumed, a script has its first mesh
     if (interrupt_came() || (object.checkpointed && object.now().finished())) return true;
-    return std::chrono::duration<double, std::ratio<60>>(RunClock::now() - last_written()).count() >= minutes;
+    const std::chrono::duration<double, std::ratio<60>> since = RunClock::now() - last_written();
+    return first_rank_says(since.count() >= minutes);
   });
 }
 long resume_asked(const long&) {
@@ -238,13 +241,16 @@ long resume_asked(const long&) {
 bool resumable(string* const& path) {
   return guarded([&] {
     std::error_code code;
-    return resume_option() > 0 && (fs::exists(*path, code) || fs::exists(*path + OLDER, code));
+    const bool there = fs::exists(*path, code) || fs::exists(*path + OLDER, code);
+    return first_rank_says(resume_option() > 0 && there);
   });
 }
 // A run begins anew: the checkpoint of an earlier one counts as the one before the next.
 bool outdated(string* const& path) {
-  std::error_code code;
-  if (fs::exists(*path, code)) fs::rename(*path, *path + OLDER, code);
+  on_first_rank([&] {
+    std::error_code code;
+    if (fs::exists(*path, code)) fs::rename(*path, *path + OLDER, code);
+  });
   script_identity();
   return true;
 }

@@ -1,4 +1,5 @@
 #include "leave.hpp"
+#include "parallel/ranks.hpp"
 #include "plugin.hpp"
 
 #include <cstdlib>
@@ -31,10 +32,11 @@ struct Leave : Error {
 
 int owed = 0;
 void pay(int status, void*) {
-  if (status != 0 || owed == 0) return;
+  const bool pays = status == 0 && owed != 0;
+  if (!pays && ranks().size() == 1) return;
   cout.flush();
   std::fflush(nullptr);
-  _exit(owed);
+  _exit(ranks().leave(pays ? owed : status));
 }
 
 } // namespace
@@ -45,10 +47,8 @@ void leave(int status) {
   throw Leave(status, std::move(silence));
 }
 
-void owe(int status) {
-  static const bool registered = on_exit(pay, nullptr) == 0;
-  (void)registered;
-  owed = status;
-}
+void owe(int status) { owed = status; }
+
+void register_end() { on_exit(pay, nullptr); }
 
 } // namespace burnish

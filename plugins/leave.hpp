@@ -7,5 +7,7 @@ namespace burnish {
 [[noreturn]] void leave(int status);
 /// If the script ends by itself with status 0, the exit status is this one; 0: nothing is owed.
 void owe(int status);
+/// Of the process, once: it pays what is owed, with the other ranks.
+void register_end();
 
 } // namespace burnish

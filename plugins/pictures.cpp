@@ -7,6 +7,7 @@
 //     folder    of the results
 //   rcLeaner(folder)   runs the script again with leaner models and compares the results, cases/sweep/leaner.py; 0: done
 //     folder    of the results
+#include "parallel/ranks.hpp"
 #include "plugin.hpp"
 #include "script_options.hpp"
 
@@ -46,8 +47,7 @@ std::string plot_program() {
   return std::filesystem::exists(beside) ? beside : scene_program();
 }
 
-/// Exit status of a program, -1 if it cannot be started.
-int run(std::vector<std::string> words) {
+int run_here(std::vector<std::string> words) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -57,6 +57,13 @@ int run(std::vector<std::string> words) {
   while (waitpid(process, &status, 0) < 0)
     if (errno != EINTR) return -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// Exit status of a program, -1 if it cannot be started; of rank 0, which alone starts it.
+int run(std::vector<std::string> words) {
+  int status = ranks().rank() == 0 ? run_here(words) : 0;
+  ranks().broadcast(&status, sizeof status, 0);
+  return status;
 }
 
 long drawn(const std::vector<std::string>& words) {
@@ -77,9 +84,9 @@ long movie(string* const& folder) {
   cout.flush();
   const std::string page = *folder + "/movie.html", python = environment("PYTHON", "python3");
   std::error_code code;
-  std::filesystem::remove(page, code); // of an earlier run
+  if (ranks().rank() == 0) std::filesystem::remove(page, code); // of an earlier run
   int status = run({python, plot_program(), *folder, "movie"});
-  if (!std::filesystem::exists(page) && plot_program() != scene_program())
+  if (!first_rank_says(std::filesystem::exists(page)) && plot_program() != scene_program())
     status = run({python, scene_program(), *folder, "movie"});
   if (status != 0) cout << "burnish: warning: no movie could be made (exit status " << status << ")" << endl;
   return status;

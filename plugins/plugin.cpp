@@ -2,13 +2,20 @@
 #include "plugin.hpp"
 #include "base/error.hpp"
 #include "callables.hpp"
+#include "leave.hpp"
 #include "number_list.hpp"
+#include "parallel.hpp"
 
 namespace burnish {
 
 std::string& last_error() {
   static std::string text;
   return text;
+}
+
+std::string& latest_error() {
+  static auto* const text = new std::string; // the end of the process asks for it
+  return *text;
 }
 
 Eigen::VectorXd values_of(const KN_<double>& a) {
@@ -51,6 +58,8 @@ string* new_string(Stack stack, const std::string& text) {
 }
 
 static void init() {
+  join_ranks();
+  register_end();
   note_names_before();
   register_number_list();
   register_tool();

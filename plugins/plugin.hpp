@@ -18,12 +18,14 @@ namespace burnish {
 
 /// Text of the last error, until rcLastError() takes it.
 std::string& last_error();
+/// The same whether it has been taken or not, for the other processes.
+std::string& latest_error();
 constexpr int BAD_INPUT = 20, NOT_WRITTEN = 5; // exit status
 /// Error that the script sees once, with its line; exit code 20 unless another is given; text kept for rcLastError().
 struct PluginError : Error {
   explicit PluginError(const std::string& message, int status = BAD_INPUT)
       : Error(NONE, "burnish: ", message.c_str()), m_status(status) {
-    last_error() = message;
+    last_error() = latest_error() = message;
   }
   int errcode() const override { return m_status; }
 
@@ -31,7 +33,7 @@ private:
   int m_status;
 };
 
-/// Whether Ctrl-C, SIGTERM or SIGHUP came since rcCatchInterrupt.
+/// Whether Ctrl-C, SIGTERM or SIGHUP came since rcCatchInterrupt, to one of the ranks; all of them ask.
 bool interrupt_came();
 
 /// Runs f; turns every std::exception into a PluginError.

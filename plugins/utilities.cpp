@@ -33,9 +33,11 @@
 #include "leave.hpp"
 #include "named.hpp"
 #include "output/summary.hpp"
+#include "parallel/ranks.hpp"
 #include "solver/blas_info.hpp"
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
 #include <exception>
 #include <unistd.h>
@@ -97,8 +99,9 @@ bool caught_exit(const long&) {
 double wall_time(const long&) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
-constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGHUP}, NUM_SIGNALS = 3;
-void (*handlers[])(int) = {SIG_DFL, SIG_DFL, SIG_DFL};
+// SIGUSR1: what mpirun hands on to all ranks, burnish -np
+constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGUSR1, SIGHUP}, NUM_SIGNALS = 4;
+void (*handlers[])(int) = {SIG_DFL, SIG_DFL, SIG_DFL, SIG_DFL};
 bool catch_interrupt(const long&) {
   interrupted = 0;
   for (int k = 0; k < NUM_SIGNALS; ++k) handlers[k] = std::signal(SIGNALS[k], note_signal);
@@ -119,11 +122,14 @@ bool owe_status(const long& status) {
 }
 // FreeFEM's texts know no escape character.
 string* erased_line(Stack stack, const long&) { return new_string(stack, "\r\033[K"); }
-bool is_terminal(const long&) { return isatty(STDOUT_FILENO) != 0; }
+// mpirun has one for its processes whatever its own output is; .ci/burnish.in says what that is.
+bool is_terminal(const long&) {
+  return isatty(STDOUT_FILENO) != 0 && (ranks().size() == 1 || std::getenv("BURNISH_TERMINAL"));
+}
 
 } // namespace
 
-bool interrupt_came() { return interrupted != 0; }
+bool interrupt_came() { return ranks().least(interrupted ? 0 : 1) == 0; }
 
 void register_tools_of_the_trade() {
   Global.Add("rcLastError", "(", new OneOperator1s_<string*, long>(last_error_text));

@@ -1,6 +1,7 @@
 #include "base/run_folder.hpp"
 #include "base/error.hpp"
 #include "base/whole_file.hpp"
+#include "parallel/first_rank.hpp"
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -43,9 +44,7 @@ bool drawn_by_us(const fs::path& path) {
   return head.find(PICTURE_MARK) != std::string::npos;
 }
 
-} // namespace
-
-void make_run_folder(const std::string& path, const char* where) {
+void make_own_folder(const std::string& path, const char* where) {
   const std::string begin = "the output folder \"" + path + "\" ";
   std::error_code code;
   fs::create_directories(path, code);
@@ -60,7 +59,7 @@ void make_run_folder(const std::string& path, const char* where) {
     if (entry.path().filename().string().rfind(NEW_MARK, 0) == 0) fs::remove(entry.path(), code);
 }
 
-void remove_results(const std::string& folder) {
+void remove_all_results(const std::string& folder) {
   static const std::regex results(
       "(history|events|surface|tools|model)\\.csv|final\\.vtu|fields\\.pvd|supports\\.vtp|report\\.txt|"
       "movie\\.(html|gif)|fields-[0-9]+\\.vtu|(tools|surface)-[0-9]+\\.vtp");
@@ -73,7 +72,7 @@ void remove_results(const std::string& folder) {
   }
 }
 
-void remove_frames(const std::string& folder, long last) {
+void remove_later_frames(const std::string& folder, long last) {
   static const std::regex frame("(?:fields|tools|surface)-([0-9]{1,9})\\.vt[up]");
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(folder, code)) {
@@ -81,6 +80,18 @@ void remove_frames(const std::string& folder, long last) {
     std::smatch number;
     if (std::regex_match(name, number, frame) && std::stol(number[1]) > last) fs::remove(entry.path(), code);
   }
+}
+
+} // namespace
+
+void make_run_folder(const std::string& path, const char* where) {
+  on_first_rank([&] { make_own_folder(path, where); });
+}
+void remove_results(const std::string& folder) {
+  on_first_rank([&] { remove_all_results(folder); });
+}
+void remove_frames(const std::string& folder, long last) {
+  on_first_rank([&] { remove_later_frames(folder, last); });
 }
 
 } // namespace burnish

@@ -1,5 +1,5 @@
 #include "base/whole_file.hpp"
-#include "base/file_error.hpp"
+#include "parallel/first_rank.hpp"
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -34,14 +34,7 @@ std::string reason_of(const std::string& path) {
   return reason != 0 ? std::strerror(reason) : "the disk was full";
 }
 
-} // namespace
-
-std::string new_name(const std::string& path) {
-  const fs::path whole(path);
-  return (whole.parent_path() / (NEW_MARK + whole.filename().string())).string();
-}
-
-void replace_file(const std::string& path, bool ok) {
+void put_in_place(const std::string& path, bool ok) {
   const std::string written = new_name(path);
   std::error_code code;
   if (ok) fs::rename(written, path, code);
@@ -53,15 +46,7 @@ void replace_file(const std::string& path, bool ok) {
                   (older ? "; the one before it is kept" : ""));
 }
 
-void write_whole(const std::string& path, const std::string& text) {
-  std::ofstream file(new_name(path), std::ios::binary);
-  file << text;
-  file.close();
-  replace_file(path, file.good());
-}
-
-void keep_whole_lines(const std::string& path, bool ok) {
-  if (ok) return;
+void cut_to_whole_lines(const std::string& path) {
   const std::string reason = reason_of(path);
   std::error_code code;
   std::uintmax_t size = fs::file_size(path, code), from = size;
@@ -76,6 +61,32 @@ void keep_whole_lines(const std::string& path, bool ok) {
     break;
   }
   throw FileError("file \"" + path + "\" cannot be written on: " + reason + "; its whole lines are kept");
+}
+
+} // namespace
+
+std::string new_name(const std::string& path) {
+  const fs::path whole(path);
+  return (whole.parent_path() / (NEW_MARK + whole.filename().string())).string();
+}
+
+void replace_file(const std::string& path, bool ok) {
+  on_first_rank([&] { put_in_place(path, ok); });
+}
+
+void write_whole(const std::string& path, const std::string& text) {
+  on_first_rank([&] {
+    std::ofstream file(new_name(path), std::ios::binary);
+    file << text;
+    file.close();
+    put_in_place(path, file.good());
+  });
+}
+
+void keep_whole_lines(const std::string& path, bool ok) {
+  on_first_rank([&] {
+    if (!ok) cut_to_whole_lines(path);
+  });
 }
 
 bool ends_with(const std::string& path, const std::string& text) {

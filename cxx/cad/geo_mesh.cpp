@@ -1,6 +1,7 @@
 #include "cad/geo_mesh.hpp"
 #include "base/error.hpp"
 #include "cad/cad_text.hpp"
+#include "parallel/first_rank.hpp"
 #include <filesystem>
 #include <fstream>
 
@@ -57,10 +58,8 @@ void check_elements(const std::string& file, const std::string& mesh, const Want
          "\"" + file + "\" has no physical " + wanted.faces + "; they become the labels: " + wanted.label);
 }
 
-} // namespace
-
-void mesh_geo(const std::string& file, const std::string& numbers, const std::string& result,
-              const GeoMeshing& meshing) {
+void mesh_geo_here(const std::string& file, const std::string& numbers, const std::string& result,
+                   const GeoMeshing& meshing) {
   const GeoNumbers parsed = parse_numbers(MESH_GEO, numbers);
   check_text(file, parsed);
   make_folder_of(result);
@@ -77,6 +76,13 @@ void mesh_geo(const std::string& file, const std::string& numbers, const std::st
     std::filesystem::remove(mesh, code);
     throw;
   }
+}
+
+} // namespace
+
+void mesh_geo(const std::string& file, const std::string& numbers, const std::string& result,
+              const GeoMeshing& meshing) {
+  on_first_rank([&] { mesh_geo_here(file, numbers, result, meshing); });
 }
 
 } // namespace burnish

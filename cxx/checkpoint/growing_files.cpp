@@ -1,6 +1,7 @@
 // The files beside a checkpoint, which grow as the run goes on.
 #include "base/error.hpp"
 #include "checkpoint/checkpoint.hpp"
+#include "parallel/first_rank.hpp"
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -24,6 +25,16 @@ std::string present_path(const std::string& kept, const std::string& folder) {
   return (path.is_absolute() ? path : fs::path(folder) / path).string();
 }
 
+void require_whole(const std::string& path, std::uintmax_t wanted) {
+  std::error_code code;
+  const std::uintmax_t size = fs::file_size(path, code);
+  if (code) fail_at("file \"" + path + "\"", "cannot go on: " + code.message());
+  if (size < wanted)
+    fail_at("file \"" + path + "\"", "has " + std::to_string(size) + " bytes, expected the " +
+                                         std::to_string(wanted) +
+                                         " that it had at the checkpoint: it is of another run");
+}
+
 } // namespace
 
 std::vector<GrowingFile> growing_files(const std::vector<std::string>& paths, const std::string& folder) {
@@ -41,17 +52,11 @@ std::vector<GrowingFile> growing_files(const std::vector<std::string>& paths, co
 
 std::vector<std::string> cut_files(const std::vector<GrowingFile>& files, const std::string& folder) {
   std::vector<std::string> paths;
-  for (const GrowingFile& file : files) {
-    paths.push_back(present_path(file.path, folder));
-    std::error_code code;
-    const std::uintmax_t size = fs::file_size(paths.back(), code);
-    if (code) fail_at("file \"" + paths.back() + "\"", "cannot go on: " + code.message());
-    if (size < file.size)
-      fail_at("file \"" + paths.back() + "\"", "has " + std::to_string(size) + " bytes, expected the " +
-                                                   std::to_string(file.size) +
-                                                   " that it had at the checkpoint: it is of another run");
-  }
-  for (std::size_t i = 0; i < files.size(); ++i) fs::resize_file(paths[i], files[i].size);
+  for (const GrowingFile& file : files) paths.push_back(present_path(file.path, folder));
+  on_first_rank([&] {
+    for (std::size_t i = 0; i < files.size(); ++i) require_whole(paths[i], files[i].size);
+    for (std::size_t i = 0; i < files.size(); ++i) fs::resize_file(paths[i], files[i].size);
+  });
   return paths;
 }
 

@@ -86,7 +86,7 @@ template <int Dim> void Corrector<Dim>::make_tangent(int num_nodes) {
 
 template <int Dim> std::unique_ptr<BodySolver<Dim>> Corrector<Dim>::make_solver(bool by_columns) const {
   if (m_make_solver) return m_make_solver();
-  if (by_columns) return std::make_unique<ColumnFactor<Dim>>(std::make_unique<CholmodSolver>());
+  if (by_columns) return std::make_unique<ColumnFactor<Dim>>(std::make_unique<CholmodSolver>(Dim));
   return std::make_unique<SchurFactor<Dim>>();
 }
 

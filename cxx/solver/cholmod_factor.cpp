@@ -97,7 +97,7 @@ CholmodFactor::~CholmodFactor() = default;
 CholmodFactor::CholmodFactor(CholmodFactor&&) noexcept = default;
 CholmodFactor& CholmodFactor::operator=(CholmodFactor&&) noexcept = default;
 
-void CholmodFactor::analyze(std::vector<int> col_start, std::vector<int> row) {
+void CholmodFactor::analyze(std::vector<int> col_start, std::vector<int> row, int /*first*/) {
   check_lower_triangle(col_start, row);
   Impl& impl = *m_impl;
   impl.free_factor();

@@ -1,17 +1,18 @@
 #include "solver/cholmod_solver.hpp"
-#include "solver/cholmod_factor.hpp"
 #include "solver/fill_ordering.hpp"
+#include "solver/ordered_factor.hpp"
 #include <algorithm>
 
 namespace burnish {
 
 struct CholmodSolver::Impl {
-  CholmodFactor factor;
+  int dim = 2; // of the body
+  std::unique_ptr<OrderedFactor> factor;
   Eigen::PermutationMatrix<Eigen::Dynamic> place; // row of the matrix -> row of the factor
   std::vector<int> slot;                          // per entry of the factor's triangle, that of the matrix
 };
 
-CholmodSolver::CholmodSolver() : m_impl(std::make_unique<Impl>()) {}
+CholmodSolver::CholmodSolver(int dim) : m_impl(std::make_unique<Impl>()) { m_impl->dim = dim; }
 CholmodSolver::~CholmodSolver() = default;
 
 void CholmodSolver::analyze(const SparseView& pattern) {
@@ -35,21 +36,25 @@ void CholmodSolver::analyze(const SparseView& pattern) {
       row[at] = std::max(place[i], place[graph.col[k]]);
       m_impl->slot[at] = k;
     }
-  m_impl->factor.analyze(std::move(start), std::move(row));
+  if (!m_impl->factor || m_impl->factor->size() != pattern.n)
+    m_impl->factor = make_ordered_factor(pattern.n, m_impl->dim);
+  m_impl->factor->analyze(std::move(start), std::move(row));
 }
 
 bool CholmodSolver::factorize(const double* value) {
   std::vector<double> permuted(m_impl->slot.size());
   for (std::size_t k = 0; k < permuted.size(); ++k) permuted[k] = value[m_impl->slot[k]];
-  return m_impl->factor.factorize(std::move(permuted)) == FactorStatus::OK;
+  return m_impl->factor->factorize(std::move(permuted)) == FactorStatus::OK;
 }
 
 void CholmodSolver::solve(Eigen::MatrixXd& B) {
   B = m_impl->place * B;
-  m_impl->factor.solve(B);
+  m_impl->factor->solve(B);
   B = m_impl->place.inverse() * B;
 }
 
-std::size_t CholmodSolver::factor_entries() const { return m_impl->factor.factor_entries(); }
+std::size_t CholmodSolver::factor_entries() const {
+  return m_impl->factor ? m_impl->factor->factor_entries() : 0;
+}
 
 } // namespace burnish

@@ -5,10 +5,11 @@
 
 namespace burnish {
 
-/// Supernodal LL'. Its refusal of a matrix that is not positive definite is exact.
+/// Supernodal LL', of a divided body by MUMPS. Its refusal of a matrix that is not positive definite is exact.
 class CholmodSolver final : public SparseSolver {
 public:
-  CholmodSolver();
+  /// @param dim of the body
+  explicit CholmodSolver(int dim = 2);
   ~CholmodSolver() override;
   bool symmetric() const override { return true; }
   void analyze(const SparseView& pattern) override;

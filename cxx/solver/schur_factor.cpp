@@ -1,6 +1,6 @@
 #include "solver/schur_factor.hpp"
 #include "base/error.hpp"
-#include "solver/cholmod_factor.hpp"
+#include "solver/ordered_factor.hpp"
 #include "solver/permuted_triangle.hpp"
 #include <cmath>
 #include <utility>
@@ -16,7 +16,7 @@ template <int Dim> struct SchurFactor<Dim>::Impl {
   std::vector<char> fixed;
   std::vector<int> candidates;
   PermutedTriangle triangle;
-  CholmodFactor factor;
+  std::unique_ptr<OrderedFactor> factor;
   Eigen::MatrixXd trailing; // L of the candidates
   int analyses = 0, factorizations = 0, solves = 0;
 
@@ -24,7 +24,7 @@ template <int Dim> struct SchurFactor<Dim>::Impl {
     return analyses > 0 && pattern.row_start == row_start && pattern.col == col;
   }
   void require_factor(const char* where) const {
-    if (!factor.is_factorized()) fail(where, "there is no factor, call factorize first");
+    if (!factor || !factor->is_factorized()) fail(where, "there is no factor, call factorize first");
   }
   std::vector<double> values_of(const NodeBlockMatrix<Dim>& matrix) const; // in the order of the triangle
   [[noreturn]] void report_not_finite(const NodeBlockMatrix<Dim>& matrix) const;
@@ -115,7 +115,9 @@ void SchurFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::v
   fresh.solves = m_impl->solves;
   release(); // two factors at a time are never held
   fresh.triangle = permute_candidates_last(pattern, fixed, candidates);
-  fresh.factor.analyze(std::move(fresh.triangle.col_start), std::move(fresh.triangle.row));
+  fresh.factor = make_ordered_factor(static_cast<int>(fresh.triangle.order.size()), Dim);
+  fresh.factor->analyze(std::move(fresh.triangle.col_start), std::move(fresh.triangle.row),
+                        fresh.triangle.num_interior);
   fresh.row_start = pattern.row_start;
   fresh.col = pattern.col;
   fresh.fixed = fixed;
@@ -138,9 +140,9 @@ FactorStatus SchurFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, con
     for (std::size_t i = 0; i < free.size(); ++i) values[m_impl->triangle.diagonal[i]] += added[free[i]];
   }
   ++m_impl->factorizations;
-  const FactorStatus status = m_impl->factor.factorize(std::move(values));
+  const FactorStatus status = m_impl->factor->factorize(std::move(values));
   if (status == FactorStatus::OK)
-    m_impl->trailing = m_impl->factor.trailing_factor(m_impl->triangle.num_interior);
+    m_impl->trailing = m_impl->factor->trailing_factor(m_impl->triangle.num_interior);
   return status;
 }
 
@@ -165,7 +167,7 @@ template <int Dim> Eigen::VectorXd SchurFactor<Dim>::Impl::on_nodes(const Eigen:
 template <int Dim> Eigen::VectorXd SchurFactor<Dim>::solve(const Eigen::VectorXd& b) const {
   m_impl->require_factor("SchurFactor::solve");
   Eigen::VectorXd y = m_impl->permuted(b, "SchurFactor::solve");
-  m_impl->factor.solve(y);
+  m_impl->factor->solve(y);
   ++m_impl->solves;
   return m_impl->on_nodes(y);
 }
@@ -173,7 +175,7 @@ template <int Dim> Eigen::VectorXd SchurFactor<Dim>::solve(const Eigen::VectorXd
 template <int Dim> SweptLoad SchurFactor<Dim>::sweep(const Eigen::VectorXd& b) const {
   m_impl->require_factor("SchurFactor::sweep");
   SweptLoad load{m_impl->permuted(b, "SchurFactor::sweep")};
-  m_impl->factor.solve_lower(load.y);
+  m_impl->factor->solve_lower(load.y);
   return load;
 }
 
@@ -199,7 +201,7 @@ Eigen::VectorXd SchurFactor<Dim>::displacement(const SweptLoad& load, const Eige
   for (std::size_t k = 0; k < free.size(); ++k) more[static_cast<Eigen::Index>(k)] = p[free[k]];
   m_impl->trailing.template triangularView<Eigen::Lower>().solveInPlace(more);
   y.tail(more.size()) += more;
-  m_impl->factor.solve_upper(y);
+  m_impl->factor->solve_upper(y);
   ++m_impl->solves;
   return m_impl->on_nodes(y);
 }
@@ -228,7 +230,7 @@ template <int Dim> Eigen::MatrixXd SchurFactor<Dim>::schur_complement() const {
 }
 
 template <int Dim> std::size_t SchurFactor<Dim>::factor_entries() const {
-  return m_impl->factor.factor_entries();
+  return m_impl->factor ? m_impl->factor->factor_entries() : 0;
 }
 template <int Dim> int SchurFactor<Dim>::analyses() const { return m_impl->analyses; }
 template <int Dim> int SchurFactor<Dim>::factorizations() const { return m_impl->factorizations; }

@@ -37,9 +37,6 @@ std::shared_ptr<const MaterialLaw<Dim>> valid(std::shared_ptr<const MaterialLaw<
   return law;
 }
 
-/// What stays in the nearest cache between deformation gradients and law.
-constexpr int ELEMENTS_AT_A_TIME = 64;
-
 void require_blend(const char* where, double blend) {
   require(blend >= 0 && blend <= 1, where, "elastic_blend", blend, "0 <= elastic_blend <= 1");
 }
@@ -72,7 +69,7 @@ template <int Dim>
 Workpiece<Dim>::Workpiece(Discretization<Dim> discretization, std::shared_ptr<const MaterialLaw<Dim>> law,
                           UpdateOptions options)
     : m_discretization(valid(std::move(discretization))), m_law(valid(std::move(law))), m_options(options),
-      m_assembly(m_discretization), m_axis(m_discretization),
+      m_assembly(m_discretization), m_division(m_discretization), m_axis(m_discretization),
       m_state_old(initial_state(m_discretization, m_law->internal_variables())), m_state(m_state_old),
       m_trial(m_discretization.num_points()), m_integrity(m_law->internal_variables().initial()) {
   burnish::require_valid(m_options, "Workpiece");
@@ -126,6 +123,36 @@ template <int Dim> UpdateResult Workpiece<Dim>::update_points(int first, int end
   return {found.result.status, first + found.point, found.result.value};
 }
 
+/// Deformation gradients and law of some elements, one after the other as long as both are in the nearest cache.
+template <int Dim>
+UpdateResult Workpiece<Dim>::update_batch(int first_element, int end_element, int iteration) {
+  const int per_element = m_discretization.points_per_element;
+  const UpdateResult deformed = deform(first_element, end_element);
+  const bool sound = deformed.status == UpdateStatus::OK;
+  const UpdateResult updated = update_points(first_element * per_element,
+                                             sound ? end_element * per_element : deformed.point, iteration);
+  return updated.status != UpdateStatus::OK ? updated : deformed;
+}
+
+/// All elements up to the first that fails: those of this rank here, the others by the other ranks. A law that is given from outside
+/// is that of all points on every rank.
+template <int Dim> UpdateResult Workpiece<Dim>::update_divided(int iteration) {
+  const bool alone = !m_division.divided() || m_user;
+  const std::vector<PointTrial> before = alone ? std::vector<PointTrial>() : m_trial;
+  UpdateResult found;
+  for (int b = 0; b < m_division.num_batches() && found.status == UpdateStatus::OK; ++b)
+    if (alone || m_division.is_mine(b))
+      found = update_batch(m_division.first_element(b), m_division.first_element(b + 1), iteration);
+  if (alone) return found;
+  m_division.share_points(m_state, m_trial);
+  const int failed = m_division.share_failure(found.point, found.status, found.value);
+  if (failed < 0) return {};
+  const std::size_t untouched =
+      static_cast<std::size_t>(m_division.first_element(failed + 1)) * m_discretization.points_per_element;
+  std::copy(before.begin() + untouched, before.end(), m_trial.begin() + untouched);
+  return found;
+}
+
 template <int Dim>
 UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double dt, int iteration) {
   const char* where = "Workpiece::update";
@@ -141,16 +168,8 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
   m_updated = true;
   if (m_user) m_user->expire();
   m_integrity.move(m_state_old, m_state);
-  const int per_element = m_discretization.points_per_element, elements = m_discretization.num_elements;
-  for (int first = 0; first < elements; first += ELEMENTS_AT_A_TIME) {
-    const int end = std::min(first + ELEMENTS_AT_A_TIME, elements);
-    const UpdateResult deformed = deform(first, end);
-    const bool sound = deformed.status == UpdateStatus::OK;
-    const UpdateResult updated =
-        update_points(first * per_element, sound ? end * per_element : deformed.point, iteration);
-    if (updated.status != UpdateStatus::OK) return updated;
-    if (!sound) return deformed;
-  }
+  const UpdateResult found = update_divided(iteration);
+  if (found.status != UpdateStatus::OK) return found;
   // a node of no element
   if (!displacement.allFinite())
     return {UpdateStatus::NOT_FINITE, -1, std::numeric_limits<double>::quiet_NaN()};
@@ -160,8 +179,10 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
 template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal_force() const {
   if (m_user && m_updated) m_user->require_stress("Workpiece::internal_force");
   Eigen::VectorXd force = Eigen::VectorXd::Zero(m_discretization.num_dofs());
-  for (int p = 0; p < m_discretization.num_points(); ++p)
+  m_division.for_points([&](int p) {
     add_force<Dim>(m_discretization, p, carried_piola(m_state, p, m_law->small_strain()), force);
+  });
+  m_division.share_rows(force);
   return force;
 }
 
@@ -193,8 +214,9 @@ void Workpiece<Dim>::tangent(NodeBlockMatrix<Dim>& matrix, TangentKind kind, dou
     fail(where, "the matrix has another pattern than this discretization, expected one from pattern()");
   if (m_user) m_user->require_moduli(where);
   matrix.value.assign(matrix.col.size() * Dim * Dim, 0.);
-  for (int p = 0; p < m_discretization.num_points(); ++p)
-    m_assembly.add(m_discretization, p, moduli(p, kind, elastic_blend), matrix);
+  m_division.for_points(
+      [&](int p) { m_assembly.add(m_discretization, p, moduli(p, kind, elastic_blend), matrix); });
+  m_division.share_rows(matrix);
 }
 
 template <int Dim>
@@ -205,10 +227,11 @@ void Workpiece<Dim>::add_antisymmetric_tangent(NodeBlockMatrix<Dim>& matrix, Tan
   if (!m_assembly.fits(matrix) || matrix.value.empty())
     fail(where, "the matrix is not one that tangent() has filled");
   if (m_user) m_user->require_moduli(where);
-  for (int p = 0; p < m_discretization.num_points(); ++p) {
+  m_division.for_points([&](int p) {
     const PiolaTangent<Dim> A = exact_moduli(p, kind, elastic_blend);
     m_assembly.add_antisymmetric(m_discretization, p, 0.5 * (A - A.transpose()), matrix);
-  }
+  });
+  m_division.share_rows(matrix);
 }
 
 template <int Dim> void Workpiece<Dim>::require_point(const char* where, int point) const {

@@ -4,6 +4,7 @@
 // `revert` are the only ways between the states.
 #include "workpiece/assembly.hpp"
 #include "workpiece/axis.hpp"
+#include "workpiece/element_division.hpp"
 #include "workpiece/integrity_changes.hpp"
 #include "workpiece/user_points.hpp"
 #include <memory>
@@ -105,6 +106,8 @@ private:
     return m_updated ? m_integrity.start(m_state_old) : m_state_old;
   }
   UpdateResult deform(int first_element, int end_element);
+  UpdateResult update_batch(int first_element, int end_element, int iteration);
+  UpdateResult update_divided(int iteration);
   UpdateResult update_points(int first, int end, int iteration);
   PiolaTangent<Dim> moduli(int point, TangentKind kind, double elastic_blend) const;
   PiolaTangent<Dim> exact_moduli(int point, TangentKind kind, double elastic_blend) const;
@@ -114,6 +117,7 @@ private:
   std::shared_ptr<const MaterialLaw<Dim>> m_law;
   UpdateOptions m_options;
   TangentAssembly<Dim> m_assembly;
+  ElementDivision<Dim> m_division;
   AxisNodes<Dim> m_axis;
   WorkpieceState<Dim> m_state_old, m_state;
   std::vector<PointTrial> m_trial; // per point, this step

@@ -1,0 +1,17 @@
+#include "solver/ordered_factor.hpp"
+#include "base/companion_library.hpp"
+#include "parallel/ranks.hpp"
+#include "solver/cholmod_factor.hpp"
+
+namespace burnish {
+
+std::unique_ptr<OrderedFactor> make_ordered_factor(int unknowns, int dim) {
+  if (!divided(unknowns, dim)) return std::make_unique<CholmodFactor>();
+  constexpr const char* name = "burnish_mpi.so";
+  void* const library = open_companion(name, "MPI", "libmumps-dev");
+  using Make = OrderedFactor* (*)();
+  return std::unique_ptr<OrderedFactor>(
+      reinterpret_cast<Make>(companion_function(library, name, "burnish_mpi_factor"))());
+}
+
+} // namespace burnish
