@@ -1,6 +1,7 @@
 #include "contact/balance.hpp"
 #include "contact/coupling.hpp"
 #include "contact/driving_force.hpp"
+#include "contact/mean_slip.hpp"
 #include "contact/slip_direction.hpp"
 #include "contact/tied_edges.hpp"
 #include <algorithm>
@@ -106,8 +107,11 @@ void contact_node(const BalancedState<Dim>& state, int candidate, const ContactP
   result.friction_limit += law.capacity(deciding);
   if (node.state == NodeState::SLIDING) {
     double r = law.sliding_residual(deciding, at.m);
-    if (!model.is_constrained(candidate))
-      r = std::max(r, direction_residual(law, deciding, at.m, slip, state.contact.slip_stiffness));
+    if (!model.is_constrained(candidate) && !TangentialLaw<Dim>::slips_back(slip, at.m, 0)) {
+      const double c = state.contact.slip_stiffness;
+      const Param<Dim> way = mean_slip_of(model, candidate, node, deciding, c).way;
+      r = std::max(r, direction_residual(law, deciding, at.m, way, c));
+    }
     r *= tolerance.weight(node.tool);
     if (worse(r, result)) {
       result.residual = r;
