@@ -130,10 +130,11 @@ double lever_of_tool(const ContactModel<Dim>& model, const std::vector<Pose<Dim>
          poses[tool].R_q[own].norm() * model.tools[tool]->surface().length_scale();
 }
 
-// Levers of coordinates that others follow, and of those that only their drive holds.
+// Levers of coordinates that others follow, of those that no node in contact sees, and of those that only their drive holds.
 template <int Dim>
 void complete_levers(const BalancedState<Dim>& state, const std::vector<Pose<Dim>>& poses,
                      Eigen::VectorXd& lever) {
+  constexpr double unseen = 1e-9; // of the tool's own lever: rounding of a turn about the only node
   const ContactModel<Dim>& model = state.model;
   for (const Coupling& coupling : model.couplings) {
     const Eigen::VectorXd slopes = slopes_of(coupling, state.contact.q);
@@ -142,9 +143,10 @@ void complete_levers(const BalancedState<Dim>& state, const std::vector<Pose<Dim
       own = std::max(own, std::abs(slopes[static_cast<Eigen::Index>(i)]) * lever[coupling.dependent]);
     }
   }
-  for (Eigen::Index k = 0; k < lever.size(); ++k)
-    if (lever[k] == 0 && state.prescribed.is_held(k))
-      lever[k] = lever_of_tool(model, poses, static_cast<int>(k));
+  for (Eigen::Index k = 0; k < lever.size(); ++k) {
+    const double own = lever_of_tool(model, poses, static_cast<int>(k));
+    if (lever[k] > 0 ? lever[k] < unseen * own : state.prescribed.is_held(k)) lever[k] = own;
+  }
 }
 
 // Prescribed forces are a load of their tool.
