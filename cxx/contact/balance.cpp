@@ -1,6 +1,7 @@
 #include "contact/balance.hpp"
 #include "contact/coupling.hpp"
 #include "contact/driving_force.hpp"
+#include "contact/mean_slip.hpp"
 #include "contact/slip_direction.hpp"
 #include "contact/tied_edges.hpp"
 #include <algorithm>
@@ -106,8 +107,11 @@ void contact_node(const BalancedState<Dim>& state, int candidate, const ContactP
   result.friction_limit += law.capacity(deciding);
   if (node.state == NodeState::SLIDING) {
     double r = law.sliding_residual(deciding, at.m);
-    if (!model.is_constrained(candidate))
-      r = std::max(r, direction_residual(law, deciding, at.m, slip, state.contact.slip_stiffness));
+    if (!model.is_constrained(candidate) && !TangentialLaw<Dim>::slips_back(slip, at.m, 0)) {
+      const double c = state.contact.slip_stiffness;
+      const Param<Dim> way = mean_slip_of(model, candidate, node, deciding, c).way;
+      r = std::max(r, direction_residual(law, deciding, at.m, way, c));
+    }
     r *= tolerance.weight(node.tool);
     if (worse(r, result)) {
       result.residual = r;
@@ -126,10 +130,11 @@ double lever_of_tool(const ContactModel<Dim>& model, const std::vector<Pose<Dim>
          poses[tool].R_q[own].norm() * model.tools[tool]->surface().length_scale();
 }
 
-// Levers of coordinates that others follow, and of those that only their drive holds.
+// Levers of coordinates that others follow, of those that no node in contact sees, and of those that only their drive holds.
 template <int Dim>
 void complete_levers(const BalancedState<Dim>& state, const std::vector<Pose<Dim>>& poses,
                      Eigen::VectorXd& lever) {
+  constexpr double unseen = 1e-9; // of the tool's own lever: rounding of a turn about the only node
   const ContactModel<Dim>& model = state.model;
   for (const Coupling& coupling : model.couplings) {
     const Eigen::VectorXd slopes = slopes_of(coupling, state.contact.q);
@@ -138,9 +143,10 @@ void complete_levers(const BalancedState<Dim>& state, const std::vector<Pose<Dim
       own = std::max(own, std::abs(slopes[static_cast<Eigen::Index>(i)]) * lever[coupling.dependent]);
     }
   }
-  for (Eigen::Index k = 0; k < lever.size(); ++k)
-    if (lever[k] == 0 && state.prescribed.is_held(k))
-      lever[k] = lever_of_tool(model, poses, static_cast<int>(k));
+  for (Eigen::Index k = 0; k < lever.size(); ++k) {
+    const double own = lever_of_tool(model, poses, static_cast<int>(k));
+    if (lever[k] > 0 ? lever[k] < unseen * own : state.prescribed.is_held(k)) lever[k] = own;
+  }
 }
 
 // Prescribed forces are a load of their tool.
