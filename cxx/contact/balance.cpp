@@ -108,9 +108,8 @@ void contact_node(const BalancedState<Dim>& state, int candidate, const ContactP
   if (node.state == NodeState::SLIDING) {
     double r = law.sliding_residual(deciding, at.m);
     if (!model.is_constrained(candidate) && !TangentialLaw<Dim>::slips_back(slip, at.m, 0)) {
-      const double c = state.contact.slip_stiffness;
-      const Param<Dim> way = mean_slip_of(model, candidate, node, deciding, c).way;
-      r = std::max(r, direction_residual(law, deciding, at.m, way, c));
+      const Param<Dim> way = mean_slip_of(model, node).way;
+      r = std::max(r, direction_residual(law, deciding, at.m, way, state.contact.slip_stiffness));
     }
     r *= tolerance.weight(node.tool);
     if (worse(r, result)) {

@@ -30,7 +30,7 @@ template <class Archive, int Dim> void serialize(Archive& archive, SurfacePlace<
   BURNISH_MEMBERS(value, y, hint);
 }
 template <class Archive, int Dim> void serialize(Archive& archive, ContactNode<Dim>& value) {
-  BURNISH_MEMBERS(value, state, tool, place, slip_origin, slip_direction, slip_before, tied, bears, has_ties,
+  BURNISH_MEMBERS(value, state, tool, place, slip_origin, slip_direction, slip_memory, tied, bears, has_ties,
                   slip_rate, tributary_area);
 }
 template <class Archive, int Dim> void serialize(Archive& archive, ContactState<Dim>& value) {

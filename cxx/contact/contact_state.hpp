@@ -24,8 +24,8 @@ template <int Dim> struct ContactNode {
   SurfacePlace<Dim> slip_origin; ///< where it sticks; the slip of the step is counted from here
   Vector<Dim> slip_direction =
       Vector<Dim>::Zero(); ///< of a node that slides against friction: unit tangent; else zero
-  Vector<Dim> slip_before =
-      Vector<Dim>::Zero(); ///< the same at the start of the step (contact/mean_slip.hpp)
+  Vector<Dim> slip_memory =
+      Vector<Dim>::Zero(); ///< direction at the end of the last step by its weight (contact/mean_slip.hpp)
   bool tied = false;  ///< mid node that follows the slips of the ends of its edge (contact/tied_edges.hpp)
   bool bears = false; ///< a weightless vertex with friction all the same (ContactModel::weightless)
   bool has_ties =
@@ -37,11 +37,6 @@ template <int Dim> struct ContactNode {
 /// Contact point, and the slip counts from there anew.
 template <int Dim> void place_at(ContactNode<Dim>& node, const SurfacePlace<Dim>& place) {
   node.place = node.slip_origin = place;
-}
-/// A step begins: slips count from here, and turn from the direction that they have.
-template <int Dim> void begin_slip(ContactNode<Dim>& node) {
-  node.slip_origin = node.place;
-  node.slip_before = node.state == NodeState::SLIDING ? node.slip_direction : Vector<Dim>::Zero();
 }
 /// From here on the node sticks where its slip was counted from.
 template <int Dim> void make_stick(ContactNode<Dim>& node) {

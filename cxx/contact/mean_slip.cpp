@@ -3,44 +3,33 @@
 
 namespace burnish {
 
-template <int Dim> MeanSlip<Dim> mean_slip(const Param<Dim>& slip, const Param<Dim>& before, double reach) {
+template <int Dim> MeanSlip<Dim> mean_slip(const Param<Dim>& slip, const Param<Dim>& memory) {
   MeanSlip<Dim> mean{slip, Curvature<Dim>::Identity()};
   const double size = slip.norm();
-  if (!(size > 0) || before.isZero() || !(reach > 0)) return mean;
-  const double ratio = size / reach, w = 1 / (1 + ratio * ratio);
-  const double w_size = -2 * w * w * ratio / reach; // dw/d|D|
+  if (!(size > 0) || memory.isZero()) return mean;
   const Param<Dim> d = slip / size;
-  const double along = d.dot(before), square = 1 - along * along;
-  const double root = std::sqrt(std::max(1 - w * w * square, 0.));
+  const double along = d.dot(memory);
+  const double root = std::sqrt(std::max(1 - memory.squaredNorm() + along * along, 0.));
   if (!(root > 0)) return mean;
-  const double length = w * along + root;
-  mean.way = length * slip - w * size * before;
-  const Param<Dim> along_slip = (before - along * d) / size;
-  const Param<Dim> w_slip = w_size * d;
-  const Param<Dim> length_slip =
-      along * w_slip + w * along_slip + (w * w * along * along_slip - w * square * w_slip) / root;
-  mean.by_slip = length * Curvature<Dim>::Identity() + slip * length_slip.transpose() -
-                 before * (w * d + size * w_slip).transpose();
+  const double length = along + root;
+  mean.way = length * slip - size * memory;
+  const Param<Dim> along_slip = memory - along * d; // times size
+  mean.by_slip = length * Curvature<Dim>::Identity() + (1 + along / root) * d * along_slip.transpose() -
+                 memory * d.transpose();
   return mean;
 }
 
-template <int Dim>
-MeanSlip<Dim> mean_slip_of(const ContactModel<Dim>& model, int candidate, const ContactNode<Dim>& node,
-                           const DecidingForce<Dim>& deciding, double c) {
+template <int Dim> MeanSlip<Dim> mean_slip_of(const ContactModel<Dim>& model, const ContactNode<Dim>& node) {
   const Param<Dim> slip = slip_of(model, node);
-  if (Dim == 2 || node.slip_before.isZero() || !(c > 0)) return {slip, Curvature<Dim>::Identity()};
+  if (Dim == 2 || node.slip_memory.isZero()) return {slip, Curvature<Dim>::Identity()};
   const SurfaceFrame<Dim> frame = model.tools[node.tool]->surface().frame(node.place);
-  const Param<Dim> before = frame.E.transpose() * node.slip_before;
-  const double reach = model.law(candidate, node).capacity(deciding) * SLIP_STIFFNESS / c;
-  return mean_slip<Dim>(slip, before.normalized(), reach);
+  const Param<Dim> memory = frame.E.transpose() * node.slip_memory;
+  return mean_slip<Dim>(slip, memory.normalized() * node.slip_memory.norm());
 }
 
-#define BURNISH_INSTANTIATE(Dim)                                                                             \
-  template MeanSlip<Dim> mean_slip<Dim>(const Param<Dim>&, const Param<Dim>&, double);                       \
-  template MeanSlip<Dim> mean_slip_of<Dim>(const ContactModel<Dim>&, int, const ContactNode<Dim>&,           \
-                                           const DecidingForce<Dim>&, double);
-BURNISH_INSTANTIATE(2)
-BURNISH_INSTANTIATE(3)
-#undef BURNISH_INSTANTIATE
+template MeanSlip<2> mean_slip<2>(const Param<2>&, const Param<2>&);
+template MeanSlip<3> mean_slip<3>(const Param<3>&, const Param<3>&);
+template MeanSlip<2> mean_slip_of<2>(const ContactModel<2>&, const ContactNode<2>&);
+template MeanSlip<3> mean_slip_of<3>(const ContactModel<3>&, const ContactNode<3>&);
 
 } // namespace burnish

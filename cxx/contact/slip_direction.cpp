@@ -46,8 +46,7 @@ void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, Contac
     const ContactPoint<Dim> at = contact_point(model, poses, node);
     const Param<Dim> slip = slip_of(model, node);
     const double c = model.law(candidate, node).slip_stiffness(deciding[i], slip, state);
-    Param<Dim> way =
-        c * mean_slip_of(model, candidate, node, deciding[i], state.slip_stiffness).way - deciding[i].force.T;
+    Param<Dim> way = c * mean_slip_of(model, node).way - deciding[i].force.T;
     if (model.is_constrained(candidate)) {
       const Curvature<Dim> free = slip_space(model, candidate, at.surface);
       const Param<Dim> kept = free * at.m;

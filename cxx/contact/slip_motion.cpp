@@ -1,17 +1,31 @@
 #include "contact/slip_motion.hpp"
 #include "contact/coupling.hpp"
+#include "contact/mean_slip.hpp"
 #include "contact/tied_edges.hpp"
+#include <algorithm>
 
 namespace burnish {
 
-template <int Dim> void measure_slips(const ContactModel<Dim>& model, double dt, ContactState<Dim>& state) {
+template <int Dim>
+void measure_slips(const ContactModel<Dim>& model, double dt, const Eigen::VectorXd& R,
+                   ContactState<Dim>& state) {
   const auto poses = model.poses(state.q);
-  for (auto& node : state.nodes) {
+  const std::vector<DecidingForce<Dim>> deciding = deciding_forces(model, state, poses, R);
+  // with ties two ways to one state are some 1e-4 apart (ALGORITHMS.md 4), and with memories more
+  const bool ties = std::any_of(state.nodes.begin(), state.nodes.end(),
+                                [](const auto& node) { return node.tied || node.has_ties; });
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    ContactNode<Dim>& node = state.nodes[i];
     node.slip_rate = 0;
+    node.slip_memory.setZero();
     if (node.state != NodeState::SLIDING) continue;
     const ContactPoint<Dim> at = contact_point(model, poses, node);
-    node.slip_rate = TangentialLaw<Dim>::advance(slip_of(model, node), at.m) / dt;
+    const Param<Dim> slip = slip_of(model, node);
+    node.slip_rate = TangentialLaw<Dim>::advance(slip, at.m) / dt;
     node.slip_direction = in_tool_frame(poses[node.tool], at.surface, at.m);
+    if (ties) continue;
+    const double g = model.law(static_cast<int>(i), node).capacity(deciding[i]);
+    node.slip_memory = slip_memory(slip.norm(), g, state.slip_stiffness) * node.slip_direction;
   }
 }
 
@@ -77,7 +91,8 @@ ContactWay contact_way(const ContactModel<3>& model, const ContactState<3>& stat
 }
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
-  template void measure_slips<Dim>(const ContactModel<Dim>&, double, ContactState<Dim>&);                    \
+  template void measure_slips<Dim>(const ContactModel<Dim>&, double, const Eigen::VectorXd&,                 \
+                                   ContactState<Dim>&);                                                      \
   template void move_by<Dim>(const ContactModel<Dim>&, const Condensation<Dim>::Expansion&,                  \
                              ContactState<Dim>&);                                                            \
   template void shorten<Dim>(const ContactModel<Dim>&, const ContactState<Dim>&, double,                     \

@@ -5,7 +5,10 @@
 namespace burnish {
 
 /// Slip rates of a step of length dt; the directions of slip become those in the tangents where the nodes are now.
-template <int Dim> void measure_slips(const ContactModel<Dim>& model, double dt, ContactState<Dim>& state);
+/// @param R internal minus external nodal force, num_dofs: says what they keep of them in the next step (mean_slip.hpp) [force]
+template <int Dim>
+void measure_slips(const ContactModel<Dim>& model, double dt, const Eigen::VectorXd& R,
+                   ContactState<Dim>& state);
 
 /// Places moved by the slips of a solution, and the coordinates by its increments.
 template <int Dim>

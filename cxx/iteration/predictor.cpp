@@ -164,7 +164,7 @@ EntryPlaces<Dim> Predictor<Dim>::entry_places(const ContactState<Dim>& state,
       entry[i].place = nearest.foot.place;
       result.records[i].gap = nearest.foot.gap;
     }
-    begin_slip(entry[i]);
+    place_at(entry[i], entry[i].place);
   }
   return result;
 }
@@ -283,7 +283,7 @@ Prediction<Dim> Predictor<Dim>::rest(const ContactState<Dim>& state, const Eigen
   for (auto& node : start.state.nodes) {
     if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
     node.tied = node.has_ties = false;
-    begin_slip(node);
+    node.slip_origin = node.place;
   }
   start.entry = {start.state.nodes, std::vector<EntryRecord>(start.state.nodes.size())};
   return start;

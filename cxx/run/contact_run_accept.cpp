@@ -65,7 +65,7 @@ void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& in
   log.add(m_step.log.events);
   if (m_step.stepping == Stepping::IMPLICIT)
     log.add(state_changes(m_setup->model(), m_setup->body(), ends(u, R)));
-  measure_slips(m_setup->model(), m_step.dt, state);
+  measure_slips(m_setup->model(), m_step.dt, R, state);
   const bool own = m_step.ways.own_nearer(u, m_accepted.history.own);
   m_accepted.history = {u - m_step.u_start, state.q - m_accepted.contact.q, m_accepted.contact.q, m_step.dt,
                         own};

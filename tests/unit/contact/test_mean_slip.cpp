@@ -8,54 +8,50 @@ using namespace burnish::test;
 namespace {
 
 Param<3> at_angle(double size, double angle) { return size * Param<3>(std::cos(angle), std::sin(angle)); }
-constexpr double REACH = 2;
 
 } // namespace
 
 TEST(MeanSlip, SlipLiesAlongTheWeightedMean) {
-  for (const double size : {0.02, 0.7, 2., 30.})
+  for (const double w : {0.01, 0.4, 0.98})
     for (const double angle : {-1.5, -0.4, 0., 0.9, 2.5}) {
-      const Param<3> D = at_angle(size, 0.3 + angle), before = at_angle(1, 0.3);
-      const Param<3> m = mean_slip<3>(D, before, REACH).way / size;
+      const Param<3> D = at_angle(0.7, 0.3 + angle), memory = at_angle(w, 0.3);
+      const Param<3> m = mean_slip<3>(D, memory).way / 0.7;
       EXPECT_NEAR(m.norm(), 1, 1e-14);
-      const double w = 1 / (1 + size * size / (REACH * REACH));
-      const Param<3> mean = w * before + m;
-      EXPECT_NEAR(mean[0] * D[1] - mean[1] * D[0], 0, 1e-13 * size) << size << " " << angle;
-      EXPECT_GE(mean.dot(D), 0) << size << " " << angle;
+      const Param<3> mean = memory + m;
+      EXPECT_NEAR(mean[0] * D[1] - mean[1] * D[0], 0, 1e-14) << w << " " << angle;
+      EXPECT_GE(mean.dot(D), 0) << w << " " << angle;
     }
 }
 
-TEST(MeanSlip, ShortSlipsTurnTwiceLongOnesNotAtAll) {
+TEST(MeanSlip, TurnsTwiceWithAWholeMemoryNotAtAllWithoutOne) {
   const double angle = 0.2;
-  const Param<3> before = at_angle(1, 0);
-  const Param<3> brief = mean_slip<3>(at_angle(1e-4, angle), before, REACH).way / 1e-4;
-  EXPECT_NEAR(std::atan2(brief[1], brief[0]), 2 * angle, 1e-8);
-  const Param<3> wide = mean_slip<3>(at_angle(1e4, angle), before, REACH).way / 1e4;
-  EXPECT_NEAR(std::atan2(wide[1], wide[0]), angle, 1e-7);
-  const Param<3> back = mean_slip<3>(at_angle(1, M_PI), before, REACH).way;
-  EXPECT_NEAR((back - at_angle(1, M_PI)).norm(), 0, 1e-14) << "a slip back stays one";
+  const Param<3> D = at_angle(0.3, angle);
+  const Param<3> turned = mean_slip<3>(D, at_angle(1, 0)).way;
+  EXPECT_NEAR(std::atan2(turned[1], turned[0]), 2 * angle, 1e-14);
+  EXPECT_EQ(mean_slip<3>(D, Param<3>::Zero()).way, D);
+  EXPECT_EQ(mean_slip<3>(D, Param<3>::Zero()).by_slip, Curvature<3>(Curvature<3>::Identity()));
+  const Param<3> none = Param<3>::Zero(), back = at_angle(1, M_PI);
+  EXPECT_EQ(mean_slip<3>(none, at_angle(0.5, 0)).way, none);
+  EXPECT_NEAR((mean_slip<3>(back, at_angle(0.5, 0)).way - back).norm(), 0, 1e-14) << "a slip back stays one";
 }
 
-TEST(MeanSlip, NothingTurnsWithoutADirectionBefore) {
-  const Param<3> D = at_angle(0.3, 1);
-  for (const auto& mean : {mean_slip<3>(D, Param<3>::Zero(), REACH), mean_slip<3>(D, Param<3>(1, 0), 0)}) {
-    EXPECT_EQ(mean.way, D);
-    EXPECT_EQ(mean.by_slip, Curvature<3>(Curvature<3>::Identity()));
-  }
-  EXPECT_EQ(mean_slip<3>(Param<3>::Zero(), Param<3>(1, 0), REACH).way, Param<3>(Param<3>::Zero()));
+TEST(MeanSlip, LongSlipsForget) {
+  EXPECT_EQ(slip_memory(0, 2, 0.1), 1);
+  EXPECT_DOUBLE_EQ(slip_memory(1, 2, 0.1), 0.5) << "kappa = c/0.05 = 2: as much as g";
+  EXPECT_NEAR(slip_memory(1e6, 2, 0.1), 0, 1e-11);
+  EXPECT_EQ(slip_memory(1, 0, 0.1), 0) << "nothing presses";
 }
 
 TEST(MeanSlip, DerivativeByDifferences) {
-  for (const double size : {0.1, 1., 5.})
+  for (const double w : {0.1, 0.6, 0.95})
     for (const double angle : {-1., 0.1, 1.4}) {
-      const Param<3> D = at_angle(size, 0.3 + angle), before = at_angle(1, 0.3);
-      const Curvature<3> exact = mean_slip<3>(D, before, REACH).by_slip;
+      const Param<3> D = at_angle(0.4, 0.3 + angle), memory = at_angle(w, 0.3);
+      const Curvature<3> exact = mean_slip<3>(D, memory).by_slip;
       for (int k = 0; k < 2; ++k) {
-        const double h = 1e-6 * size;
-        const Param<3> step = h * Param<3>::Unit(k);
+        const Param<3> step = 1e-6 * Param<3>::Unit(k);
         const Param<3> change =
-            (mean_slip<3>(D + step, before, REACH).way - mean_slip<3>(D - step, before, REACH).way) / (2 * h);
-        EXPECT_NEAR((change - exact.col(k)).norm(), 0, 1e-8) << size << " " << angle;
+            (mean_slip<3>(D + step, memory).way - mean_slip<3>(D - step, memory).way) / 2e-6;
+        EXPECT_NEAR((change - exact.col(k)).norm(), 0, 1e-8) << w << " " << angle;
       }
     }
 }
