@@ -75,8 +75,8 @@ script -qec "'$REAL' sweep press.edp a=1,2 slow=0.5 -jobs 1 -study live" "$SCRAT
 holds live "live: 1 of 2 ended, 0 failed, 1 running, about "
 holds live $'\x1b[2A\x1b[J'
 
-# ... and two other machines, reached by a program in place of ssh, take runs
-mkdir bin && printf '#!/bin/bash\necho "$1" >>"%s/hosts"\nshift; [ "$1" = -- ] && shift\nexec bash -c "$*"\n' "$SCRATCH" >bin/ssh && chmod +x bin/ssh
+# ... and two other machines, reached by a program in place of ssh, take runs; as sshd it sets SHELL, which GNU parallel there needs
+mkdir bin && printf '#!/bin/bash\necho "$1" >>"%s/hosts"\nshift; [ "$1" = -- ] && shift\nSHELL=/bin/bash exec bash -c "$*"\n' "$SCRATCH" >bin/ssh && chmod +x bin/ssh
 PATH=$PWD/bin:$PATH sweep 0 ssh a=1:4:4 slow=0.2 -study far -ssh one,two
 [ "$(sed '/^-/d' "$SCRATCH/hosts" | sort -u | xargs)" = "one two" ] && [ "$(cat out/sweep/far/*/exit.txt | xargs)" = "0 0 0 0" ] || fail "ssh: runs"
 
