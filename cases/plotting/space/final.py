@@ -18,7 +18,7 @@ def near(image, places):
 
 
 def final_figure(run):
-    frame = run.last
+    frame = run.view(-1)
     scale = scene.scale_of(run, [frame])
     box = scene.box_of([frame])
     image, places = scene.picture(run, frame, box, scale, SIZE)
@@ -43,7 +43,7 @@ def final_figure(run):
 
 def gallery_figure(run, shared=None):
     """The same without words, in the size of plotting/final.py's. shared: a scale of several runs, as of plotting/final.py's scale_of"""
-    frame, (wide, high) = run.last, final.GALLERY
+    frame, (wide, high) = run.view(-1), final.GALLERY
     scale = scene.Scale(shared.quantity, "", shared.factor, shared.levels) if shared else scene.scale_of(run, [frame])
     image, places = scene.picture(run, frame, scene.box_of([frame]), scale, (2 * wide, 2 * high))
     (top, bottom), (left, right) = near(image, places)
