@@ -100,13 +100,16 @@ class SpaceRun(Run):
 
     @cached_property
     def along(self):
-        """Across `up`, the axis along which the tools go most; of tools that go nowhere the longer one of the workpiece."""
+        """Across `up`, the axis along which the tools go most; of tools that go nowhere the longer one of the workpiece, turned so that a
+        plane of symmetry faces the viewer."""
         ways = [np.ptp(track, axis=0) for track in self.tracks.values()]
         size = np.ptp(self.last.body.points, axis=0)
         way = np.max(ways, axis=0) * (np.abs(self.up) < 0.5) if ways else np.zeros(3)
         chosen = way if way.max() > 1e-3 * size.max() else size * (np.abs(self.up) < 0.5)
         direction = np.eye(3)[np.argmax(chosen)]
         track = max(self.tracks.values(), key=lambda places: np.ptp(places @ direction), default=np.zeros((1, 3)))
+        if chosen is not way:
+            return -direction if any(side * np.cross(direction, self.up)[axis] > 0.5 for axis, side in self.symmetry) else direction
         return -direction if (track[-1] - track[0]) @ direction < -1e-9 else direction
 
 
