@@ -7,10 +7,11 @@
 //     label=    boundary label of the surface | - | required, or labels= | a label of the mesh
 //     labels=   several of them | - | required, or label= | labels of the mesh
 //     fixed=    nonzero where the displacement is given, one per degree of freedom | - | none
-//     friction=   Coulomb coefficient of the tools that are added without a law of their own | - | 1 | >= 0
+//     friction=   Coulomb coefficient of the tools that are added without a law of their own | - | 0 | >= 0
 //     axisymmetric=   x is the radius, y the axis, as in rcMaterial | | false
 //     surfaceplaces=   where the mid nodes of P2 edges lie on the true curve: Vh [X, Y] = [...]; X[] | length |
 //       on the curve through the vertices, arc by arc
+//     straight=   P2: mid nodes on the edges of the mesh | | false
 //     loose=    true: a tolerance above 1e-2 is taken | | false
 //     ! the contact surface is missing: label=... or labels=...
 //     ! the space must be [P1,P1] or [P2,P2]
@@ -31,6 +32,11 @@
 //     name      name in the formula | | | not p
 //     value     the number | its own | | finite
 //   C.warnings   warnings of the run, one line each
+//   C.couple(dependent, formula)   a coordinate follows others; before the first step
+//     dependent   "tool.coordinate"
+//     formula   of other "tool.coordinate"
+//     > C.couple("lower.y", "-upper.y");
+//     ! relations must be given before the first step and approach
 //   C.approach(t, coordinate, u)   moves one coordinate until the tool just touches; returns its value | length, rad
 //     t         a tool that was added
 //     coordinate   which one

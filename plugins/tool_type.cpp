@@ -30,7 +30,7 @@
 //     ! or names of coordinates with their formulas
 //     ! belongs to a contact already: choose its coordinates before add
 //     ! has its coordinates already:
-//     ! want the formula
+//     ! lack the formula
 //     ! lacks lead=, the way along the axis of a full turn
 //     ! the quaternion has the length 0, expected a direction
 //     ! whose spins have no singular pose
