@@ -34,6 +34,7 @@
   X(energy_check)                                                                                            \
   X(turning_check)                                                                                           \
   X(turning_slip)                                                                                            \
+  X(smooth_vertices)                                                                                         \
   X(damage_under_force)                                                                                      \
   X(jumps)
 
