@@ -29,6 +29,11 @@ inline double determinant(const Gradient<2>& F) {
 }
 double determinant(const Gradient<3>& F);
 
+/// Change of the volume: ln det F, in small strains tr F - 3 [-]; METHOD.md (1.36).
+template <int Dim> double volume_strain(const Gradient<Dim>& F, bool small_strain) {
+  return small_strain ? undeformed<Dim>().dot(F) - 3 : std::log(determinant(F));
+}
+
 /// det F' F^-1, F' the part in the plane.
 inline Gradient<2> adjugate(const Gradient<2>& F) {
   Gradient<2> result;
