@@ -11,9 +11,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
-from plotting import contact, fields, maps, quadratic, tools
+from plotting import arrows, contact, fields, maps, quadratic, tools
 from plotting.figure import BLUE, GRAY, ORANGE
-from plotting.units import amount, plain
+from plotting.units import amount, plain, touch_columns
 
 WIDTH = 8.0                    # inches at 150 pixels
 LEFT, RIGHT, BELOW, ABOVE, BETWEEN = 0.72, 1.2, 0.9, 0.42, 0.55   # inches beside the panels
@@ -244,8 +244,7 @@ def final_figure(run):
 def at_work(run):
     """Instant and field of the last frame in which as many tools touch as ever; the end if none does."""
     history = run.history
-    names = [n for n in history if n.endswith(".contact")] or ["sticking", "sliding"]
-    touching = sum((history[n] > 0).astype(int) for n in names)
+    touching = sum((history[n] > 0).astype(int) for n in touch_columns(history))
     if not run.series or not touching.max() > 0:
         return run.t, run.field
     shown = [(np.interp(t, history["t"], touching), t, path) for t, path in run.series]
@@ -285,14 +284,16 @@ def bare_figure(shown, box):
 
 
 def gallery_figure(run):
-    """The process at a look, without words: all pictures of this kind have one size. Stress, not strain, where that is in zones too
+    """The process at a look, with arrows of its drives, without words: all pictures of this kind have one size. Stress, not strain, where that is in zones too
     thin to be seen; who shows such a picture says so."""
     now = at_work(run)
     shown = Shown(run, *now)
     box = cropped(fields.view_of(run, shown.smooth.mesh, shown.outlines), shown.outlines)
     if shown.levels is not None and share_of_zone(shown, fitted(box, GALLERY[0] / GALLERY[1])) < THIN:
         shown = Shown(run, *now, scale=scale_of([run], [now[1]], MOST_LEVELS, strain=False))
-    return bare_figure(shown, box)
+    figure = bare_figure(shown, box)
+    arrows.draw_arrows(figure.axes[0], run, shown.outlines, shown.smooth.mesh, words=False)
+    return figure
 
 
 def add_words(figure, shown, handles, height):
