@@ -25,8 +25,9 @@ LONG, LONGEST, RADIUS = 0.55, 1.1, 0.2       # of an arrow, of one along a way; 
 ROOM = 0.06                     # about an arrow [inches]
 LETTER, LINE = 0.085, 0.19      # width of a letter, height of a line [inches]
 GRID = 45                       # places tried along each side of the view
-COVERED, AWAY, OUTSIDE = 1.0, 4.0, 1.5       # cost of a covered point, of the distance over the view, of a place outside of the tool
-SIZES, SHORTER = (1.0, 0.75, 0.55, 0.42), 2.0      # of an arrow, tried in this order; cost of being shorter
+COVERED, AWAY = 1.0, 9.0        # cost of a covered point, of the distance over the view,
+OUTSIDE, WITHIN = 2.5, 1.0      # of a place outside of the tool, of one within another
+SIZES, SHORTER = (1.0, 0.75, 0.55, 0.42), 1.0      # of an arrow, tried in this order; cost of being shorter
 COLORS = {"motion": ORANGE, "force": GREEN}
 
 
@@ -47,9 +48,9 @@ def arrows(run, size):
     largest = max((abs(most) * speed(drive) for _, _, drive, (most, _) in given), default=0) * run.units.length
     heaviest = max((load_of(drive, size / run.units.length) for _, _, drive, _ in given), default=0)
     for tool, _, drive, (most, both) in given:
-        found += motion_of(run, (tool, drive, most, both), max(FAR * size, SMALL * largest))
-        if load_of(drive, size / run.units.length) > NOISE * heaviest:
-            found += force_of(run, tool, drive)
+        motion = motion_of(run, (tool, drive, most, both), max(FAR * size, SMALL * largest))
+        force = force_of(run, tool, drive) if load_of(drive, size / run.units.length) > NOISE * heaviest else []
+        found += force or motion if drive["kind"].startswith("force") else motion or force     # what comes first is what the process is
     return found
 
 
@@ -95,17 +96,20 @@ def way_or_line(run, tool, direction):
     way = way_of(run, tool)
     chord = way[-1] - way[0]
     length = maps.length(way)
-    if length > 0 and len(way) > 2 and np.hypot(*chord) > 0:
+    if length > 0 and len(way) > 4 and np.hypot(*chord) > 0:
         off = np.abs((way - way[0]) @ np.array([-chord[1], chord[0]])).max() / np.hypot(*chord)
-        if off > CURVED * length and (way[1] - way[0]) @ direction > 0.9 * np.hypot(*(way[1] - way[0])):
+        if off > CURVED * length and (way[len(way) // 4] - way[0]) @ direction > 0.8 * np.hypot(*(way[len(way) // 4] - way[0])):
             return Shape(WAY, way)
     return Shape(STRAIGHT, direction)
 
 
 def way_of(run, tool):
-    """Middles of the box about a tool at the instants of tools.csv."""
-    own = sorted((o for o in run.tools if o.name == tool), key=lambda o: o.t)
-    return np.array([0.5 * (o.points.min(axis=0) + o.points.max(axis=0)) for o in own])
+    """Middles of the box about a tool at the instants of tools.csv while tools touch, those where it rests once."""
+    last = run.history["t"][:while_touching(run.history)][-1]
+    own = sorted((o for o in run.tools if o.name == tool and o.t <= last * (1 + 1e-9)), key=lambda o: o.t)
+    way = np.array([0.5 * (o.points.min(axis=0) + o.points.max(axis=0)) for o in own])
+    goes = np.hypot(*np.diff(way, axis=0).T) > 1e-3 * maps.length(way)
+    return way[np.r_[True, goes]]
 
 
 def force_of(run, tool, drive):
@@ -182,23 +186,25 @@ def obstacles_of(outlines, mesh, box, size):
     return places[maps.inside(places, box, -0.01)]
 
 
-def anchor_of(outline, region, box, grid):
-    """Middle of what is seen of a tool."""
-    seen = grid[region.contains_points(grid)]
-    if not len(seen):
-        seen = outline.points[maps.inside(outline.points, box)]
-    return seen.mean(axis=0) if len(seen) else np.array([0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3])])
+def anchor_of(outline, region, box, grid, mesh):
+    """Between the middle of what is seen of a tool and its place nearest to the workpiece."""
+    seen, rim = grid[region.contains_points(grid)], outline.points[maps.inside(outline.points, box)]
+    if not len(rim):
+        return seen.mean(axis=0)
+    nodes = np.column_stack([mesh.x, mesh.y])[:: max(1, len(mesh.x) // 500)]
+    return 0.5 * (seen.mean(axis=0) + rim[np.argmin(maps.distance(rim, nodes))])
 
 
 def place_of(points, text, tool, grid, obstacles, view):
-    """Cost and place of the middle of an arrow. tool: middle of what is seen of it, its region; view: limits, what an inch is"""
-    (anchor, region), (box, inch) = tool, view
+    """Cost and place of the middle of an arrow. tool: middle of what is seen of it, its region, those of others; view: limits, an inch"""
+    (anchor, region, others), (box, inch) = tool, view
     low, high = (inch * corner for corner in box_about(points, text))
     fits = ((grid[:, 0] + low[0] > box[0]) & (grid[:, 0] + high[0] < box[1]) & (grid[:, 1] + low[1] > box[2]) & (grid[:, 1] + high[1] < box[3]))
     places = grid[fits] if fits.any() else grid
     covered = np.array([maps.inside(obstacles - p, (low[0], high[0], low[1], high[1])).sum() for p in places])
     far = np.hypot(*(places - anchor).T) / max(box[1] - box[0], box[3] - box[2])
     cost = COVERED * covered + AWAY * far + OUTSIDE * ~region.contains_points(places)
+    cost += WITHIN * sum((other.contains_points(places) for other in others), np.zeros(len(places)))
     return cost.min(), places[np.argmin(cost)]
 
 
@@ -247,7 +253,7 @@ def draw_arrows(axes, run, outlines, mesh, words=True):
         region = regions[arrow.tool]
         if not region.contains_points(grid).any():       # not in this view
             continue
-        tool = anchor_of(by_name[arrow.tool], region, box, grid), region
+        tool = anchor_of(by_name[arrow.tool], region, box, grid, mesh), region, [r for name, r in regions.items() if name != arrow.tool]
         points, middle = best_place(arrow, tool, grid, obstacles, (box, inch))
         draw_one(axes, arrow, points, middle, inch)
         low, high = box_about(points, arrow.text)
