@@ -7,7 +7,7 @@
 namespace burnish {
 namespace {
 
-constexpr Bounds SLIP_TURN{0.25};      // angle that half of the friction has turned by in a step [rad]
+constexpr Bounds SLIP_TURN{0.25};     // angle that half of the friction has turned by in a step [rad]
 constexpr double SLIP_REVERSED = 2.4; // more than this has gone back, through sticking [rad]
 constexpr double SLIP_CARRIED = 0.1;  // friction of a tool over its load: below, no direction counts
 
