@@ -125,7 +125,7 @@ def tilted_punch_meshes():
 def plate_rolling():
     """Every drive, and the gripped plate on three meshes."""
     rows = []
-    for options in ("-nx 12 -ny 2 -nz 2", "", "-nx 28 -ny 4 -nz 4 -follow 0.5", "-drive torque", "-drive pushed"):
+    for options in ("-nx 12 -ny 2 -nz 2", "", "-nx 28 -ny 4 -nz 4", "-drive torque", "-drive pushed"):
         r = run("plate-rolling", f"{options} -series 0".strip())
         found = r.summary["results"]
         pick = lambda name, digits: f"{found[name]['value']:.{digits}f}" if name in found else ""
