@@ -18,7 +18,7 @@ Shape = namedtuple("Shape", "kind points")     # points: of a straight one its d
 
 FAR, TURNED = 0.02, 0.05        # motion over the view, turn [rad], below which there is no arrow
 SMALL = 0.2                     # of the largest motion of the run, below which another is none to see: a tool that goes off
-NOISE = 1e-3                    # of the largest force, below which another is what is out of balance
+NOISE = 1e-3                    # of the largest force on a tool, below which another is what is out of balance
 BACK = 0.3                      # of the motion, back from its end: an arrow with two heads
 CURVED = 0.02                   # sagitta over length, above which the arrow goes along the way
 LONG, LONGEST, RADIUS = 0.55, 1.1, 0.2       # of an arrow, of one along a way; radius of a turn [inches]
@@ -44,12 +44,13 @@ def arrows(run, size):
     """All arrows of a run. size: of the view, in the unit of the pictures"""
     names, found = {outline.name for outline in run.tools}, []
     given = [(split_name(name)[0] or next(iter(names), ""), name, drive) for name, drive in drives(run).items()]
-    given = [(tool, name, drive, moved_by(run, name, drive)) for tool, name, drive in given if tool in names]
+    given = [(tool, name, drive, moved_by(run, tool, name, drive)) for tool, name, drive in given if tool in names]
     largest = max((abs(most) * speed(drive) for _, _, drive, (most, _) in given), default=0) * run.units.length
-    heaviest = max((load_of(drive, size / run.units.length) for _, _, drive, _ in given), default=0)
+    length = size / run.units.length
+    heaviest = max((load_of({**drive, "force": np.nanmax(np.abs(run.history["Q_" + name]))}, length) for _, name, drive, _ in given), default=0)
     for tool, _, drive, (most, both) in given:
         motion = motion_of(run, (tool, drive, most, both), max(FAR * size, SMALL * largest))
-        force = force_of(run, tool, drive) if load_of(drive, size / run.units.length) > NOISE * heaviest else []
+        force = force_of(run, tool, drive) if load_of(drive, length) > NOISE * heaviest else []
         found += force or motion if drive["kind"].startswith("force") else motion or force     # what comes first is what the process is
     return found
 
@@ -64,19 +65,20 @@ def speed(drive):
     return np.hypot(*drive["twist"][:2])
 
 
-def moved_by(run, name, drive):
+def moved_by(run, tool, name, drive):
     """How far a coordinate goes that is moved or follows, 0 for others; whether it comes back."""
     if not any(word in drive["kind"] for word in ("motion", "follows")) or name not in run.history:
         return 0.0, False
-    moved = (run.history[name] - run.history[name][0])[:while_touching(run.history)]
+    moved = (run.history[name] - run.history[name][0])[:while_touching(run.history, tool)]
     last = int(np.nanargmax(np.abs(moved)))
     most, there = moved[last], np.sign(moved[last]) * moved
     return most, bool(np.nanmax(there[last] - there[last:]) > BACK * abs(most) or np.nanmin(there) < -BACK * abs(most))
 
 
-def while_touching(history):
-    """Lines of the history up to the last in which a tool touches: what comes then takes them off. All if none ever does."""
-    touching = np.flatnonzero(sum(history[n] > 0 for n in touch_columns(history)))
+def while_touching(history, tool):
+    """Lines of the history up to the last in which the tool touches: what comes then takes it off. All if it never does."""
+    own = [n for n in touch_columns(history) if n == f"{tool}.contact"] or touch_columns(history)
+    touching = np.flatnonzero(sum(history[n] > 0 for n in own))
     return 1 + int(touching[-1]) if len(touching) else None
 
 
@@ -105,7 +107,7 @@ def way_or_line(run, tool, direction):
 
 def way_of(run, tool):
     """Middles of the box about a tool at the instants of tools.csv while tools touch, those where it rests once."""
-    last = run.history["t"][:while_touching(run.history)][-1]
+    last = run.history["t"][:while_touching(run.history, tool)][-1]
     own = sorted((o for o in run.tools if o.name == tool and o.t <= last * (1 + 1e-9)), key=lambda o: o.t)
     way = np.array([0.5 * (o.points.min(axis=0) + o.points.max(axis=0)) for o in own])
     goes = np.hypot(*np.diff(way, axis=0).T) > 1e-3 * maps.length(way)
@@ -218,13 +220,18 @@ def best_place(arrow, tool, grid, obstacles, view):
     return min(tried, key=lambda one: one[0])[1:]
 
 
+def behind(at, inch):
+    """A point of the arrow so far behind its end that it says where that points."""
+    return at[np.flatnonzero(np.hypot(*(at - at[-1]).T) > 0.09 * inch)[-1]]
+
+
 def draw_one(axes, arrow, points, middle, inch):
     """The arrow with its value about a place."""
     color, at = COLORS["motion" if arrow.text is None else "force"], middle + inch * points
     small = min(1.0, maps.length(points) / LONG)
     head = 10 + 10 * small
     axes.plot(*at.T, color=color, linewidth=1.4 + 1.2 * small, zorder=6, solid_capstyle="butt")
-    ends = [(at[-1], at[-2])] + ([(at[0], at[1])] if arrow.both else [])
+    ends = [(at[-1], behind(at, inch))] + ([(at[0], behind(at[::-1], inch))] if arrow.both else [])
     for tip, before in ends:
         way = (tip - before) / np.hypot(*(tip - before))
         axes.annotate("", tip + 0.07 * inch * way, tip - 0.03 * inch * way, zorder=6.1, annotation_clip=False,
