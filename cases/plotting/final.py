@@ -310,11 +310,19 @@ def add_title(figure, text):
     figure.text(0.5, 1 - 0.13 / figure.get_figheight(), text, ha="center", va="top", fontsize=12)
 
 
+def columns_of(handles):
+    longest = max((6 + len(h.get_label()) for h in handles), default=1)
+    return int(np.clip(105 // longest, 1, max(1, len(handles))))
+
+
+def key_height(handles):
+    """In inches."""
+    return 0.05 + 0.2 * -(-len(handles) // columns_of(handles))
+
+
 def add_key(figure, handles):
     """At the lower edge, in as many columns as fit."""
-    longest = max((6 + len(h.get_label()) for h in handles), default=1)
-    figure.legend(handles=handles, loc="lower center", ncol=int(np.clip(105 // longest, 1, max(1, len(handles)))), frameon=False, fontsize=9.5,
-                  bbox_to_anchor=(0.5, 0.0), borderpad=0.1)
+    figure.legend(handles=handles, loc="lower center", ncol=columns_of(handles), frameon=False, fontsize=9.5, bbox_to_anchor=(0.5, 0.0), borderpad=0.1)
 
 
 def add_scale(figure, quantity, levels, unit, span):

@@ -79,7 +79,7 @@ class SpaceRun(Run):
     def up(self):
         """From the workpiece to the tools: against the sum of the tractions of the last frame with some; z without any."""
         for k in range(len(self.frames) - 1, -1, -1):
-            surface = self.frame(k).surface
+            surface = self.frame(k, ()).surface  # of what was computed: reflected, its tractions cancel
             if surface and files.touching(surface).any():
                 traction = surface.data["traction"]
                 pull, all_of_it = -traction.sum(axis=0), np.abs(traction).sum(axis=0)
