@@ -12,8 +12,9 @@ MPIRUN   ?= mpirun
 PYTHON   ?= /usr/bin/python3
 PACKAGES ?= .ci/packages
 OPTIMIZE ?= -O2
-TEST_OPTIMIZE ?= -O1
-GROUP    ?= 8
+# of plugin and tests, which call the core
+GLUE_OPTIMIZE ?= -O1
+GROUP    ?= 12
 JOBS     ?= $(shell nproc)
 PREFIX   ?= /usr/local
 OPTIONS  ?=
@@ -42,6 +43,8 @@ OCC_MODELING ?= -lTKFillet -lTKBool -lTKBO -lTKPrim -lTKShHealing
 SUITES   := unit plugin verification regression long labs viewers manual mpi
 PROGRAMS := unit verification long benchmark
 CORE     := $(BUILD)/libburnish.a
+# of the core what reads CAD files by OpenCASCADE: no part of the plugin
+OCC_CORE := $(BUILD)/libburnish_occ.a
 PLUGIN   := $(BUILD)/plugins/burnish.so
 # the core opens these two when a .geo or a CAD file is to be read; it looks for them beside itself, then in ../plugins
 GMSH     := $(BUILD)/plugins/burnish_gmsh.so
@@ -112,7 +115,7 @@ figures: packages ## draw all pictures of out/CASE, CASE=rolling unless given; C
 	$(if $(filter all,$(CASE)),@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) cases/figures.py '$(OPTIONS)',\
 	  $(PYTHON) $(or $(wildcard cases/$(CASE)/plot.py),cases/plotting/scene.py) out/$(CASE))
 
-tables: build ## measure the tables in the READMEs of rolling, planetary, bending, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch again, OPTIONS="--keep rolling"
+tables: build ## measure the tables in the READMEs of rolling, planetary, bending, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch, plate-rolling again, OPTIONS="--keep rolling"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) cases/tables.py $(OPTIONS)
 
 sweep: build ## burnish sweep for a case: make sweep CASE=rolling VARY="R=14e-3:20e-3:4 mu=0.2,0.3" OPTIONS="-outer 80": cases/sweep/sweep.py

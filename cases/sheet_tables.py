@@ -37,7 +37,8 @@ def channel_numisheet():
         ("19.6 kN, 5", "-bhf 280 -edges 5"))])
 
 
-TIGHT = "-thickness 1.06348 -shoulder 5.47293 -nose 3.47571 -clearance 1.05959 -mu 0.0406712 -bhf 47.1828"
+SHOULDER = 5.47293
+TIGHT = f"-thickness 1.06348 -shoulder {SHOULDER} -nose 3.47571 -clearance 1.05959 -mu 0.0406712 -bhf 47.1828"
 
 
 def late(r, column):
@@ -52,10 +53,10 @@ def late(r, column):
 
 
 def channel_tight():
-    """The channel of the sweep that is farthest from its half mesh: force, what presses the die aside, the force without 4 mu times this."""
+    """A channel of the sweep in little play, its edges by -size: force, what presses the die aside, the force without 4 mu times this."""
     rows, found = [], {}
     for edges, ny in ((20, 6), (16, 6), (14, 6), (12, 6), (10, 4), (8, 4), (7, 4)):
-        r = run("u-channel", f"-series 0 -check 0 -edges {edges} {TIGHT}" + (f" -ny {ny}" if ny != 4 else ""))
+        r = run("u-channel", f"-series 0 -check 0 -size {SHOULDER/edges} {TIGHT}" + (f" -ny {ny}" if ny != 4 else ""))
         force, aside = r.result("mean punch force of the last third"), late(r, "die_force_x")
         found[edges] = (force, force - 4*r.summary["options"]["mu"]*aside)
         half = found.get(2*edges)

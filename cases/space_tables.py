@@ -1,4 +1,5 @@
-"""What cases/tables.py measures of the cases in space: ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch."""
+"""What cases/tables.py measures of the cases in space: ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch,
+plate-rolling."""
 from measured import brief, run, table
 
 
@@ -121,6 +122,22 @@ def tilted_punch_meshes():
     return table(["`-edge`, `-inner`", "nodes", "depth", "tilt", "pressure inside 0.7 a", "steps (rejected)", "CPU s, two runs", ""], rows)
 
 
+def plate_rolling():
+    """Every drive, and the gripped plate on three meshes."""
+    rows = []
+    for options in ("-nx 12 -ny 2 -nz 2", "", "-nx 28 -ny 4 -nz 4", "-drive torque", "-drive pushed"):
+        r = run("plate-rolling", f"{options} -series 0".strip())
+        found = r.summary["results"]
+        pick = lambda name, digits: f"{found[name]['value']:.{digits}f}" if name in found else ""
+        rows.append([f"`{options}`" if options else "default", r.nodes, pick("force of roll 1", 2), pick("force of roll 2", 2), pick("torque of roll 1", 2),
+                     pick("torque of roll 2", 2), pick("push on the tail", 2), pick("speed of roll 2", 3), pick("speed of the nose", 3),
+                     pick("thickness after both", 4), pick("half width after both", 3), off(r, "volume of what is rolled, over that before"),
+                     f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()])
+    return table(["run", "nodes", "force 1", "force 2", "torque 1", "torque 2", "push", "speed of roll 2", "of the nose", "thickness", "half width",
+                  "volume off", "steps (rejected)", "CPU s", ""], rows)
+
+
 TABLES = {"ball": {"known": ball}, "ball-rolling": {"known": ball_rolling}, "burnishing": {"meshes": burnishing},
           "slab": {"plane": slab, "meshes": slab_meshes}, "block-upsetting": {"known": block_upsetting},
-          "tilted-punch": {"known": tilted_punch, "meshes": tilted_punch_meshes}}
+          "tilted-punch": {"known": tilted_punch, "meshes": tilted_punch_meshes},
+          "plate-rolling": {"runs": plate_rolling}}

@@ -60,6 +60,8 @@ std::string type_name(const char* name) {
                                                         {typeid(pfes3*).name(), "fespace in space"},
                                                         {typeid(::Mesh).name(), "mesh"},
                                                         {typeid(::Mesh3).name(), "mesh3"},
+                                                        {typeid(Fem2D::MeshS).name(), "meshS"},
+                                                        {typeid(KNM<double>*).name(), "real[int,int]"},
                                                         {typeid(Matrice_Creuse<double>*).name(), "matrix"},
                                                         {typeid(newpMatrice_Creuse<double>).name(), "matrix"},
                                                         {typeid(std::ostream**).name(), "ofstream"},

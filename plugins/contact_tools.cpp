@@ -6,6 +6,11 @@
 //   C.coordinates   names "x,y,angle"; with several tools "upper.x,upper.y,...,lower.x,..."
 //   C.q         coordinates in that order | length, rad
 //   C.Q         generalized forces on them | force, force*length
+//   C.drive(k)   what the program prescribes for coordinate k of that order: "motion", "force", "follows"; "": nothing yet
+//     k         coordinate | - | | 0 to their number - 1
+//   C.twist(k)   velocity of the tool's frame and its angular velocity for a unit rate of coordinate k: x, y, angle; in space x, y, z,
+//       then about x, y, z | its own
+//     k         coordinate | - | | 0 to their number - 1
 //   C.countof(state, i)   number of nodes of tool i in a state | -
 //     state     as in C.count
 //     i         tool | - | | 0 to toolnumber-1
@@ -15,10 +20,13 @@
 //       workpiece needs, more where it bends and is seen | length
 //     i         tool | - | | 0 to toolnumber-1
 //     n         number of points | - | | 0, 2 to 1000000
+//   C.toolsurface(i)   in space: triangles of tool i where it is, near the workpiece, a meshS for FreeFEM's plot
+//     i         tool | - | | 0 to toolnumber-1
 //   C.nodetool   over the candidates: tool in contact, or the last one; -1 none | -
 #include "base/error.hpp"
 #include "contact/tool_report.hpp"
 #include "kinematics/outline.hpp"
+#include "kinematics/twist.hpp"
 #include "named.hpp"
 #include "output/contact_files.hpp"
 #include "types.hpp"
@@ -27,6 +35,32 @@ namespace burnish {
 namespace {
 
 using H = ContactHandle;
+
+// FreeFEM's mesh of these triangles, without the points that none of them has; it goes with the stack.
+pmeshS surface_mesh_of(Stack stack, const SurfaceMesh& mesh) {
+  using namespace Fem2D;
+  constexpr int UNUSED = -1;
+  std::vector<int> number(mesh.points.size(), UNUSED), used;
+  for (const auto& triangle : mesh.triangles)
+    for (const int point : triangle)
+      if (number[point] == UNUSED) {
+        number[point] = static_cast<int>(used.size());
+        used.push_back(point);
+      }
+  const int points = static_cast<int>(used.size()), triangles = static_cast<int>(mesh.triangles.size());
+  auto* places = new Vertex3[points];
+  auto* faces = new TriangleS[triangles];
+  for (int i = 0; i < points; ++i) {
+    const auto& x = mesh.points[used[i]];
+    static_cast<R3&>(places[i]) = R3(x[0], x[1], x[2]);
+  }
+  for (int k = 0; k < triangles; ++k) {
+    const auto& [a, b, c] = mesh.triangles[k];
+    int corners[] = {number[a], number[b], number[c]};
+    faces[k].set(places, corners, 0);
+  }
+  return Add2StackOfPtr2FreeRC(stack, new MeshS(points, triangles, 0, places, faces, nullptr));
+}
 
 template <int Dim> int tool_index(const ContactSetup<Dim>& s, long i, const char* where) {
   const long n = static_cast<long>(s.tools().size());
@@ -66,6 +100,35 @@ KN_<double> all_q(Stack stack, H* const& h) {
 }
 KN_<double> all_forces(Stack stack, H* const& h) {
   return all_tools(stack, h, [](auto& tool) { return tool.generalized_force(); });
+}
+// Coordinate k of all tools: f(tool, its number there).
+template <class Contact, class F> auto with_coordinate(Contact& contact, long k, const char* where, F f) {
+  long n = 0;
+  for (const auto& tool : contact.setup->tools()) {
+    const long before = n;
+    n += tool->prescription().size();
+    if (k >= before && k < n) return f(*tool, static_cast<int>(k - before));
+  }
+  require(false, where, "coordinate", k, ("0 to " + std::to_string(n - 1)).c_str());
+  return f(*contact.setup->tools()[0], 0);
+}
+struct DriveTag {};
+string* drive(Stack stack, const Method<H, DriveTag>& m, const long& k) {
+  static const char* const words[] = {"", "motion", "force", "follows"}; // in the order of Prescription::Kind
+  return on(m.object, [&](auto& contact) {
+    return with_coordinate(contact, k, "contact.drive", [&](auto& tool, int i) {
+      return new_string(stack, words[static_cast<int>(tool.prescription().entries()[i].kind)]);
+    });
+  });
+}
+struct TwistTag {};
+KN_<double> twist_of(Stack stack, const Method<H, TwistTag>& m, const long& k) {
+  return on(m.object, [&](auto& contact) {
+    return with_coordinate(contact, k, "contact.twist", [&](auto& tool, int i) {
+      const Eigen::VectorXd values = twist(tool.tool().coordinates().pose(tool.q()), i);
+      return new_array(stack, values.data(), static_cast<std::size_t>(values.size()));
+    });
+  });
 }
 KN_<double> node_tools(Stack stack, H* const& h) {
   return on(h, [&](auto& contact) {
@@ -126,6 +189,17 @@ KN_<double> outline_of(Stack stack, const Method<H, OutlineTag<axis>>& m, const 
     return new_array(stack, values);
   });
 }
+struct ToolSurfaceTag {};
+pmeshS surface_of(Stack stack, const Method<H, ToolSurfaceTag>& m, const long& i) {
+  return guarded([&] {
+    auto& contact = of_dimension<3>(m->get(), "contact.toolsurface",
+                                    "; in the plane a tool has an outline, C.outlinex, C.outliney");
+    const int tool = tool_index(*contact.setup, i, "contact.toolsurface");
+    const Eigen::VectorXd none;
+    return surface_mesh_of(
+        stack, tool_surface(*contact.setup, contact.started() ? contact.run().accepted().u : none, tool));
+  });
+}
 template <int axis> void register_outline(const char* name) {
   using M = Method<H, OutlineTag<axis>>;
   add_method<H, OutlineTag<axis>>(
@@ -147,6 +221,10 @@ void register_contact_tools() {
   Add<H*>("nodetool", ".", new OneOperator1s_<KN_<double>, H*>(node_tools));
   add_method<H, NameTag>("toolname",
                          [] { return new OneOperator2s_<string*, Method<H, NameTag>, long>(tool_name); });
+  add_method<H, DriveTag>("drive",
+                          [] { return new OneOperator2s_<string*, Method<H, DriveTag>, long>(drive); });
+  add_method<H, TwistTag>(
+      "twist", [] { return new OneOperator2s_<KN_<double>, Method<H, TwistTag>, long>(twist_of); });
   add_method<H, CountOfTag>(
       "countof", [] { return new OneOperator3_<long, Method<H, CountOfTag>, string*, long>(count_of); });
   register_force<0>("toolforcex");
@@ -154,6 +232,8 @@ void register_contact_tools() {
   register_force<2>("toolforcez");
   register_outline<0>("outlinex");
   register_outline<1>("outliney");
+  add_method<H, ToolSurfaceTag>(
+      "toolsurface", [] { return new OneOperator2s_<pmeshS, Method<H, ToolSurfaceTag>, long>(surface_of); });
 }
 
 } // namespace burnish

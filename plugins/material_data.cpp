@@ -18,6 +18,9 @@
 //     i         0: x, 1: y, 2: z | - | | 0, 1; 2 in space
 //   M.degree    of the elements: 1 or 2 | -
 //   M.Th, M.Th3   their mesh, in the plane and in space
+//   M.displaced(places)   in space: that mesh, with its surface .Gamma, its vertices elsewhere, for FreeFEM's plot; in the plane movemesh
+//       does it
+//     places    x, y, z of each vertex, a column each, real[int, int] | length | | 3 rows
 //   M.dimension   2 or 3 | -
 //   M.axisymmetric   1 or 0 | -
 //   M.warnings   one line for each number that no known material has
@@ -99,6 +102,41 @@ pmesh3 mesh_in_space(MaterialHandle* const& h) {
   return guarded(
       [&] { return of_dimension<3>(h->get(), "material.Th3", "; in the plane it is M.Th").mesh.get(); });
 }
+struct DisplacedTag {};
+// A new mesh of the same elements; it goes with the stack.
+pmesh3 displaced_mesh(Stack stack, const ::Mesh3& mesh, const KNM<double>& to) {
+  using namespace Fem2D;
+  auto* places = new Vertex3[mesh.nv];
+  auto* elements = new Tet[mesh.nt];
+  auto* faces = new Triangle3[mesh.nbe];
+  for (int i = 0; i < mesh.nv; ++i) {
+    static_cast<R3&>(places[i]) = R3(to(0, i), to(1, i), to(2, i));
+    places[i].lab = mesh.vertices[i].lab;
+  }
+  for (int k = 0; k < mesh.nt; ++k) {
+    int corners[] = {mesh(k, 0), mesh(k, 1), mesh(k, 2), mesh(k, 3)};
+    elements[k].set(places, corners, mesh[k].lab);
+  }
+  for (int b = 0; b < mesh.nbe; ++b) {
+    const Triangle3& face = mesh.be(b);
+    int corners[] = {mesh(face[0]), mesh(face[1]), mesh(face[2])};
+    faces[b].set(places, corners, face.lab);
+  }
+  auto* moved = new ::Mesh3(mesh.nv, mesh.nt, mesh.nbe, places, elements, faces);
+  moved->BuildMeshS();
+  return Add2StackOfPtr2FreeRC(stack, moved);
+}
+pmesh3 displaced(Stack stack, const Method<MaterialHandle, DisplacedTag>& m, KNM<double>* const& places) {
+  return guarded([&] {
+    constexpr const char* where = "material.displaced";
+    const ::Mesh3& mesh =
+        *of_dimension<3>(m->get(), where, "; in the plane movemesh(M.Th, ...) does it").mesh;
+    require(places->N() == 3, where, "rows of the places", places->N(), "3: x, y, z");
+    require(places->M() == mesh.nv, where, "columns of the places", places->M(),
+            (std::to_string(mesh.nv) + ", one for each vertex").c_str());
+    return displaced_mesh(stack, mesh, *places);
+  });
+}
 long dimension(MaterialHandle* const& h) {
   return guarded([&] { return static_cast<long>(h->get().dimension); });
 }
@@ -134,6 +172,9 @@ void register_material_data() {
   Add<H*>("axisymmetric", ".", new OneOperator1_<long, H*>(axisymmetric));
   Add<H*>("Th", ".", new OneOperator1_<pmesh, H*>(plane_mesh));
   Add<H*>("Th3", ".", new OneOperator1_<pmesh3, H*>(mesh_in_space));
+  add_method<H, DisplacedTag>("displaced", [] {
+    return new OneOperator2s_<pmesh3, Method<H, DisplacedTag>, KNM<double>*>(displaced);
+  });
   Add<H*>("dimension", ".", new OneOperator1_<long, H*>(dimension));
   Add<H*>("points", ".", new OneOperator1_<long, H*>(number_of_points));
 }

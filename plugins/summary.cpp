@@ -24,6 +24,11 @@ Json options() {
 
 Json value_of(const double& value) { return value; }
 Json value_of(const long& value) { return value; }
+Json value_of(const KN_<double>& values) {
+  Json list = Json::array();
+  for (long i = 0; i < values.N(); ++i) list.push_back(values[i]);
+  return list;
+}
 Json value_of(string* const& value) { return static_cast<const std::string&>(*value); }
 
 // section "": a key of its own.
@@ -115,6 +120,7 @@ void register_summary() {
   add_notes<double>();
   add_notes<long>();
   add_notes<string*>();
+  add_notes<KN_<double>>();
   Global.Add("rcSummarySave", "(", new OneOperator1_<bool, string*>(save_told));
   Global.Add("rcSummarySave", "(",
              new NamedOperator<SaveRun, bool, ContactHandle*, MaterialHandle*, StepControlHandle*,

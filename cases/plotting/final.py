@@ -11,9 +11,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
-from plotting import contact, fields, maps, quadratic, tools
+from plotting import arrows, contact, fields, maps, quadratic, tools
 from plotting.figure import BLUE, GRAY, ORANGE
-from plotting.units import amount, plain
+from plotting.units import amount, plain, touch_columns
 
 WIDTH = 8.0                    # inches at 150 pixels
 LEFT, RIGHT, BELOW, ABOVE, BETWEEN = 0.72, 1.2, 0.9, 0.42, 0.55   # inches beside the panels
@@ -244,8 +244,7 @@ def final_figure(run):
 def at_work(run):
     """Instant and field of the last frame in which as many tools touch as ever; the end if none does."""
     history = run.history
-    names = [n for n in history if n.endswith(".contact")] or ["sticking", "sliding"]
-    touching = sum((history[n] > 0).astype(int) for n in names)
+    touching = sum((history[n] > 0).astype(int) for n in touch_columns(history))
     if not run.series or not touching.max() > 0:
         return run.t, run.field
     shown = [(np.interp(t, history["t"], touching), t, path) for t, path in run.series]
@@ -285,14 +284,16 @@ def bare_figure(shown, box):
 
 
 def gallery_figure(run):
-    """The process at a look, without words: all pictures of this kind have one size. Stress, not strain, where that is in zones too
+    """The process at a look, with arrows of its drives, without words: all pictures of this kind have one size. Stress, not strain, where that is in zones too
     thin to be seen; who shows such a picture says so."""
     now = at_work(run)
     shown = Shown(run, *now)
     box = cropped(fields.view_of(run, shown.smooth.mesh, shown.outlines), shown.outlines)
     if shown.levels is not None and share_of_zone(shown, fitted(box, GALLERY[0] / GALLERY[1])) < THIN:
         shown = Shown(run, *now, scale=scale_of([run], [now[1]], MOST_LEVELS, strain=False))
-    return bare_figure(shown, box)
+    figure = bare_figure(shown, box)
+    arrows.draw_arrows(figure.axes[0], run, shown.outlines, shown.smooth.mesh, words=False)
+    return figure
 
 
 def add_words(figure, shown, handles, height):
@@ -309,11 +310,19 @@ def add_title(figure, text):
     figure.text(0.5, 1 - 0.13 / figure.get_figheight(), text, ha="center", va="top", fontsize=12)
 
 
+def columns_of(handles):
+    longest = max((6 + len(h.get_label()) for h in handles), default=1)
+    return int(np.clip(105 // longest, 1, max(1, len(handles))))
+
+
+def key_height(handles):
+    """In inches."""
+    return 0.05 + 0.2 * -(-len(handles) // columns_of(handles))
+
+
 def add_key(figure, handles):
     """At the lower edge, in as many columns as fit."""
-    longest = max((6 + len(h.get_label()) for h in handles), default=1)
-    figure.legend(handles=handles, loc="lower center", ncol=int(np.clip(105 // longest, 1, max(1, len(handles)))), frameon=False, fontsize=9.5,
-                  bbox_to_anchor=(0.5, 0.0), borderpad=0.1)
+    figure.legend(handles=handles, loc="lower center", ncol=columns_of(handles), frameon=False, fontsize=9.5, bbox_to_anchor=(0.5, 0.0), borderpad=0.1)
 
 
 def add_scale(figure, quantity, levels, unit, span):

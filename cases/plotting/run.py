@@ -90,14 +90,17 @@ class Run:
         return points.points[:, :2], points.data["fixed"] > 0
 
     @cached_property
-    def mirrors(self):
-        """Signs of x and y for the parts that symmetry leaves out: (-1, 1) where the left half is. The script says which lines are
-        lines of symmetry (rcSymmetry); the axis of a ring is one."""
+    def said_symmetry(self):
+        """The script's rcSymmetry: names of the axes across its lines or planes of symmetry."""
         try:
-            lines = str(self.summary.get("symmetry", ""))
+            return str(self.summary.get("symmetry", ""))
         except InputError:
-            lines = ""
-        half = [self.axisymmetric or "x" in lines, "y" in lines]
+            return ""
+
+    @cached_property
+    def mirrors(self):
+        """Signs of x and y for the parts that symmetry leaves out: (-1, 1) where the left half is; the axis of a ring is such a line, too."""
+        half = [self.axisymmetric or "x" in self.said_symmetry, "y" in self.said_symmetry]
         signs = [(-1, 1)] * half[0] + [(1, -1)] * half[1]
         return signs + [(-1, -1)] * (len(signs) == 2)
 

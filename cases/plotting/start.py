@@ -4,7 +4,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.tri import Triangulation
 
-from plotting import fields, maps, quadratic, tools
+from plotting import arrows, fields, maps, quadratic, tools
 from plotting.figure import BLUE, RED, key_under_labels, new_figure
 
 KINDS = ((True, True, "s", "held"), (True, False, ">", "held along x"), (False, True, "^", "held along y"))
@@ -35,7 +35,7 @@ def draw_surface(axes, run):
 
 
 def start_figure(run, width=8.5):
-    """The undeformed mesh, the nodes held, the contact surface and the tools."""
+    """The undeformed mesh, the nodes held, the contact surface, the tools, and what drives them."""
     mesh = Triangulation(*(run.units.length * run.field.points).T, quadratic.elements_of(run.field.triangles)[:, :3])
     outlines = tools.at_time(run.tools, 0)
     box = tools.widened(fields.mesh_box(mesh), outlines)
@@ -48,6 +48,7 @@ def start_figure(run, width=8.5):
     if run.has("surface.csv"):
         handles += draw_surface(axes, run)
     handles += draw_supports(axes, run)
+    handles += arrows.draw_arrows(axes, run, outlines, mesh)
     axes.set_title("Mesh, supports and tools at t = 0")
     key_under_labels(axes, handles, min(4, len(handles)))
     return figure

@@ -86,6 +86,11 @@ def split_name(name):
     return tool, force + bare
 
 
+def touch_columns(history):
+    """Columns that are above zero where a tool touches: one for each tool, else those of the only one."""
+    return [n for n in history if n.endswith(".contact")] or ["sticking", "sliding"]
+
+
 def kind_of(bare, coordinates, lengths=None):
     """bare: name without the tool; coordinates: bare names that are coordinates (their Q_ stands in the file too);
     lengths: those that are no angles and certainly lengths, None: all."""

@@ -1,5 +1,5 @@
 #include "contact/body_view.hpp"
-#include "base/symmetric_eigen.hpp"
+#include "base/decompositions.hpp"
 #include "mesh/point_tree.hpp"
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include "contact/contact_block.hpp"
+#include "base/decompositions.hpp"
 #include "contact/coupling.hpp"
 #include "contact/driving_force.hpp"
 #include <cmath>
@@ -182,7 +183,7 @@ bool is_unstable(const ContactModel<Dim>& model, const PrescribedValues& prescri
   const Eigen::VectorXd scale = part.diagonal().cwiseAbs().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   part = (scale.asDiagonal() * part * scale.asDiagonal()).eval();
   if (!part.allFinite()) return true;
-  return part.eigenvalues().real().minCoeff() < least;
+  return !(least_real_part(part) >= least);
 }
 
 Eigen::VectorXd gathered(const Eigen::VectorXd& all, const std::vector<int>& at) {

@@ -1,5 +1,5 @@
 #include "contact/idle_combinations.hpp"
-#include "base/symmetric_eigen.hpp"
+#include "base/decompositions.hpp"
 #include "contact/driving_force.hpp"
 #include "contact/tool_support.hpp"
 

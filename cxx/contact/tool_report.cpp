@@ -53,9 +53,15 @@ template <int Dim>
 Vector<Dim> tool_resultant(const ContactModel<Dim>& model, const ContactState<Dim>& state,
                            const Eigen::VectorXd& R, int tool) {
   Vector<Dim> sum = Vector<Dim>::Zero();
-  for (std::size_t i = 0; i < state.nodes.size(); ++i)
-    if (state.nodes[i].tool == tool && in_contact(state.nodes[i].state))
-      sum -= R.template segment<Dim>(Dim * model.candidates[i]);
+  std::vector<Pose<Dim>> poses;
+  if (!model.constrained.empty()) poses = model.poses(state.q);
+  for (int i = 0; i < static_cast<int>(state.nodes.size()); ++i) {
+    const ContactNode<Dim>& node = state.nodes[i];
+    if (node.tool != tool || !in_contact(node.state)) continue;
+    Vector<Dim> F = R.template segment<Dim>(Dim * model.candidates[i]);
+    if (model.is_constrained(i)) F = nodal_force(model, i, contact_point(model, poses, node).surface, F).F;
+    sum -= F;
+  }
   return sum;
 }
 

@@ -21,7 +21,7 @@ template <int Dim>
 long count_nodes(const ContactState<Dim>& state, const std::string& what, const char* where, int tool = -1);
 
 /// Sum of the contact forces that the body exerts on one tool: minus the forces on the nodes in contact
-/// with it.
+/// with it, of constrained ones without what their supports take.
 /// @param R internal minus external nodal force [force]  @return [force]
 template <int Dim>
 Vector<Dim> tool_resultant(const ContactModel<Dim>& model, const ContactState<Dim>& state,

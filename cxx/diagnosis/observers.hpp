@@ -4,6 +4,7 @@
 
 /// What explains failed steps, the first cause first; the last three warn of the same in accepted ones.
 #define BURNISH_CAUSES(X)                                                                                    \
+  X(unseen_force)                                                                                            \
   X(program_jump)                                                                                            \
   X(pulling_force)                                                                                           \
   X(unheld_workpiece)                                                                                        \
@@ -32,6 +33,8 @@
   X(locking_check)                                                                                           \
   X(energy_check)                                                                                            \
   X(turning_check)                                                                                           \
+  X(turning_slip)                                                                                            \
+  X(smooth_vertices)                                                                                         \
   X(damage_under_force)                                                                                      \
   X(jumps)
 

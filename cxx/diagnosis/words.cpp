@@ -91,7 +91,8 @@ template <int Dim> std::string words(const Failure& f, const ContactModel<Dim>& 
   case Cause::TIPS_OVER:
     return "nothing resists a motion of the tools under force control: a tool tips over or rolls away";
   case Cause::UNRESISTED:
-    return "nothing resists " + coordinate + " under force control";
+    return "nothing resists " + coordinate + " under force control" +
+           (f.flag ? ": no node in contact moves with it" : "");
   case Cause::SINGULAR:
     return f.flag ? "singular contact block: neither supports nor tools constrain the workpiece"
                   : "singular contact block";

@@ -1,5 +1,6 @@
 #include "formula/formula.hpp"
 #include "base/error.hpp"
+#include "formula/formula_choice.hpp"
 #include "formula/formula_scan.hpp"
 #include "formula/formula_size.hpp"
 #include "formula/formula_tape.hpp"
@@ -20,19 +21,30 @@ std::string place(const std::vector<std::string>& names, const double* values) {
   return text.str();
 }
 
+bool is_step(const GiNaC::ex& e) {
+  if (!GiNaC::is_a<GiNaC::function>(e)) return false;
+  const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+  return name == "step" || name == "csgn";
+}
+
 /// Steps stand as symbols while the rest is differentiated: they count as flat, and GiNaC 1.8 takes the
 /// conjugate of a step's derivative, which it meets in that of abs, for the step itself.
 struct FrozenSteps : GiNaC::map_function {
   GiNaC::exmap steps, symbols; ///< symbol to step, step to symbol
   GiNaC::ex operator()(const GiNaC::ex& e) override {
-    if (!GiNaC::is_a<GiNaC::function>(e)) return e.map(*this);
-    const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-    if (name != "step" && name != "csgn") return e.map(*this);
+    if (!is_step(e)) return e.map(*this);
     const auto [found, added] = symbols.try_emplace(e, GiNaC::realsymbol());
     if (added) steps[found->second] = e;
     return found->second;
   }
 };
+
+/// True if the value may jump where the variable changes, by a step or a condition.
+bool jumps(const GiNaC::ex& e, const GiNaC::ex& variable) {
+  for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+    if ((is_step(*part) || choice_of(*part) == Choice::CONDITION) && part->op(0).has(variable)) return true;
+  return false;
+}
 
 } // namespace
 
@@ -122,6 +134,7 @@ Formula Formula::derivative(int variable) const {
 
 bool Formula::depends_on(int variable) const {
   const GiNaC::ex slope = derivative(variable).m_impl->expression;
+  if (jumps(m_impl->expression, m_impl->source->variables[static_cast<std::size_t>(variable)])) return true;
   if (expanded_terms(slope) > MOST_TERMS) return !slope.is_zero();
   try {
     return !slope.expand().is_zero();

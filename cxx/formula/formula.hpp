@@ -31,11 +31,12 @@ void check_formula_names(const std::string& where, const FormulaNames& names);
 std::string quoted(const std::string& text);
 
 /// Immutable; copies share the parsed expression. pi is known as pi and Pi; functions are sin cos tan asin
-/// acos atan atan2 sinh cosh tanh asinh acosh atanh exp log sqrt pow abs step (0, at zero 1/2, 1) and csgn
-/// (-1, 0, 1); powers are ^. A sign after an operator needs parentheses: x^(-2). Parameters are put in as
-/// numbers. atan2(0, 0) is 0. A formula has at most 10000 characters and 100 parentheses within one
-/// another, a derivative at most a million numbers, names and operations. One evaluation costs some 0.1
-/// microseconds.
+/// acos atan atan2 sinh cosh tanh asinh acosh atanh exp log sqrt pow abs step (0, at zero 1/2, 1), sign
+/// (-1, 0, 1), min(a, b), max(a, b) and if(c, a, b): a where c > 0, else b; c may compare, x > y, <, >=, <=.
+/// What if does not take need not have a value. Powers are ^. A sign after an operator needs parentheses:
+/// x^(-2). Parameters are put in as numbers. atan2(0, 0) is 0. A formula has at most 10000 characters and 100
+/// parentheses within one another, a derivative at most a million numbers, names and operations. One
+/// evaluation costs some 0.1 microseconds.
 class Formula {
 public:
   /// @param what  how messages call it, for example: x of tool "crank"
@@ -50,12 +51,14 @@ public:
   /// @throws FormulaDomainError quoting formula and place ("beta = 1.5708") where the value, or one on the
   /// way to it, is not a finite real number (pole, root or logarithm of a negative number)
   double operator()(const double* values) const;
-  /// Exact derivative by a variable; step and csgn count as flat everywhere, abs has none at zero.
+  /// Exact derivative by a variable, nothing is smoothed. step and sign count as flat everywhere, abs has none
+  /// at zero; that of min and max where both are equal is the one on the side where the variable grows; that of
+  /// if is the one of the branch that is taken, and a jump from one to the other has none.
   /// @throws std::invalid_argument if the variable is out of range, if the formula is too long to be
   /// differentiated, or if a constant part of the derivative is no finite real number
   Formula derivative(int variable) const;
-  /// False if the value does not change with the variable. (True if it would take more than 1000 terms to
-  /// see.)
+  /// False if the value does not change with the variable, not by a jump either. (True if it would take more
+  /// than 1000 terms to see.)
   bool depends_on(int variable) const;
   const std::string& text() const; ///< as given; that of the original for a derivative
 

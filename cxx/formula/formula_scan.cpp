@@ -1,6 +1,8 @@
 #include "formula/formula_scan.hpp"
 #include "base/error.hpp"
 #include "formula/formula.hpp"
+#include "formula/formula_calls.hpp"
+#include "formula/formula_choice.hpp"
 #include "formula/formula_size.hpp"
 #include "formula/formula_tape.hpp"
 #include "formula/formula_tokens.hpp"
@@ -29,14 +31,20 @@ std::string known_names(const GiNaC::symtab& table) {
   return listed(names);
 }
 
-/// Functions that a formula may call.
+/// Functions that a formula may call: those of the tape, and what is read as others.
 const std::vector<std::string>& functions() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> list = FormulaTape::functions();
+    std::replace(list.begin(), list.end(), std::string("csgn"), std::string("sign"));
     list.insert(list.end(), {"sqrt", "pow"});
     return list;
   }();
   return names;
+}
+
+int arguments_of(const std::string& function) {
+  static const std::set<std::string> two{"atan2", "pow", "min", "max"};
+  return function == "if" ? 3 : two.count(function) ? 2 : 1;
 }
 
 bool is_function(const std::string& name) {
@@ -76,6 +84,32 @@ void check_tokens(const std::vector<FormulaToken>& tokens, const GiNaC::symtab& 
   }
 }
 
+void check_calls(const std::vector<FormulaToken>& tokens, const std::vector<FormulaCall>& calls) {
+  for (const FormulaCall& call : calls) {
+    const FormulaToken& word = tokens[call.word];
+    const int expected = arguments_of(word.text);
+    if (call.arguments != expected)
+      wrong_formula(word.start, "function \"" + word.text + "\" has " + std::to_string(call.arguments) +
+                                    (call.arguments == 1 ? " argument" : " arguments") + ", expected " +
+                                    std::to_string(expected));
+  }
+}
+
+/// Words of tokens that GiNaC reads by other names: if(x > y, a, b) is if_greater(x, y, a, b).
+std::map<std::size_t, std::string> other_words(const std::vector<FormulaToken>& tokens,
+                                               const std::vector<FormulaCall>& calls) {
+  static const std::map<std::string, std::string> comparisons{
+      {">", "if_greater"}, {"<", "if_less"}, {">=", "if_least"}, {"<=", "if_most"}};
+  std::map<std::size_t, std::string> words;
+  for (const FormulaCall& call : calls) {
+    if (tokens[call.word].text == "sign") words[call.word] = "csgn";
+    if (!call.comparison) continue;
+    words[call.word] = comparisons.at(tokens[call.comparison].text);
+    words[call.comparison] = ",";
+  }
+  return words;
+}
+
 /// What GiNaC reads, and where each token begins in it. Numbers, parameters and constants are symbols of
 /// their own in it: GiNaC would compute their powers at once, however large.
 struct SymbolicText {
@@ -84,15 +118,18 @@ struct SymbolicText {
   GiNaC::symtab table;
   std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> values; ///< of these symbols
 
-  SymbolicText(const std::vector<FormulaToken>& tokens, const GiNaC::symtab& names) {
+  /// @param other words in place of those of tokens
+  SymbolicText(const std::vector<FormulaToken>& tokens, const std::map<std::size_t, std::string>& other,
+               const GiNaC::symtab& names) {
     for (const auto& [name, expression] : names)
       if (GiNaC::is_a<GiNaC::symbol>(expression))
         table[name] = expression;
       else
         add(name, expression);
     for (const FormulaToken& token : tokens) {
+      const auto found = other.find(starts.size());
+      std::string word = found == other.end() ? token.text : found->second;
       starts.push_back(text.size());
-      std::string word = token.text;
       if (token.kind == Kind::NUMBER) {
         word = "number" + std::to_string(starts.size());
         while (names.count(word)) word += "_";
@@ -144,6 +181,7 @@ struct InsertValues : GiNaC::map_function {
       const auto found = values.find(e);
       return found == values.end() ? e : found->second;
     }
+    if (choice_of(e) == Choice::CONDITION) return chosen(e);
     if (GiNaC::is_a<GiNaC::power>(e)) {
       const GiNaC::ex base = (*this)(e.op(0)), exponent = (*this)(e.op(1));
       require_moderate_power(base, exponent);
@@ -164,6 +202,13 @@ struct InsertValues : GiNaC::map_function {
   }
 
 private:
+  /// What is not taken is not computed: if(k, a/k, 0) with k = 0.
+  GiNaC::ex chosen(const GiNaC::ex& e) {
+    const GiNaC::ex condition = (*this)(e.op(0)), number = condition.evalf();
+    if (GiNaC::is_a<GiNaC::numeric>(number))
+      return (*this)(e.op(GiNaC::ex_to<GiNaC::numeric>(number).is_positive() ? 1 : 2));
+    return e.map(*this);
+  }
   void describe_call(std::ostream& part, const GiNaC::ex& e) {
     part << GiNaC::ex_to<GiNaC::function>(e).get_name();
     for (std::size_t i = 0; i < e.nops(); ++i) part << (i ? ", " : "(") << (*this)(e.op(i));
@@ -218,8 +263,10 @@ GiNaC::numeric exact_number(double value) { return GiNaC::numeric(cln::rationali
 GiNaC::ex parse_formula(const std::string& text, const GiNaC::symtab& table) {
   const std::vector<FormulaToken> tokens = formula_tokens(text);
   check_tokens(tokens, table);
-  const SymbolicText symbolic(tokens, table);
-  GiNaC::parser parser(symbolic.table, true, GiNaC::get_default_reader());
+  const std::vector<FormulaCall> calls = formula_calls(tokens);
+  check_calls(tokens, calls);
+  const SymbolicText symbolic(tokens, other_words(tokens, calls), table);
+  GiNaC::parser parser(symbolic.table, true, choice_reader());
   std::istringstream stream(symbolic.text);
   GiNaC::ex result;
   try {

@@ -1,4 +1,5 @@
 #include "formula/formula_size.hpp"
+#include "formula/formula_choice.hpp"
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -24,6 +25,13 @@ struct Sizes {
   double nodes = 1, derivative = 0;
 };
 
+/// Numbers and operations in the derivative of if(c, a, b): if(c, a', b'); of min(a, b): if(b - a, a', if(a - b, b', min(a', b'))).
+double chosen_derivative(const std::vector<Sizes>& parts, double nodes, bool condition) {
+  const double both = parts.back().derivative + parts[parts.size() - 2].derivative;
+  if (both == 0) return 0;
+  return condition ? 3 + parts[0].nodes + both : 10 + 2 * nodes + 2 * both;
+}
+
 Sizes sizes(const GiNaC::ex& e, const GiNaC::ex& variable) {
   Sizes all;
   if (e.nops() == 0) {
@@ -34,6 +42,10 @@ Sizes sizes(const GiNaC::ex& e, const GiNaC::ex& variable) {
   for (const GiNaC::ex& part : e) {
     parts.push_back(sizes(part, variable));
     all.nodes += parts.back().nodes;
+  }
+  if (choice_of(e) != Choice::NONE) {
+    all.derivative = chosen_derivative(parts, all.nodes, choice_of(e) == Choice::CONDITION);
+    return all;
   }
   const bool sum = GiNaC::is_a<GiNaC::add>(e), product = GiNaC::is_a<GiNaC::mul>(e);
   for (const Sizes& part : parts) {

@@ -1,5 +1,6 @@
 #include "formula/formula_tape.hpp"
 #include "base/error.hpp"
+#include "formula/formula_choice.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,7 +40,7 @@ const std::map<std::string, FormulaTape::Function>& FormulaTape::table() {
 
 const std::vector<std::string>& FormulaTape::functions() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> list{"atan2"};
+    std::vector<std::string> list{"atan2", "if", "max", "min"};
     for (const auto& [name, function] : table())
       if (name != "conjugate" && name != "real_part" && name != "imag_part") list.push_back(name);
     std::sort(list.begin(), list.end());
@@ -64,10 +65,9 @@ struct FormulaTape::Compiler {
     return number;
   }
   int append(Operation operation) {
-    const int a = operation.a, b = operation.b;
     if (operation.kind == Kind::VARIABLE) {
       constants.push_back(NOT_A_NUMBER);
-    } else if (operation.kind == Kind::CONSTANT || !(std::isnan(constants[a]) || std::isnan(constants[b]))) {
+    } else if (unknown_operand(operation, constants.data()) < 0) {
       const double value = apply(operation, nullptr, constants.data());
       if (!std::isfinite(value))
         throw std::invalid_argument("its part " + describe(operation, nullptr, constants.data()) +
@@ -118,10 +118,20 @@ struct FormulaTape::Compiler {
   }
   int function(const GiNaC::ex& e) {
     if (name(e) == "atan2") return pair(Kind::ATAN2, e);
+    if (choice_of(e) == Choice::MINIMUM) return pair(Kind::MINIMUM, e);
+    if (choice_of(e) == Choice::MAXIMUM) return pair(Kind::MAXIMUM, e);
+    if (choice_of(e) == Choice::CONDITION) return condition(e);
     const auto found = table().find(name(e));
     if (found == table().end()) return unknown(e);
     const int a = (*this)(e.op(0));
     return append({Kind::FUNCTION, a, a, 0, found->second, found->first.c_str()});
+  }
+  int condition(const GiNaC::ex& e) {
+    Operation operation{Kind::CONDITION};
+    operation.condition = (*this)(e.op(0));
+    operation.a = (*this)(e.op(1));
+    operation.b = (*this)(e.op(2));
+    return append(operation);
   }
   /// Where an operand of a sum or product belongs: the expression in postfix notation, its sums and products
   /// sorted, first without signs (GiNaC may turn those of a factor), then with them.
@@ -173,28 +183,52 @@ double FormulaTape::apply(const Operation& operation, const double* values, cons
     return operation.function(results[operation.a]);
   case Kind::ATAN2:
     return std::atan2(results[operation.a], results[operation.b]);
+  case Kind::MINIMUM:
+    return std::min(results[operation.a], results[operation.b]);
+  case Kind::MAXIMUM:
+    return std::max(results[operation.a], results[operation.b]);
+  case Kind::CONDITION:
+    return results[results[operation.condition] > 0 ? operation.a : operation.b];
   }
   return NOT_A_NUMBER;
+}
+
+/// The earlier operation that counts here and has no value, -1 if all have one.
+int FormulaTape::unknown_operand(const Operation& operation, const double* results) {
+  const auto unknown = [&](int operand) { return std::isnan(results[operand]); };
+  if (operation.kind == Kind::CONSTANT || operation.kind == Kind::VARIABLE) return -1;
+  if (operation.kind == Kind::CONDITION) {
+    if (unknown(operation.condition)) return operation.condition;
+    const int taken = results[operation.condition] > 0 ? operation.a : operation.b;
+    return unknown(taken) ? taken : -1;
+  }
+  return unknown(operation.a) ? operation.a : unknown(operation.b) ? operation.b : -1;
+}
+
+double FormulaTape::evaluated(const Operation& operation, const double* values, const double* results) {
+  if (unknown_operand(operation, results) >= 0) return NOT_A_NUMBER;
+  const double value = apply(operation, values, results);
+  return std::isfinite(value) ? value : NOT_A_NUMBER;
 }
 
 double FormulaTape::operator()(const double* values) const {
   thread_local std::vector<double> results;
   if (results.size() < m_operations.size()) results.resize(m_operations.size());
   double result = 0;
-  for (std::size_t i = 0; i < m_operations.size(); ++i) {
-    result = results[i] = apply(m_operations[i], values, results.data());
-    if (!std::isfinite(result)) return NOT_A_NUMBER;
-  }
+  for (std::size_t i = 0; i < m_operations.size(); ++i)
+    result = results[i] = evaluated(m_operations[i], values, results.data());
   return result;
 }
 
 std::string FormulaTape::failure(const double* values) const {
   std::vector<double> results;
-  for (const Operation& operation : m_operations) {
-    results.push_back(apply(operation, values, results.data()));
-    if (!std::isfinite(results.back())) return describe(operation, values, results.data());
-  }
-  return "";
+  for (const Operation& operation : m_operations)
+    results.push_back(evaluated(operation, values, results.data()));
+  if (results.empty() || !std::isnan(results.back())) return "";
+  int failed = static_cast<int>(results.size()) - 1;
+  const auto operation = [&]() -> const Operation& { return m_operations[static_cast<std::size_t>(failed)]; };
+  for (int next = failed; next >= 0; next = unknown_operand(operation(), results.data())) failed = next;
+  return describe(operation(), values, results.data());
 }
 
 std::string FormulaTape::describe(const Operation& operation, const double* values, const double* results) {
@@ -227,6 +261,10 @@ std::string FormulaTape::describe(const Operation& operation, const double* valu
     break;
   case Kind::ATAN2:
     text << "atan2(" << a() << ", " << b() << ")";
+    break;
+  case Kind::MINIMUM:
+  case Kind::MAXIMUM:
+  case Kind::CONDITION: // what they choose from has failed before
     break;
   }
   return text.str();

@@ -20,26 +20,31 @@ public:
   /// @throws std::invalid_argument if a constant part is no finite real number, such as acos(2), or for
   /// another kind of expression
   FormulaTape(const GiNaC::ex& expression, const std::vector<GiNaC::realsymbol>& variables);
-  /// Value, or NaN where one of the operations gives no finite real number; values: one per variable.
+  /// Value, or NaN where one of the operations gives no finite real number; those of the branch that an if does not take do
+  /// not count. values: one per variable.
   double operator()(const double* values) const;
-  /// The first operation without a finite real result, in numbers: "1/0", "log(-1)"; empty if there is none.
+  /// The operation without a finite real result that the value fails for, in numbers: "1/0", "log(-1)"; empty if there is
+  /// none.
   std::string failure(const double* values) const;
   /// Names of the functions that the tape knows, sorted, beside sqrt, pow and power, which are powers.
   static const std::vector<std::string>& functions();
 
 private:
-  enum class Kind { CONSTANT, VARIABLE, ADD, MULTIPLY, POWER, FUNCTION, ATAN2 };
+  enum class Kind { CONSTANT, VARIABLE, ADD, MULTIPLY, POWER, FUNCTION, ATAN2, MINIMUM, MAXIMUM, CONDITION };
   using Function = double (*)(double);
   struct Operation {
-    Kind kind;
+    Kind kind = Kind::CONSTANT;
     int a = 0, b = 0;            ///< earlier operations; of VARIABLE: a its number
     double constant = 0;         ///< of CONSTANT
     Function function = nullptr; ///< of FUNCTION
     const char* name = "";       ///< of FUNCTION
+    int condition = 0; ///< of CONDITION: the earlier operation that chooses, a where it is > 0, else b
   };
   struct Compiler;
   static const std::map<std::string, Function>& table();
   static double apply(const Operation& operation, const double* values, const double* results);
+  static int unknown_operand(const Operation& operation, const double* results);
+  static double evaluated(const Operation& operation, const double* values, const double* results);
   static std::string describe(const Operation& operation, const double* values, const double* results);
   std::vector<Operation> m_operations; ///< the last one is the value
 };

@@ -45,6 +45,12 @@ std::size_t word_length(const std::string& text, std::size_t at) {
   return end - at;
 }
 
+/// Length of the comparison that begins at `at`, < > <= >=, 0 if there is none.
+std::size_t comparison_length(const std::string& text, std::size_t at) {
+  if (text[at] != '<' && text[at] != '>') return 0;
+  return at + 1 < text.size() && text[at + 1] == '=' ? 2 : 1;
+}
+
 /// The character at `at` for a message: quoted, all bytes of UTF-8; control characters by number.
 std::string shown(const std::string& text, std::size_t at) {
   const auto code = static_cast<unsigned char>(text[at]);
@@ -74,6 +80,8 @@ std::vector<FormulaToken> formula_tokens(const std::string& text) {
       tokens.push_back({Kind::NUMBER, text.substr(at, length), at});
     else if (const std::size_t letters = word_length(text, at))
       tokens.push_back({Kind::WORD, text.substr(at, letters), at});
+    else if (const std::size_t both = comparison_length(text, at))
+      tokens.push_back({Kind::COMPARISON, text.substr(at, both), at});
     else if (const auto kind = signs.find(text[at]); kind != std::string::npos)
       tokens.push_back({kind < 5 ? Kind::OPERATOR : static_cast<Kind>(kind - 2), text.substr(at, 1), at});
     else

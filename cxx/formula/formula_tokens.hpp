@@ -7,7 +7,7 @@
 namespace burnish {
 
 struct FormulaToken {
-  enum class Kind { NUMBER, WORD, OPERATOR, OPEN, CLOSE, COMMA };
+  enum class Kind { NUMBER, WORD, OPERATOR, OPEN, CLOSE, COMMA, COMPARISON };
   Kind kind;
   std::string text;
   std::size_t start; ///< in the formula, from 0

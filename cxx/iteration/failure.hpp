@@ -18,7 +18,7 @@ enum class Cause {
   NOT_FACTORED,        ///< a solver of general matrices has not solved with the tangent
   NOT_HELD,   ///< neither supports nor the tools that touch it take all rigid motions of the workpiece
   TIPS_OVER,  ///< nothing resists a motion of the tools under force
-  UNRESISTED, ///< coordinate: nothing resists it
+  UNRESISTED, ///< coordinate: nothing resists it; flag: no node in contact moves with it
   SINGULAR,   ///< the contact block; flag: supports leave the workpiece a rigid motion
   FORMULA,    ///< text: a formula of the coordinates has no value
   // found of a step that balances: there is no way to its end

@@ -1,5 +1,6 @@
 #pragma once
-// Gradients at a point as vectors: the part in the mesh's space and, in the plane, the stretch out of it.
+// Gradients at a point as vectors: the part in the mesh's space and, in the plane, the stretch out of it. What Eigen
+// does in space is compiled once, in gradient.cpp: this file is read nearly everywhere.
 #include "material/point_traits.hpp"
 #include <cmath>
 
@@ -26,7 +27,12 @@ inline double determinant(const Gradient<2>& F) {
   const double det = (F[0] * F[3] - F[1] * F[2]) * F[4];
   return F[4] > 0 ? det : -std::abs(det);
 }
-inline double determinant(const Gradient<3>& F) { return mesh_part<3>(F).determinant(); }
+double determinant(const Gradient<3>& F);
+
+/// Change of the volume: ln det F, in small strains tr F - 3 [-]; METHOD.md (1.36).
+template <int Dim> double volume_strain(const Gradient<Dim>& F, bool small_strain) {
+  return small_strain ? undeformed<Dim>().dot(F) - 3 : std::log(determinant(F));
+}
 
 /// det F' F^-1, F' the part in the plane.
 inline Gradient<2> adjugate(const Gradient<2>& F) {
@@ -39,11 +45,7 @@ inline Gradient<2> adjugate(const Gradient<2>& F) {
   return result;
 }
 inline Gradient<2> inverse(const Gradient<2>& F) { return 1 / (F[0] * F[3] - F[1] * F[2]) * adjugate(F); }
-inline Gradient<3> inverse(const Gradient<3>& F) {
-  Gradient<3> result;
-  mesh_part<3>(result) = mesh_part<3>(F).inverse();
-  return result;
-}
+Gradient<3> inverse(const Gradient<3>& F);
 
 inline Gradient<2> product(const Gradient<2>& a, const Gradient<2>& b) {
   Gradient<2> result;
@@ -54,10 +56,6 @@ inline Gradient<2> product(const Gradient<2>& a, const Gradient<2>& b) {
   result[ZZ] = a[ZZ] * b[ZZ];
   return result;
 }
-inline Gradient<3> product(const Gradient<3>& a, const Gradient<3>& b) {
-  Gradient<3> result;
-  mesh_part<3>(result).noalias() = mesh_part<3>(a) * mesh_part<3>(b);
-  return result;
-}
+Gradient<3> product(const Gradient<3>& a, const Gradient<3>& b);
 
 } // namespace burnish

@@ -5,7 +5,7 @@
 #include "material/internal_variables.hpp"
 #include "material/piola.hpp"
 #include "material/point_range.hpp"
-#include "material/step_kinematics_in_space.hpp"
+#include "material/step_increments.hpp"
 #include <limits>
 #include <map>
 
@@ -27,27 +27,6 @@ struct PointLoading {
   double now = 0; ///< in this step, R s_old R':dd; > 0 loads, < 0 unloads, 0: neutral but for rounding
   double elastic_distance = -1; ///< yield_distance at the end of the step, had it been elastic
 };
-
-/// A step's increments y: strains in the order of Stress, then the rotation of the law's corotational rate, both in the
-/// law's frame (METHOD.md 1.6), and dy/dF, columns in the order of Gradient. In space the rotation is its rotation vector,
-/// and its rows of by_F are the spins about x, y, z by which it changes, METHOD.md (1.37).
-template <int Dim> struct StepIncrements {
-  Eigen::Matrix<double, num_increments<Dim>, 1> y;
-  IncrementByF<Dim> by_F;
-};
-inline StepIncrements<2> increments_of(const StepKinematics<2>& kin) {
-  StepIncrements<2> increments;
-  increments.y << kin.strain, std::atan2(kin.sin_alpha, kin.cos_alpha);
-  increments.by_F = finite_increment_by_F(kin);
-  return increments;
-}
-inline StepIncrements<3> increments_of(const StepKinematics<3>& kin) {
-  const Eigen::AngleAxisd turn(kin.R);
-  StepIncrements<3> increments;
-  increments.y << kin.strain, turn.angle() * turn.axis();
-  increments.by_F = finite_increment_by_F(kin);
-  return increments;
-}
 
 template <int Dim> class MaterialLaw {
 public:

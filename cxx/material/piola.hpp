@@ -17,11 +17,7 @@ inline Gradient<2> first_piola(const Stress<2>& stress, const Gradient<2>& F_inv
   P[ZZ] = stress[2] * g[ZZ];
   return P;
 }
-inline Gradient<3> first_piola(const Stress<3>& stress, const Gradient<3>& F_inverse) {
-  Gradient<3> P;
-  mesh_part<3>(P).noalias() = matrix_of<3>(stress) * mesh_part<3>(F_inverse).transpose();
-  return P;
-}
+Gradient<3> first_piola(const Stress<3>& stress, const Gradient<3>& F_inverse);
 
 /// A = dP/dF, rows and columns in the order of Gradient.
 template <int Dim>

@@ -47,4 +47,11 @@ IncrementByF<2> rate_by_F(const Gradient<2>& F, const Gradient<2>& F_inverse, Co
   return by_F;
 }
 
+StepIncrements<2> increments_of(const StepKinematics<2>& kin) {
+  StepIncrements<2> increments;
+  increments.y << kin.strain, std::atan2(kin.sin_alpha, kin.cos_alpha);
+  increments.by_F = finite_increment_by_F(kin);
+  return increments;
+}
+
 } // namespace burnish

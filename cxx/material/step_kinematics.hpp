@@ -1,15 +1,13 @@
 #pragma once
 // Kinematics of a step at a point: midpoint gradient, strain increment, rotation of the corotational rate (METHOD.md 1.6).
 #include "material/corotational_rate.hpp"
+#include "material/step_increments.hpp"
 #include "material/update_options.hpp"
 
 namespace burnish {
 
-/// The increments y of a step, from which the stress update starts: strain components as Stress<Dim>, then
-/// rotations. Dim 2: (dd_xx, dd_yy, dd_zz, dd_xy, alpha); Dim 3: step_kinematics_in_space.hpp.
-/// IncrementByF: dy/dF, columns in the order of Gradient.
-template <int Dim> using IncrementByF = Eigen::Matrix<double, num_increments<Dim>, num_gradient<Dim>>;
-
+/// What the increments y of a step are made of: strain components as Stress<Dim>, then rotations. Dim 2: (dd_xx, dd_yy, dd_zz,
+/// dd_xy, alpha); Dim 3: step_kinematics_in_space.hpp.
 template <int Dim> struct StepKinematics {
   StrainFrame frame = StrainFrame::MIDPOINT;
   CorotationalRate rate = CorotationalRate::JAUMANN;
@@ -99,6 +97,9 @@ inline IncrementByF<2> finite_increment_by_F(const StepKinematics<2>& kin) {
   }
   return by_F;
 }
+
+/// y of a step and dy/dF. @param kin det_mid > 0
+StepIncrements<2> increments_of(const StepKinematics<2>& kin);
 
 /// Rates at the configuration F: L = dF F^-1, y = (d_xx, d_yy, d_zz, d_xy, w_21); the limit of a vanishing
 /// step with the Jaumann rate.

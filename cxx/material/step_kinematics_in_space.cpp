@@ -113,4 +113,12 @@ IncrementByF<3> rate_by_F(const Gradient<3>& F, const Gradient<3>& F_inverse, Co
   return by_F;
 }
 
+StepIncrements<3> increments_of(const StepKinematics<3>& kin) {
+  const Eigen::AngleAxisd turn(kin.R);
+  StepIncrements<3> increments;
+  increments.y << kin.strain, turn.angle() * turn.axis();
+  increments.by_F = finite_increment_by_F(kin);
+  return increments;
+}
+
 } // namespace burnish

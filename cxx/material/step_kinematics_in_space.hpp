@@ -31,6 +31,9 @@ StepKinematics<3> step_kinematics(const Gradient<3>& F_old, const Gradient<3>& F
 /// Exact linearization of the finite step: the strains, then the spins about x, y, z of dR R'.
 IncrementByF<3> finite_increment_by_F(const StepKinematics<3>& kin);
 
+/// y of a step and dy/dF. @param kin det_mid > 0
+StepIncrements<3> increments_of(const StepKinematics<3>& kin);
+
 /// Rates at the configuration F: L = dF F^-1, y = (strain rates, spin of the rate about x, y, z); the limit of a
 /// vanishing step. @param F_inverse of F
 IncrementByF<3> rate_by_F(const Gradient<3>& F, const Gradient<3>& F_inverse, CorotationalRate rate);

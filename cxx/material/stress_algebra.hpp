@@ -66,10 +66,7 @@ inline std::array<double, 2> extreme_principals(const Stress<2>& t) {
   const double middle = 0.5 * (t[0] + t[1]), radius = std::hypot(0.5 * (t[0] - t[1]), t[3]);
   return {std::max(middle + radius, t[2]), std::min(middle - radius, t[2])};
 }
-inline std::array<double, 2> extreme_principals(const Stress<3>& t) {
-  const Eigen::SelfAdjointEigenSolver<Tensor<3>> solver(matrix_of<3>(t), Eigen::EigenvaluesOnly);
-  return {solver.eigenvalues()[2], solver.eigenvalues()[0]};
-}
+std::array<double, 2> extreme_principals(const Stress<3>& t);
 
 /// R t R' for a rotation by the angle alpha in the plane, counter-clockwise positive; zz does not change.
 /// @param cos_2alpha, sin_2alpha of twice the angle
@@ -80,19 +77,11 @@ inline Stress<2> rotated(const Stress<2>& t, double cos_2alpha, double sin_2alph
 }
 
 /// R t R' in space. @param R rotation
-inline Stress<3> rotated(const Stress<3>& t, const Tensor<3>& R) {
-  return stress_of(R * matrix_of<3>(t) * R.transpose());
-}
+Stress<3> rotated(const Stress<3>& t, const Tensor<3>& R);
 
 /// Rate of R t R' per unit of the angle: w t - t w with w_21 = 1.
 inline Stress<2> spin_rate(const Stress<2>& t) { return {-2 * t[3], 2 * t[3], 0, t[0] - t[1]}; }
 /// The same per unit of the spins about x, y, z, one column each.
-inline Eigen::Matrix<double, 6, 3> spin_rate(const Stress<3>& t) {
-  Eigen::Matrix<double, 6, 3> rate;
-  rate.col(0) << 0, -2 * t[4], 2 * t[4], -t[5], t[1] - t[2], t[3];
-  rate.col(1) << 2 * t[5], 0, -2 * t[5], t[4], -t[3], t[2] - t[0];
-  rate.col(2) << -2 * t[3], 2 * t[3], 0, t[0] - t[1], t[5], -t[4];
-  return rate;
-}
+Eigen::Matrix<double, 6, 3> spin_rate(const Stress<3>& t);
 
 } // namespace burnish

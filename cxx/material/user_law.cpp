@@ -1,4 +1,5 @@
 #include "material/user_law.hpp"
+#include "material/step_kinematics_in_space.hpp"
 #include <algorithm>
 #include <sstream>
 

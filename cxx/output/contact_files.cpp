@@ -129,13 +129,11 @@ DrawnTools drawn_tools(const ContactSetup<2>& setup, const Eigen::VectorXd& u) {
 }
 
 DrawnTools drawn_tools(const ContactSetup<3>& setup, const Eigen::VectorXd& u) {
-  const PictureWindow<3> window = picture_window<3>(present_places(setup, u));
   DrawnTools drawn;
   for (std::size_t i = 0; i < setup.tools().size(); ++i) {
-    const Tool<3>& tool = setup.tools()[i]->tool();
-    const Eigen::VectorXd& q = setup.tools()[i]->q();
-    const Vector<3> origin = tool.coordinates().pose(q).origin;
-    const SurfaceMesh mesh = surface_mesh(tool, q, Eigen::AlignedBox3d(window.low, window.high));
+    DrivenTool<3>& driven = *setup.tools()[i];
+    const Vector<3> origin = driven.tool().coordinates().pose(driven.q()).origin;
+    const SurfaceMesh mesh = tool_surface(setup, u, static_cast<int>(i));
     const int first = static_cast<int>(drawn.places.size() / 3);
     for (const Vector<3>& x : mesh.points) append(x, drawn.places);
     for (const auto& t : mesh.triangles) {
@@ -189,6 +187,12 @@ template <int Dim> void save_supports(const ContactRun<Dim>& run, const std::str
 std::vector<Vector<2>> tool_outline(const ContactSetup<2>& setup, const Eigen::VectorXd& u, int tool) {
   DrivenTool<2>& driven = *setup.tools()[tool];
   return window_outline(driven.tool(), driven.q(), picture_window<2>(present_places(setup, u)));
+}
+
+SurfaceMesh tool_surface(const ContactSetup<3>& setup, const Eigen::VectorXd& u, int tool) {
+  DrivenTool<3>& driven = *setup.tools()[tool];
+  const PictureWindow<3> window = picture_window<3>(present_places(setup, u));
+  return surface_mesh(driven.tool(), driven.q(), Eigen::AlignedBox3d(window.low, window.high));
 }
 
 template <int Dim>

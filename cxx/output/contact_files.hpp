@@ -1,6 +1,7 @@
 #pragma once
 // The contact surface and the tools of a run as .vtp files for ParaView, written whole (whole_file.hpp).
 // @throws FileError
+#include "geometry/surface_mesh.hpp"
 #include "run/contact_run.hpp"
 #include <string>
 
@@ -16,8 +17,10 @@ template <int Dim> void save_surface(const ContactRun<Dim>& run, const std::stri
 template <int Dim> void save_supports(const ContactRun<Dim>& run, const std::string& path);
 /// Outline of a tool of the setup where it is, as a picture of the workpiece needs it. @param u displacement; empty: none
 std::vector<Vector<2>> tool_outline(const ContactSetup<2>& setup, const Eigen::VectorXd& u, int tool);
-/// All tools where they are, with their numbers as `tool`: in the plane an outline each, see tool_outline; in space triangles, as
-/// surface_mesh gives them near the workpiece, with the origin of the tool's frame as `origin` [length]. Their
+/// Surface of a tool of the setup where it is, near the workpiece. @param u displacement; empty: none
+SurfaceMesh tool_surface(const ContactSetup<3>& setup, const Eigen::VectorXd& u, int tool);
+/// All tools where they are, with their numbers as `tool`: in the plane an outline each, see tool_outline; in space triangles, see
+/// tool_surface, with the origin of the tool's frame as `origin` [length]. Their
 /// displacement is zero, so that a filter that adds it moves the workpiece only. @param u displacement; empty: none
 template <int Dim>
 void save_tools(const ContactSetup<Dim>& setup, const Eigen::VectorXd& u, const std::string& path);

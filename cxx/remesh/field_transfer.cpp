@@ -1,4 +1,5 @@
 #include "remesh/field_transfer.hpp"
+#include "base/decompositions.hpp"
 #include "base/error.hpp"
 #include "base/sentence.hpp"
 #include "mesh/point_tree.hpp"
@@ -101,7 +102,7 @@ void FieldTransfer<Dim>::add_weights(const Discretization<Dim>& from, const Vect
     sum += weights.back();
   }
   const bool fits = normal.determinant() > THIN * std::pow(normal.trace() / (Dim + 1), Dim + 1);
-  const Row unit = Row::Unit(0), solved = fits ? Row(normal.ldlt().solve(unit)) : Row(unit / sum);
+  const Row solved = fits ? first_of_inverse(normal) : Row(Row::Unit(0) / sum);
   for (std::size_t i = 0; i < rows.size(); ++i) m_weight.push_back(weights[i] * rows[i].dot(solved));
   m_point.insert(m_point.end(), patch.begin(), patch.end());
   m_begin.push_back(static_cast<int>(m_point.size()));

@@ -1,4 +1,5 @@
 #include "workpiece/nodal_average.hpp"
+#include "base/decompositions.hpp"
 #include "base/error.hpp"
 #include <algorithm>
 
@@ -51,8 +52,7 @@ template <int Dim> void NodalFit<Dim>::add_weights(const Discretization<Dim>& d,
   double flat = FLAT;
   for (int k = 0; k < terms; ++k) flat *= count;
   m_has_fit.push_back(count >= terms && std::abs(normal.determinant()) >= flat);
-  const Row unit = Row::Unit(0),
-            weights = m_has_fit.back() ? Row(normal.ldlt().solve(unit)) : Row(unit / count);
+  const Row weights = m_has_fit.back() ? first_of_inverse(normal) : Row(Row::Unit(0) / count);
   for (const Row& r : row) m_weight.push_back(weights.dot(r));
 }
 

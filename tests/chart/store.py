@@ -11,6 +11,7 @@ from scene_files import HERE
 TOP = os.path.dirname(os.path.dirname(HERE))
 # of the project's README.md: scene, words for it, quantity, what n is, levels
 USE = [("hertz", "Hertz, pressure inside 0.8 a", "pressure_inner", "elements in the half-width", report.LEVELS),
+       ("ball", "Hertz in space, pressure inside 0.8 a", "pressure_inner", "edges on the radius", [0.05, 0.01]),
        ("rolling", "plastic: rolling, depth", "depth", "edges of 1/n of the arc", [0.01])]
 
 

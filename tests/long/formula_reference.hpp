@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace reference {
 
@@ -80,6 +81,15 @@ inline Jet arc(const Jet& y,
   return result.noted(result.largest);
 }
 
+/// Both branches must have a value, and the condition must be clear of zero: rounding decides there.
+inline Jet taken(const Jet& c, const Jet& a, const Jet& b) {
+  Jet result = (c.f > 0 ? a : b).noted(larger(a.largest, b.largest));
+  result.varies = a.varies || b.varies || c.varies;
+  if (!(std::fabs(c.f) >= 1e-9L) || !a.finite() || !b.finite()) result.largest = NAN;
+  result.largest = larger(result.largest, c.largest);
+  return result;
+}
+
 /// Functions of one argument: value, first and second derivative.
 inline Jet called(const std::string& name, const Jet& a) {
   const Real u = a.f, s = std::sin(u), c = std::cos(u), sh = std::sinh(u), ch = std::cosh(u);
@@ -102,7 +112,7 @@ inline Jet called(const std::string& name, const Jet& a) {
   // no derivative at the jump; a jump nearby makes the comparison meaningless
   const Real jump = !(std::fabs(u) >= 1e-9L) ? NAN : (u > 0) - (u < 0);
   if (name == "abs") return a.chain(std::fabs(u), jump, 0);
-  if (name == "csgn") return a.chain(jump, 0, 0);
+  if (name == "sign") return a.chain(jump, 0, 0);
   if (name == "step") return a.chain((1 + jump) / 2, 0, 0);
   throw std::runtime_error("unknown function " + name);
 }
@@ -165,15 +175,29 @@ private:
     if (word == "y") return Jet{m_y, 0, 1, 0, 0, 0, std::fabs(m_y), true};
     if (word == "pi" || word == "Pi") return Jet{std::acos(-1.L), 0, 0, 0, 0, 0, 4, false};
     expect('(');
-    const Jet a = sum();
-    Jet b;
-    const bool two = word == "atan2" || word == "pow";
-    if (two) {
-      expect(',');
-      b = sum();
-    }
+    std::vector<Jet> a{sum()};
+    if (word == "if") a = condition(a[0]);
+    while (next() == ',' && take(',')) a.push_back(sum());
     expect(')');
-    return !two ? called(word, a) : word == "pow" ? power(a, b) : arc(a, b);
+    return call(word, a);
+  }
+  /// l > r and the like as the number that is above zero where it holds; the sign >= is > but for equality, which is left out.
+  std::vector<Jet> condition(const Jet& left) {
+    const char sign = next();
+    if (!take('<') && !take('>')) return {left};
+    if (m_at < m_text.size() && m_text[m_at] == '=') ++m_at;
+    const Jet right = sum();
+    return {sign == '>' ? plus(left, right, -1) : plus(right, left, -1)};
+  }
+  static Jet call(const std::string& word, const std::vector<Jet>& a) {
+    const std::size_t expected = word == "if"                                                         ? 3
+                                 : word == "atan2" || word == "pow" || word == "min" || word == "max" ? 2
+                                                                                                      : 1;
+    if (a.size() != expected) throw std::runtime_error("arguments of " + word);
+    if (word == "if") return taken(a[0], a[1], a[2]);
+    if (word == "min") return taken(plus(a[1], a[0], -1), a[0], a[1]);
+    if (word == "max") return taken(plus(a[0], a[1], -1), a[0], a[1]);
+    return word == "pow" ? power(a[0], a[1]) : word == "atan2" ? arc(a[0], a[1]) : called(word, a[0]);
   }
   Jet number() {
     char* end = nullptr;

@@ -18,7 +18,7 @@ template <class List> const auto& any(Random& random, const List& list) {
 }
 
 const std::vector<std::string> ONE{"sin",   "cos",   "tan",   "asin", "acos", "atan", "sinh", "cosh", "tanh",
-                                   "asinh", "acosh", "atanh", "exp",  "log",  "sqrt", "abs",  "step", "csgn"};
+                                   "asinh", "acosh", "atanh", "exp",  "log",  "sqrt", "abs",  "step", "sign"};
 const std::vector<std::string> LEAVES{"x",    "y",    "x",  "y",  "2",  "3", "0.5",
                                       "1.25", "1e-1", ".7", "3.", "pi", "0", "1"};
 
@@ -30,7 +30,7 @@ std::string blank(Random& random) {
 std::string text_of(Random& random, int depth) {
   if (depth == 0 || below(random, 8) == 0) return any(random, LEAVES);
   const auto part = [&] { return blank(random) + text_of(random, depth - 1) + blank(random); };
-  switch (below(random, 9)) {
+  switch (below(random, 11)) {
   case 0:
     return part() + "+" + part();
   case 1:
@@ -47,6 +47,11 @@ std::string text_of(Random& random, int depth) {
     return "(" + part() + ")*(" + part() + ")";
   case 7:
     return (below(random, 2) ? "atan2(" : "pow(") + part() + "," + part() + ")";
+  case 8:
+    return (below(random, 2) ? "min(" : "max(") + part() + "," + part() + ")";
+  case 9:
+    return "if(" + part() + any(random, std::vector<std::string>{"", ">0.3", "<x", ">=y", "<=2"}) + "," +
+           part() + "," + part() + ")";
   default:
     return any(random, ONE) + "(" + part() + ")";
   }
@@ -98,9 +103,9 @@ void compare(const std::string& text, double x, double y, Count& count) {
 
 std::string spoiled(Random& random, std::string text) {
   static const std::vector<std::string> scraps{
-      "(",  ")",   "+",  "-",       "*",     "/",  "^",    ",",        ".",     "e",  "x",
-      "y",  "sin", "1",  "0",       "1e9",   " ",  "\n",   "\xce\xb2", "#",     "\"", "\\",
-      "1e", "pi",  "x(", "9999999", "^(-1)", "/0", "((((", "))))",     "sqrt(", "0^"};
+      "(",   ")",    "+", "-",   "*",  "/",       "^",        ",",  ".",    "e",    "x",     "y",
+      "sin", "1",    "0", "1e9", " ",  "\n",      "\xce\xb2", "#",  "\"",   "\\",   "1e",    "pi",
+      "if(", "min(", ">", "<=",  "x(", "9999999", "^(-1)",    "/0", "((((", "))))", "sqrt(", "0^"};
   for (int i = 1 + below(random, 4); i > 0; --i) {
     const auto at = static_cast<std::size_t>(below(random, static_cast<int>(text.size()) + 1));
     switch (below(random, 5)) {

@@ -12,12 +12,13 @@ import numpy as np
 from matplotlib.tri import Triangulation
 from picture import faults
 from PIL import Image
-from plotting import case, contact, curves, fields, quadratic, units
+from plotting import arrows, case, contact, curves, fields, quadratic, units
 from plotting.figure import new_figure, save
 from plotting.inputs import InputError
 from plotting.labels import place_labels
 from plotting.run import Run
-from plotting.tools import Outline, own_part
+from plotting.start import start_figure
+from plotting.tools import Outline, at_time, own_part
 from plotting.vtu import Field
 
 FOLDER = Path(sys.argv.pop(1))
@@ -156,6 +157,56 @@ class Scene(unittest.TestCase):
         code, drawn, said = self.draw(folder)
         self.assertEqual((code, drawn), (1, []))
         self.assertIn("history.csv: line 2, column x: not a number: 'many'", said)
+
+
+class Arrows(unittest.TestCase):
+    """What the program prescribes: the roller of the finished run is pressed down by 400 kN/m, x is held, it may turn."""
+
+    def run_with(self, **drives):
+        """The finished run with other drives: kind, twist, places of the coordinate in the history."""
+        run = Run(str(FINISHED))
+        run.summary["drive"] = {name: {"kind": kind, "force": 0.0, "twist": twist} for name, (kind, twist, _) in drives.items()}
+        run.history = {**run.history, **{name: values(run.history["t"]) for name, (_, _, values) in drives.items()}}
+        return run
+
+    def found(self, size=40.0, **drives):
+        return [(a.shape.kind, list(np.atleast_1d(a.shape.points)), a.both, a.text) for a in arrows.arrows(self.run_with(**drives), size)]
+
+    def test_of_a_run(self):
+        run = Run(str(FINISHED))
+        self.assertEqual({name: drive["kind"] for name, drive in run.summary["drive"].items()},
+                         {"x": "motion", "y": "force", "angle": "force"})
+        (force,) = arrows.arrows(run, 40.0)
+        self.assertEqual((force.tool, force.shape.kind, force.both), ("roller", "straight", False))
+        np.testing.assert_allclose(force.shape.points, [0, -1])
+        self.assertEqual(force.text, units.amount(4e5 * run.units.force, run.units.force_unit))
+
+    def test_motions(self):
+        along, up, turn = [1.0, 0, 0], [0, 1.0, 0], [0, 0, 1.0]
+        self.assertEqual(self.found(x=("motion", along, lambda t: -0.01 * t)), [("straight", [-1, 0], False, None)])
+        self.assertEqual(self.found(x=("motion", along, lambda t: 0.01 * np.sin(2 * np.pi * t)))[0][2], True)
+        self.assertEqual(self.found(x=("follows", along, lambda t: 0.01 * t), y=("motion", up, lambda t: 1e-3 * t)),
+                         [("straight", [1, 0], False, None)])                    # the second is small beside it
+        self.assertEqual(self.found(x=("motion", along, lambda t: 1e-4 * t)), [])   # both, beside the view
+        self.assertEqual(self.found(x=("force", along, lambda t: 0.01 * t)), [])    # without a force, free
+        self.assertEqual(self.found(angle=("motion", turn, lambda t: -t)), [("turn", [-1], False, None)])
+        self.assertEqual(arrows.arrows(self.run_with(), 40.0), [])                  # of older files
+
+    def test_nothing_is_covered(self):
+        """Neither the value nor the arrow lies on a node, an outline or the other arrow."""
+        run = Run(str(FINISHED))
+        run.summary["drive"]["angle"]["force"] = 900.0
+        figure = start_figure(run)
+        figure.draw_without_rendering()
+        axes = figure.axes[0]
+        nodes = axes.transData.transform(run.units.length * run.field.points)
+        rim = axes.transData.transform(np.vstack([o.points for o in at_time(run.tools, 0)]))
+        boxes = [text.get_window_extent() for text in axes.texts if text.get_text()]
+        self.assertEqual(len(boxes), 2)
+        self.assertFalse(boxes[0].overlaps(boxes[1]))
+        for box in boxes:
+            self.assertFalse(any(box.contains(*place) for place in (*nodes, *rim)))
+            self.assertTrue(axes.get_window_extent().containsx(box.x0) and axes.get_window_extent().containsx(box.x1))
 
 
 class ContactLine(unittest.TestCase):

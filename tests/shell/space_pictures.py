@@ -42,6 +42,45 @@ class Files(unittest.TestCase):
             files.read_body(str(path), 1.0)
 
 
+class Symmetry(unittest.TestCase):
+    """The cube y = 0 to 1 with its image: what is whole, what is cut open for a viewer at -y."""
+
+    def setUp(self):
+        self.run_ = SpaceRun(str(FOLDER / "P2"))
+        self.run_.__dict__["said_symmetry"] = "y"
+
+    def test_body(self):
+        self.assertEqual(self.run_.symmetry, [(1, 1)])
+        half, whole = self.run_.frame(-1, ()).body, self.run_.last.body
+        np.testing.assert_allclose((whole.points.min(axis=0)[1], whole.points.max(axis=0)[1]), (-1, 1), atol=1e-12)
+        self.assertEqual(len(whole.points), 2 * len(half.points) - 25 + 16)     # of 5 x 5 nodes on the plane 9 are of the faces
+        area = lambda body: 0.5 * np.linalg.norm(np.cross(*(body.points[b] - body.points[a] for a, b in (
+            files.triangles_of(body.faces).T[[0, 1]], files.triangles_of(body.faces).T[[0, 2]]))), axis=1).sum()
+        self.assertAlmostEqual(area(whole), 2 * area(half) - 2 * (1 - DEPTH), delta=1e-12)
+        self.assertLess(whole.lines.max(), len(half.points))
+        image = whole.points[len(half.points):]
+        values = whole.data["stress_eq"][len(half.points):]                     # = x
+        np.testing.assert_allclose(values, image[:, 0] - whole.data["displacement"][len(half.points):, 0], atol=1e-12)
+        places, cells, _ = maps.cut_body(self.run_, whole, "stress_eq", np.array([0.3, 0.5, 0.5]), [1, 0, 0])
+        a, b, c = (places[column] for column in cells.T)
+        self.assertAlmostEqual(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum(), 2 * (1 - DEPTH), delta=1e-12)
+
+    def test_tool_as_far_as_the_plane(self):
+        (_, points, triangles, _), = files.tool_parts(self.run_.last.tools)
+        corners = points[triangles]
+        area = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
+        self.assertAlmostEqual(area, np.prod(np.ptp(points, axis=0)[:2]), delta=1e-9)   # nothing lies twice
+        self.assertAlmostEqual(points[:, 1].min(), -points[:, 1].max(), delta=1e-12)
+
+    def test_cut(self):
+        self.assertEqual(self.run_.cut, 1)
+        self.assertAlmostEqual(self.run_.view(-1).body.points[:, 1].min(), 0, delta=1e-12)
+        self.run_.__dict__["along"] = np.array([-1.0, 0, 0])
+        for name in ("front", "cut"):
+            self.run_.__dict__.pop(name)
+        self.assertIsNone(self.run_.cut)                                        # seen from behind nothing is open
+
+
 def said(length, stress):
     """The run of a script with rcUnits."""
     run = SpaceRun(str(FOLDER / "P2"))

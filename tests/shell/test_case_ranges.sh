@@ -74,6 +74,9 @@ cup -blank 26
 u-channel -ny -3
 upsetting -n 0
 upsetting -a 0
+plate-rolling -h1 2
+plate-rolling -drive up
+plate-rolling -ratio -1e300
 END
 echo "$failures failed"
 [ "$failures" = 0 ]

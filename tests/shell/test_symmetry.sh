@@ -49,5 +49,37 @@ refused() {
 refused 'rcSymmetry is "left", expected "", "x", "y" or "xy"' -lines left
 refused 'rcSymmetry is "x", but the workpiece reaches from x = -5 to 5, expected an end at x = 0' -lines x -from -5
 
+# in space: planes, all three
+cat >"$SCRATCH/cube.edp" <<'END'
+include "burnish.idp"
+load "msh3"
+rcCaseOptions("cube");
+rcSymmetry = rcText("-lines", "", "", "");
+real y0 = rcReal("-from", 0, "mm", "");
+rcOptionsEnd();
+mesh3 Th = cube(2, 2, 2, [x, y0 + y, z]);
+fespace Vh(Th, [P2, P2, P2]);
+Vh [u, v, w] = [0, 0, 0];
+varf ends([u, v, w], [p, q, r]) = on(4, u=1) + on(1, v=1) + on(5, w=1);
+real[int] held = ends(0, Vh, tgv=1);
+material M = rcMaterial(Vh, E=2e5, nu=0.3, sigY=200, H=500);
+tool plate(plane=[0, 0, 0, 0, 0, -1], name="plate");
+plate.coordinates("cartesian");
+plate.place("z", 1);
+contact C = rcContact(Vh, label=6, fixed=held);
+C.add(plate);
+func int program(real t) { plate.move("x", 0); plate.move("y", 0); plate.move("z", 1 - 0.001*t); plate.move("spinx", 0); plate.move("spiny", 0);
+  plate.move("spinz", 0); return 0; }
+func int record(real t) { return 0; }
+stepcontrol S(1., dtmax=0.5);
+rcCase(C, M, u[], S, program, record)
+rcCaseEnd(C, M, S);
+END
+run() { "$BURNISH" "$SCRATCH/cube.edp" -series 1 -out "$SCRATCH/out" "$@" >"$SCRATCH/log.txt" 2>&1; }
+run -lines xyz -pictures 1 || { report "xyz: exit status $?"; tail -n 5 "$SCRATCH/log.txt"; }
+[ -s "$SCRATCH/out/final.png" ] || report "no picture in space"
+refused 'rcSymmetry is "yx", expected some of x, y, z in this order' -lines yx
+refused 'rcSymmetry is "y", but the workpiece reaches from y = -0.5 to 0.5, expected an end at y = 0' -lines y -from -0.5
+
 echo "$failures failed"
 [ "$failures" = 0 ]

@@ -8,6 +8,7 @@ from vtkmodules.vtkCommonCore import vtkLogger
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 
 from plotting.inputs import InputError, MissingInput
+from plotting.space import grids, mirror
 
 vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # what is wrong with a file, `read` says
 
@@ -16,10 +17,10 @@ FACES = np.array([[0, 1, 3, 4, 8, 7], [1, 2, 3, 5, 9, 8], [2, 0, 3, 6, 7, 9], [0
 PARTS = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2], [3, 4, 5]])  # triangles of a quadratic face
 IN_CONTACT = (1, 2, 3)                                          # states: touched, sliding, sticking
 
-# points: present places n x 3; triangles; data: {name: n or n x components}; cells: {name: of the triangles}; vtk: as it was read
-Surface = namedtuple("Surface", "points triangles data cells vtk")
-# faces: outer ones, m x 3 or m x 6; vtk: the undeformed grid, in the file's unit
-Body = namedtuple("Body", "points faces data vtk")
+# points: present places n x 3; triangles; data: {name: n or n x components}; cells: {name: of the triangles}
+Surface = namedtuple("Surface", "points triangles data cells")
+# faces: outer ones, m x 3 or m x 6; lines: edges of the elements that were computed; vtk: the undeformed grid, in the file's unit
+Body = namedtuple("Body", "points faces lines data vtk")
 Frame = namedtuple("Frame", "t body surface tools")
 
 
@@ -48,26 +49,37 @@ def outer_faces(cells):
     return faces[np.sort(first[count == 1])]
 
 
-def read_body(path, scale):
-    """scale: from the file's unit of length to that of the picture."""
+def read_body(path, scale, symmetry=()):
+    """scale: from the file's unit of length to that of the picture; symmetry: [(axis, side)] of the planes in which it is
+    reflected (mirror.py)."""
     grid = read(path, vtkXMLUnstructuredGridReader())
     cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(grid.GetNumberOfCells(), -1)
     if cells.shape[1] not in (4, 10):
         raise InputError(f"{path}: elements of {cells.shape[1]} nodes, expected tetrahedra of 4 or 10")
-    data = arrays(grid.GetPointData())
+    data, points = arrays(grid.GetPointData()), vtk_to_numpy(grid.GetPoints().GetData())
     if "displacement" not in data:
         raise MissingInput(f"{path}: no nodal data displacement")
-    points = scale * (vtk_to_numpy(grid.GetPoints().GetData()) + data["displacement"])
-    return Body(points, outer_faces(cells), data, grid)
+    computed = len(points)
+    for axis, _ in symmetry:
+        points, cells, data = mirror.doubled(points, cells, data, axis)
+    faces = outer_faces(cells)
+    lines = edges_of(faces)
+    return Body(scale * (points + data["displacement"]), faces, lines[(lines < computed).all(axis=1)], data,
+                grids.tetrahedra(points, cells, data) if symmetry else grid)
 
 
-def read_surface(path, scale):
-    """Triangles where they are: of the contact surface or the tools."""
+def read_surface(path, scale, symmetry=()):
+    """Triangles where they are: of the contact surface or, where the cells know their tool, the tools."""
     surface = read(path, vtkXMLPolyDataReader())
-    data = arrays(surface.GetPointData())
-    points = scale * (vtk_to_numpy(surface.GetPoints().GetData()) + data["displacement"])
+    data, cells = arrays(surface.GetPointData()), arrays(surface.GetCellData())
+    points = vtk_to_numpy(surface.GetPoints().GetData()) + data["displacement"]
     triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    return Surface(points, triangles, data, arrays(surface.GetCellData()), surface)
+    for axis, side in symmetry:
+        if "tool" in cells:
+            points, triangles, cells = mirror.doubled_tools(points, triangles, cells, axis, side)
+        else:
+            points, triangles, data = mirror.doubled(points, triangles, data, axis)
+    return Surface(scale * points, triangles, data, cells)
 
 
 def read_origins(path):
@@ -77,10 +89,10 @@ def read_origins(path):
     return [(int(number), cells["origin"][k]) for number, k in zip(numbers, first)]
 
 
-def read_frame(t, parts, scale):
+def read_frame(t, parts, scale, symmetry=()):
     """parts: {"workpiece": path, "tools": path, "contact surface": path}; a part that is not there is None."""
-    some = {name: read_surface(parts[name], scale) if name in parts else None for name in ("contact surface", "tools")}
-    return Frame(t, read_body(parts["workpiece"], scale), some["contact surface"], some["tools"])
+    some = {name: read_surface(parts[name], scale, symmetry) if name in parts else None for name in ("contact surface", "tools")}
+    return Frame(t, read_body(parts["workpiece"], scale, symmetry), some["contact surface"], some["tools"])
 
 
 def triangles_of(faces):

@@ -18,16 +18,18 @@ def near(image, places):
 
 
 def final_figure(run):
-    frame = run.last
+    frame = run.view(-1)
     scale = scene.scale_of(run, [frame])
     box = scene.box_of([frame])
     image, places = scene.picture(run, frame, box, scale, SIZE)
     (top, bottom), (left, right) = near(image, places)
     room = final.WIDTH - final.RIGHT - 0.3
     height = float(np.clip(room * (bottom - top) / (right - left), 2.5, 6.0))
-    whole = height + final.ABOVE + 0.45
+    key = scene.key_of(run)
+    below = final.key_height(key) + 0.05
+    whole = height + final.ABOVE + below
     figure = final.new_figure(whole)
-    axes = figure.add_axes((0.3 / final.WIDTH, 0.45 / whole, room / final.WIDTH, height / whole))
+    axes = figure.add_axes((0.3 / final.WIDTH, below / whole, room / final.WIDTH, height / whole))
     axes.imshow(image, interpolation="bilinear")
     axes.set(xlim=(left, right), ylim=(bottom, top))
     axes.set_axis_off()
@@ -35,15 +37,15 @@ def final_figure(run):
     label, values = scale.quantity.label, scene.values_of(frame, scale)
     unit = run.units.stress_unit if scale.quantity.stress else in_powers(int(round(-np.log10(scale.factor))), "-")
     final.add_title(figure, f"{label[0].upper() + label[1:]} at t = {frame.t:.4g}, largest {amount(values.max(), unit)}")
-    final.add_key(figure, scene.key_of(run))
+    final.add_key(figure, key)
     if scale.levels is not None:
-        final.add_scale(figure, scale.quantity, scale.levels, unit, (0.45 + 0.1 * height, 0.8 * height))
+        final.add_scale(figure, scale.quantity, scale.levels, unit, (below + 0.1 * height, 0.8 * height))
     return figure
 
 
 def gallery_figure(run, shared=None):
     """The same without words, in the size of plotting/final.py's. shared: a scale of several runs, as of plotting/final.py's scale_of"""
-    frame, (wide, high) = run.last, final.GALLERY
+    frame, (wide, high) = run.view(-1), final.GALLERY
     scale = scene.Scale(shared.quantity, "", shared.factor, shared.levels) if shared else scene.scale_of(run, [frame])
     image, places = scene.picture(run, frame, scene.box_of([frame]), scale, (2 * wide, 2 * high))
     (top, bottom), (left, right) = near(image, places)

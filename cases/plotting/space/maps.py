@@ -3,7 +3,7 @@ import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.tri import Triangulation
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import vtkCutter
 from vtkmodules.vtkFiltersGeneral import vtkWarpVector
@@ -12,7 +12,7 @@ from plotting import fields, maps
 from plotting.contact import STATES
 from plotting.figure import GRAY, ORANGE, key_under_labels, new_figure, say_empty
 from plotting.space import files
-from plotting.space.render import poly
+from plotting.space.grids import poly
 from plotting.space.run import AXES
 from plotting.space.scene import scale_of
 from plotting.units import amount

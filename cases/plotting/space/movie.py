@@ -17,7 +17,7 @@ def frames_of(run):
     if len(run.frames) < 2:
         raise MissingInput(f"{run.folder}: fewer than two frames of fields, too few for a movie")
     chosen = np.unique(np.linspace(0, len(run.frames) - 1, min(MOST, len(run.frames))).round().astype(int))
-    return [run.frame(k) for k in chosen]
+    return [run.view(k) for k in chosen]
 
 
 def gif_frame(run, frame, box, scale):

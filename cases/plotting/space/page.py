@@ -76,7 +76,7 @@ def page(name, frames, scale, view):
     numbers = np.full(len(body.points), -1)
     numbers[nodes] = np.arange(len(nodes))
     center = 0.5 * (view.box[0] + view.box[1])
-    data = {"cells": packed(triangles, "<u4"), "edges": packed(numbers[files.edges_of(body.faces)], "<u4"),
+    data = {"cells": packed(triangles, "<u4"), "edges": packed(numbers[body.lines], "<u4"),
             "frames": [frame_data(frame, nodes, values_of(frame, scale), center) for frame in frames],
             "colors": [[round(c, 3) for c in color[:3]] for color in colors], "limits": [float(v) for v in limits],
             "eye": list(view.eye), "up": list(view.up), "size": float(np.linalg.norm(view.box[1] - view.box[0])),

@@ -5,9 +5,8 @@ import subprocess
 from functools import cache
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTubeFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
@@ -15,6 +14,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from plotting.figure import ORANGE
 from plotting.inputs import InputError
 from plotting.space import files
+from plotting.space.grids import clipped, poly
 
 STEEL, BODY, EDGE = (0.55, 0.60, 0.68), (0.93, 0.91, 0.86), (0.35, 0.35, 0.35)
 
@@ -38,19 +38,6 @@ def start_display():
     if not number:
         raise InputError("Xvfb does not start")
     os.environ["DISPLAY"] = ":" + number
-
-
-def poly(points, cells, kind="polys"):
-    """vtkPolyData of cells of equal size."""
-    data, places = vtkPolyData(), vtkPoints()
-    places.SetData(numpy_to_vtk(np.ascontiguousarray(points, float), deep=True))
-    data.SetPoints(places)
-    array = vtkCellArray()
-    offsets = np.arange(0, cells.size + 1, cells.shape[1], dtype=np.int64)
-    array.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
-                  numpy_to_vtkIdTypeArray(np.ascontiguousarray(cells, np.int64).ravel(), deep=True))
-    (data.SetPolys if kind == "polys" else data.SetLines)(array)
-    return data
 
 
 def smoothed(data):
@@ -115,16 +102,16 @@ class Scene:
             data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(values, float), deep=True))
         self.add(smoothed(data), BODY, bands=None if values is None else (lookup(colors), limits))
         shift = APART * np.ptp(body.points, axis=0).max() * eye
-        self.add(poly(body.points + shift, files.edges_of(body.faces), "lines"), EDGE, 0.4, 1.0)
+        self.add(poly(body.points + shift, body.lines, "lines"), EDGE, 0.4, 1.0)
 
-    def add_tools(self, tools, shift, opacity=0.15):
+    def add_tools(self, tools, shift, behind=None, opacity=0.15):
         """With the lines of their triangles, which show how they turn, where these are few; moved by a shift that nobody sees, so that the contact is
-        that of the workpiece."""
+        that of the workpiece. behind: normal of a plane through 0 that cuts them."""
         for _, points, triangles, _ in files.tool_parts(tools):
             points = points + shift
-            self.add(smoothed(poly(points, triangles)), STEEL, opacity)
+            self.add(clipped(smoothed(poly(points, triangles)), behind), STEEL, opacity)
             if len(triangles) < DENSE:
-                self.add(poly(points, files.edges_of(triangles), "lines"), STEEL, 0.5 * opacity, 1.0)
+                self.add(clipped(poly(points, files.edges_of(triangles), "lines"), behind), STEEL, 0.5 * opacity, 1.0)
 
     def add_track(self, places, radius, color=ORANGE):
         """A tube through the places with a ball at its end."""

@@ -54,9 +54,7 @@ def box_of(frames):
 
 def eye_of(run):
     """Direction to the viewer: the tools go to the right, and their side is above."""
-    right, up = run.along, run.up
-    front = np.cross(right, up)
-    return unit(front + ASIDE * right + ABOVE * up)
+    return unit(run.front + ASIDE * run.along + ABOVE * run.up)
 
 
 def bands(scale):
@@ -91,7 +89,7 @@ def picture(run, frame, box, scale, size=(1100, 900)):
     else:
         scene.add_body(frame.body, eye, values_of(frame, scale), *bands(scale))
     side = np.ptp(run.last.body.points, axis=0).max()
-    scene.add_tools(frame.tools, -APART * side * eye)
+    scene.add_tools(frame.tools, -APART * side * eye, None if run.cut is None else -run.front)
     top = (frame.body.points @ run.up).max() + TRACK * side
     for places in ways_of(run):
         scene.add_track(places + np.outer(top - places @ run.up, run.up), TRACK * side)
@@ -126,7 +124,9 @@ def label_edges(axes, run, frame, places):
 
 def key_of(run):
     names = plain(", ".join(map(run.tool_name, run.tracks))) if len(run.tracks) < 4 else "tools"
-    handles = [Patch(facecolor=BODY, edgecolor="black", label="workpiece, edges of its elements"),
+    told = "workpiece, edges of its elements" + (" where it was computed" if run.symmetry else "")
+    told += "" if run.cut is None else f"; cut open at {'xyz'[run.cut]} = 0"
+    handles = [Patch(facecolor=BODY, edgecolor="black", label=told),
                Patch(facecolor=STEEL, alpha=0.6, label=f"rigid {names}")]
     if ways_of(run):
         handles.append(Line2D([], [], color=ORANGE, linewidth=4, label="way of the tool, on the surface"))
@@ -176,12 +176,12 @@ def row_figure(run, frames, titles, columns=2, width=12.5):
 
 
 def scene_figure(run):
-    return row_figure(run, [run.first, run.last], [f"Start, t = {run.first.t:.4g}", f"End, t = {run.last.t:.4g}"])
+    return row_figure(run, [run.view(0), run.view(-1)], [f"Start, t = {run.first.t:.4g}", f"End, t = {run.last.t:.4g}"])
 
 
 def sequence_figure(run, number=4):
     chosen = np.unique(np.linspace(0, len(run.frames) - 1, number + 1).round().astype(int))[1:]
     if len(chosen) < 3:
         return None
-    frames = [run.frame(k) for k in chosen]
+    frames = [run.view(k) for k in chosen]
     return row_figure(run, frames, [f"t = {frame.t:.4g}" for frame in frames])

@@ -147,7 +147,9 @@ template <int Dim> void BalanceCheck<Dim>::look(const AcceptedStep<Dim>& step, F
   look_at_nodes<Dim>(step, step.R - held, load, findings);
   look_at_tools(step, m_unmet, findings);
   if (!step.workpiece) return;
-  Resultant<Dim> total = resultant<Dim>(step.body(), step.u, step.internal - step.R + held, middle);
+  // in small strains the arms are those of the undeformed body
+  const Eigen::VectorXd arms = step.u * (step.workpiece->law().small_strain() ? 0 : 1);
+  Resultant<Dim> total = resultant<Dim>(step.body(), arms, step.internal - step.R + held, middle);
   if (step.mesh().axisymmetric) total = of_ring(total);
   const double value =
       std::max(total.force.cwiseAbs().maxCoeff(), total.moment.cwiseAbs().maxCoeff() / size) / load;

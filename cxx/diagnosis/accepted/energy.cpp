@@ -124,8 +124,11 @@ template <int Dim> void EnergyCheck<Dim>::look(const AcceptedStep<Dim>& step, Fi
   if (!step.workpiece) return;
   EnergyState& energy = m_energy;
   Forces forces = forces_of(step);
-  if (energy.support_force.size() == 0) keep(energy, forces);
   const Eigen::VectorXd du = step.u - energy.u, friction = friction_forces(step);
+  if (energy.support_force.size() == 0) { // what is out of balance at the start goes off in the first step
+    keep(energy, forces);
+    energy.external += 0.5 * (energy.internal_force - step.internal).dot(du);
+  }
   for (Eigen::Index k = 0; k < step.contact.q.size(); ++k)
     if (!step.model().coupling_of(static_cast<int>(k))) // what follows hands its force on
       energy.tools +=

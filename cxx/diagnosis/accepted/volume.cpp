@@ -27,7 +27,7 @@ template <int Dim> void VolumeCheck<Dim>::look(const AcceptedStep<Dim>& step, Fi
     const double strain = strains[p];
     if (!(strain > 0)) continue;
     const PointState<Dim> point = point_state(step.workpiece->state_old(), p);
-    const double excess = std::log(determinant(Gradient<Dim>(point.F))) - mean<Dim>(point.stress) / K;
+    const double excess = volume_strain<Dim>(point.F, law->small_strain()) - mean<Dim>(point.stress) / K;
     change += space.weight[p] * std::abs(excess);
     flow += space.weight[p] * strain;
   }

@@ -1,6 +1,6 @@
 #include "diagnosis/before/floating_check.hpp"
+#include "base/decompositions.hpp"
 #include "base/error.hpp"
-#include "base/symmetric_eigen.hpp"
 #include "contact/tool_support.hpp"
 #include "diagnosis/rigid_modes.hpp"
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Coordinates of a tool that move it alike: nothing tells their forces apart.
+#include "base/decompositions.hpp"
 #include "base/error.hpp"
 #include "base/sentence.hpp"
 #include "diagnosis/before/program_checks.hpp"
@@ -38,10 +39,10 @@ template <int Dim> Combination weakest(const Pose<Dim>& pose, const std::vector<
   if (motions.size() < 2) return result;
   Eigen::MatrixXd columns(Dim + Dim * Dim, motions.size());
   for (std::size_t i = 0; i < motions.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = motions[i];
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeFullV);
+  const RightSingular singular = right_singular(columns);
   const auto last = columns.cols() - 1;
-  result.motion = last < svd.singularValues().size() ? svd.singularValues()[last] : 0;
-  result.part = svd.matrixV().col(last);
+  result.motion = last < singular.values.size() ? singular.values[last] : 0;
+  result.part = singular.vectors.col(last);
   for (std::size_t i = 0; i < motions.size(); ++i) // per unit of the coordinate
     result.part[static_cast<Eigen::Index>(i)] /=
         motion_of<Dim>(pose.origin_q[result.coordinates[i]], pose.R_q[result.coordinates[i]], lever).norm();
@@ -81,7 +82,7 @@ void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& 
           !setup.model().coupling_of(first + k))
         free.push_back(k);
     const Combination weak = weakest(poses[t], free, lever);
-    if (weak.motion > DEPENDENT<Dim>) continue;
+    if (!(weak.motion <= DEPENDENT<Dim>)) continue;
     const auto& names = setup.tools()[t]->tool().coordinates().names();
     std::string list;
     for (std::size_t i = 0; i < weak.coordinates.size(); ++i)

@@ -1,5 +1,5 @@
 #include "diagnosis/step/unheld_workpiece.hpp"
-#include "base/symmetric_eigen.hpp"
+#include "base/decompositions.hpp"
 #include "diagnosis/observers.hpp"
 #include "diagnosis/rigid_modes.hpp"
 #include <algorithm>

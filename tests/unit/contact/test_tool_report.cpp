@@ -68,3 +68,16 @@ TEST_F(TwoTools, ResultantOfEachTool) {
   EXPECT_EQ(tool_resultant(model, state, R, 0), -(R.segment<2>(2) + R.segment<2>(6)));
   EXPECT_EQ(tool_resultant(model, state, R, 1), -R.segment<2>(12));
 }
+
+TEST_F(TwoTools, ResultantWithoutWhatASupportTakes) {
+  model.first = {0, 3, 6};
+  model.constrained.resize(5);
+  model.constrained[0] = {true, false}; // along x
+  state.q = Eigen::VectorXd::Zero(6);
+  state.nodes[0].place =
+      model.tools[0]->surface().foot(Vector<2>(0, 2), Param<2>::Zero()).place; // the normal is y there
+  Eigen::VectorXd R(16);
+  for (int i = 0; i < 16; ++i) R[i] = 1 + i * i;
+  const Vector<2> expected = -(Vector<2>(0, R[3]) + R.segment<2>(6));
+  EXPECT_LT((tool_resultant(model, state, R, 0) - expected).norm(), 1e-12 * expected.norm());
+}

@@ -241,3 +241,12 @@ TEST(RunChecks, StressBeyondTheYieldSurfaceAndVolumeOfFlow) {
   EXPECT_NEAR(find(findings, "yield")->value, 0.5, 0.01);
   EXPECT_TRUE(find(findings, "volume")) << "the stress no longer fits the volume";
 }
+
+TEST(RunChecks, VolumeOfASmallStrainFlow) {
+  J2Parameters material = J2Parameters::from_shear(1, 0.3, 0.05, 0.5);
+  material.rate = CorotationalRate::SMALL_STRAIN;
+  Pressed scene(material);
+  EXPECT_FALSE(find(scene.look(), "volume"));
+  EXPECT_GT(scene.measured("plastic strain"), 0);
+  EXPECT_LT(scene.measured("volume"), 1e-10) << "tr F - 3, not ln det F";
+}
