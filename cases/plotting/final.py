@@ -4,19 +4,16 @@ from collections import namedtuple
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
-from matplotlib.colors import BoundaryNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
 from plotting import arrows, contact, fields, maps, quadratic, tools
+from plotting.border import ABOVE, BELOW, BETWEEN, GALLERY, LEFT, RIGHT, WIDTH, add_key, add_scale, add_title, fitted, new_figure
 from plotting.figure import BLUE, GRAY, ORANGE
 from plotting.units import amount, plain, touch_columns
 
-WIDTH = 8.0                    # inches at 150 pixels
-LEFT, RIGHT, BELOW, ABOVE, BETWEEN = 0.72, 1.2, 0.9, 0.42, 0.55   # inches beside the panels
 BODY, TOOL, RIM = "#f4f1ea", "#c9d0d8", "#4d5a68"
 LARGE = 4.0                    # a tool over the workpiece, from which only its part near the workpiece is drawn
 FAR = 0.02                     # a way over the view, below which it is not drawn
@@ -25,7 +22,6 @@ FEWEST, MOST_LEVELS = 1e-3, 16
 FLOWING = 0.1                  # of the first level, below which the workpiece keeps its color
 GHOST = (0, (4, 2.5))
 Scale = namedtuple("Scale", "quantity unit factor largest levels")
-GALLERY = (690, 460)           # pixels
 THIN = 1e-3                    # zone over the view of the gallery by area, below which it shows the stress
 LONG = 2.0                     # width over height of what the gallery shows, at most
 
@@ -184,14 +180,6 @@ def draw_panel(axes, shown, box):
     return [Line2D([], [], color=TOOL, linewidth=7, label=label)] * bool(names) + handles
 
 
-def fitted(box, aspect):
-    """The box widened on its shorter side to a width over height."""
-    x0, x1, y0, y1 = box
-    wide, high = max(x1 - x0, aspect * (y1 - y0)), max(y1 - y0, (x1 - x0) / aspect)
-    mx, my = 0.5 * (x0 + x1), 0.5 * (y0 + y1)
-    return mx - wide / 2, mx + wide / 2, my - high / 2, my + high / 2
-
-
 def layout(whole, zone):
     """[(place in inches: left, bottom, width, height), ...] of the panels, and the height of the figure."""
     room, aspect = WIDTH - LEFT - RIGHT, (whole[1] - whole[0]) / (whole[3] - whole[2])
@@ -205,14 +193,6 @@ def layout(whole, zone):
     height = float(np.clip(0.45 * room / aspect, 2.6, 4.8))
     first = min(height * aspect, 0.6 * room)
     return [(LEFT, BELOW, first, height), (LEFT + first + BETWEEN, BELOW, room - first, height)], height + BELOW + ABOVE
-
-
-def new_figure(height):
-    """Figure that is drawn as it is; its axes are placed in inches."""
-    figure = Figure(figsize=(WIDTH, height), dpi=150, layout="none")
-    FigureCanvasAgg(figure)
-    figure.placed = True     # nothing is moved or cut off
-    return figure
 
 
 def final_figure(run):
@@ -304,31 +284,3 @@ def add_words(figure, shown, handles, height):
     if shown.levels is not None:
         place = figure.axes[-1].get_position()
         add_scale(figure, shown.quantity, shown.levels, shown.unit, (BELOW + 0.05 * place.height * height, 0.9 * place.height * height))
-
-
-def add_title(figure, text):
-    figure.text(0.5, 1 - 0.13 / figure.get_figheight(), text, ha="center", va="top", fontsize=12)
-
-
-def columns_of(handles):
-    longest = max((6 + len(h.get_label()) for h in handles), default=1)
-    return int(np.clip(105 // longest, 1, max(1, len(handles))))
-
-
-def key_height(handles):
-    """In inches."""
-    return 0.05 + 0.2 * -(-len(handles) // columns_of(handles))
-
-
-def add_key(figure, handles):
-    """At the lower edge, in as many columns as fit."""
-    figure.legend(handles=handles, loc="lower center", ncol=columns_of(handles), frameon=False, fontsize=9.5, bbox_to_anchor=(0.5, 0.0), borderpad=0.1)
-
-
-def add_scale(figure, quantity, levels, unit, span):
-    """Color bar at the right edge; span: its lower end and its height in inches."""
-    height = figure.get_figheight()
-    axes = figure.add_axes((1 - (RIGHT - 0.15) / WIDTH, span[0] / height, 0.16 / WIDTH, span[1] / height))
-    scale = ScalarMappable(BoundaryNorm(levels, len(levels) - 1), fields.band_colors(quantity, levels))
-    figure.colorbar(scale, cax=axes, label=fields.axis_label(quantity, unit), format="%.4g",
-                    ticks=levels[0 if levels[0] == 0 else 1:: 1 if len(levels) <= 9 else 2])

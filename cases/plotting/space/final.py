@@ -1,7 +1,7 @@
 """final.png of a run in space: workpiece with its field, tools and their tracks at the end, as plotting/final.py draws it in the plane."""
 import numpy as np
 
-from plotting import final
+from plotting import border
 from plotting.space import scene
 from plotting.units import amount, in_powers
 
@@ -23,37 +23,37 @@ def final_figure(run):
     box = scene.box_of([frame])
     image, places = scene.picture(run, frame, box, scale, SIZE)
     (top, bottom), (left, right) = near(image, places)
-    room = final.WIDTH - final.RIGHT - 0.3
+    room = border.WIDTH - border.RIGHT - 0.3
     height = float(np.clip(room * (bottom - top) / (right - left), 2.5, 6.0))
     key = scene.key_of(run)
-    below = final.key_height(key) + 0.05
-    whole = height + final.ABOVE + below
-    figure = final.new_figure(whole)
-    axes = figure.add_axes((0.3 / final.WIDTH, below / whole, room / final.WIDTH, height / whole))
+    below = border.key_height(key) + 0.05
+    whole = height + border.ABOVE + below
+    figure = border.new_figure(whole)
+    axes = figure.add_axes((0.3 / border.WIDTH, below / whole, room / border.WIDTH, height / whole))
     axes.imshow(image, interpolation="bilinear")
     axes.set(xlim=(left, right), ylim=(bottom, top))
     axes.set_axis_off()
     scene.label_edges(axes, run, frame, places)
     label, values = scale.quantity.label, scene.values_of(frame, scale)
     unit = run.units.stress_unit if scale.quantity.stress else in_powers(int(round(-np.log10(scale.factor))), "-")
-    final.add_title(figure, f"{label[0].upper() + label[1:]} at t = {frame.t:.4g}, largest {amount(values.max(), unit)}")
-    final.add_key(figure, key)
+    border.add_title(figure, f"{label[0].upper() + label[1:]} at t = {frame.t:.4g}, largest {amount(values.max(), unit)}")
+    border.add_key(figure, key)
     if scale.levels is not None:
-        final.add_scale(figure, scale.quantity, scale.levels, unit, (below + 0.1 * height, 0.8 * height))
+        border.add_scale(figure, scale.quantity, scale.levels, unit, (below + 0.1 * height, 0.8 * height))
     return figure
 
 
 def gallery_figure(run, shared=None):
     """The same without words, in the size of plotting/final.py's. shared: a scale of several runs, as of plotting/final.py's scale_of"""
-    frame, (wide, high) = run.view(-1), final.GALLERY
+    frame, (wide, high) = run.view(-1), border.GALLERY
     scale = scene.Scale(shared.quantity, "", shared.factor, shared.levels) if shared else scene.scale_of(run, [frame])
     image, places = scene.picture(run, frame, scene.box_of([frame]), scale, (2 * wide, 2 * high))
     (top, bottom), (left, right) = near(image, places)
-    figure = final.new_figure(final.WIDTH * high / wide)
-    figure.set_dpi(wide / final.WIDTH)
+    figure = border.new_figure(border.WIDTH * high / wide)
+    figure.set_dpi(wide / border.WIDTH)
     axes = figure.add_axes((0, 0, 1, 1))
     axes.imshow(image, interpolation="antialiased")
-    box = final.fitted((left, right, top, bottom), wide / high)
+    box = border.fitted((left, right, top, bottom), wide / high)
     axes.set(xlim=box[:2], ylim=box[:1:-1])
     axes.set_axis_off()
     return figure
