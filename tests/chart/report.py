@@ -7,6 +7,7 @@ LEVELS = [0.05, 0.01, 0.002]
 STEP = 0.1
 NEARLY = 0.8
 MEANING = {"pressure": "pressure, L2", "pressure_inner": "pressure, L2 inside 0.8 a", "a": "half-width, and largest pressure",
+           "radius": "radius of the contact, by its moment", "peak": "largest pressure, by a fit inside 0.8 a",
            "depth": "depth of the tool", "shift": "way along the surface",
            "traction": "traction, L2", "sticking": "sticking share", "width": "width of the contact", "p99": "plastic strain, 99 %",
            "nodal": "plastic strain, largest at a node", "stress99": "von Mises stress, 99 %", "strain": "field of plastic strain, L2",
