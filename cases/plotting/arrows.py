@@ -1,5 +1,5 @@
 """Arrows of what the program prescribes for the tools, from `drive` of the summary: motion, straight, along the way or turning, and forces
-with their values. Each is put where it covers nothing."""
+with their values. Each is put where it covers nothing. What they are holds in space, too; space/arrows.py projects them."""
 from collections import namedtuple
 
 import numpy as np
@@ -11,12 +11,13 @@ from plotting.figure import GREEN, ORANGE
 from plotting.inputs import InputError
 from plotting.units import amount, split_name, touch_columns
 
-# Of one tool: points of the arrow about its middle, in the unit of lengths, whose size is chosen later; text: a force's value
-Arrow = namedtuple("Arrow", "tool shape both text")
+# Of one tool: "motion", "force" or "free turn", that of a tool which nothing turns but the workpiece; points of the arrow about its middle,
+# whose size is chosen later; text: its value
+Arrow = namedtuple("Arrow", "tool what shape both text")
 STRAIGHT, TURN, WAY = "straight", "turn", "way"
-Shape = namedtuple("Shape", "kind points")     # points: of a straight one its direction, of a turn its sense, of a way its places
+Shape = namedtuple("Shape", "kind points")     # points: of a straight one its direction, of a turn its axis, of a way its places
 
-FAR, TURNED = 0.02, 0.05        # motion over the view, turn [rad], below which there is no arrow
+FAR, TURNED, ROLLED = 0.02, 0.05, 0.2    # motion over the view, turn, free turn [rad], below which there is no arrow
 SMALL = 0.2                     # of the largest motion of the run, below which another is none to see: a tool that goes off
 NOISE = 1e-3                    # of the largest force on a tool, below which another is what is out of balance
 BACK = 0.3                      # of the motion, back from its end: an arrow with two heads
@@ -28,24 +29,23 @@ GRID = 45                       # places tried along each side of the view
 COVERED, AWAY = 1.0, 9.0        # cost of a covered point, of the distance over the view,
 OUTSIDE, WITHIN = 2.5, 1.0      # of a place outside of the tool, of one within another
 SIZES, SHORTER = (1.0, 0.75, 0.55, 0.42), 1.0      # of an arrow, tried in this order; cost of being shorter
-COLORS = {"motion": ORANGE, "force": GREEN}
+COLORS, DASHED = {"motion": ORANGE, "force": GREEN, "free turn": ORANGE}, (0, (1.6, 0.7))
 
 
 def drives(run):
-    """{coordinate: its drive} of a run in the plane, {} where the files do not say it."""
+    """{coordinate: its drive}, {} where the files do not say it."""
     try:
-        given = run.summary.get("drive", {})
+        return run.summary.get("drive", {})
     except InputError:
         return {}
-    return {name: drive for name, drive in given.items() if len(drive["twist"]) == 3}
 
 
 def arrows(run, size):
     """All arrows of a run. size: of the view, in the unit of the pictures"""
-    names, found = {outline.name for outline in run.tools}, []
+    names, found = run.tool_names, []
     given = [(split_name(name)[0] or next(iter(names), ""), name, drive) for name, drive in drives(run).items()]
     given = [(tool, name, drive, moved_by(run, tool, name, drive)) for tool, name, drive in given if tool in names]
-    largest = max((abs(most) * speed(drive) for _, _, drive, (most, _) in given), default=0) * run.units.length
+    largest = max((abs(most) * rates(drive)[0] for _, _, drive, (most, _) in given), default=0) * run.units.length
     length = size / run.units.length
     heaviest = max((load_of({**drive, "force": np.nanmax(np.abs(run.history["Q_" + name]))}, length) for _, name, drive, _ in given), default=0)
     for tool, _, drive, (most, both) in given:
@@ -57,17 +57,22 @@ def arrows(run, size):
 
 def load_of(drive, length):
     """A force, or a moment as a pair of forces at this distance."""
-    fast, turn = speed(drive), abs(drive["twist"][2])
+    fast, turn = rates(drive)
     return abs(drive["force"]) / fast if fast else abs(drive["force"]) / (turn * length) if turn else 0.0
 
 
-def speed(drive):
-    return np.hypot(*drive["twist"][:2])
+def parts(drive):
+    """Velocity and angular velocity for a unit rate, the latter one number in the plane."""
+    return np.split(np.array(drive["twist"]), [2 if len(drive["twist"]) == 3 else 3])
+
+
+def rates(drive):
+    return [np.linalg.norm(part) for part in parts(drive)]
 
 
 def moved_by(run, tool, name, drive):
-    """How far a coordinate goes that is moved or follows, 0 for others; whether it comes back."""
-    if not any(word in drive["kind"] for word in ("motion", "follows")) or name not in run.history:
+    """How far a coordinate goes that is moved, follows or turns, 0 for others; whether it comes back."""
+    if name not in run.history or not rates(drive)[0] == 0 and not any(word in drive["kind"] for word in ("motion", "follows")):
         return 0.0, False
     moved = (run.history[name] - run.history[name][0])[:while_touching(run.history, tool)]
     last = int(np.nanargmax(np.abs(moved)))
@@ -85,16 +90,20 @@ def while_touching(history, tool):
 def motion_of(run, given, least):
     """The arrow of a coordinate that goes far enough, in a list. given: tool, drive, and what moved_by says; least: length"""
     tool, drive, most, both = given
-    twist, fast = np.array(drive["twist"]), speed(drive)
-    if fast * abs(most) * run.units.length > least:
-        return [Arrow(tool, way_or_line(run, tool, np.sign(most) * twist[:2] / fast), both, None)]
-    if fast == 0 and abs(twist[2] * most) > TURNED:
-        return [Arrow(tool, Shape(TURN, np.sign(twist[2] * most)), both, None)]
+    (velocity, turn), (fast, spin), units = parts(drive), rates(drive), run.units
+    if fast * abs(most) * units.length > least:
+        text = rounded(fast * abs(most) * units.length, units.length_unit)
+        return [Arrow(tool, "motion", way_or_line(run, tool, np.sign(most) * velocity / fast), both, text)]
+    what, least = ("free turn", ROLLED) if drive["kind"] == "force" else ("motion", TURNED)
+    if fast == 0 and spin * abs(most) > least:
+        return [Arrow(tool, what, Shape(TURN, np.sign(most) * turn / spin), both, f"{np.degrees(spin * abs(most)):.3g}°")]
     return []
 
 
 def way_or_line(run, tool, direction):
-    """The way of the tool where that is curved, else the direction in which it begins."""
+    """The way of the tool in the plane where that is curved, else the direction in which it begins."""
+    if len(direction) == 3:
+        return Shape(STRAIGHT, direction)
     way = way_of(run, tool)
     chord = way[-1] - way[0]
     length = maps.length(way)
@@ -116,11 +125,11 @@ def way_of(run, tool):
 
 def force_of(run, tool, drive):
     """The arrow of a coordinate under a force, in a list; none without one."""
-    force, turn, fast = drive["force"], drive["twist"][2], speed(drive)
+    force, (velocity, turn), (fast, spin), units = drive["force"], parts(drive), rates(drive), run.units
     if fast:
-        text = rounded(abs(force) / fast * run.units.force, run.units.force_unit)
-        return [Arrow(tool, Shape(STRAIGHT, np.sign(force) * np.array(drive["twist"][:2]) / fast), False, text)]
-    return [Arrow(tool, Shape(TURN, np.sign(force * turn)), False, rounded(abs(force / turn) * run.units.moment, run.units.moment_unit))]
+        text = rounded(abs(force) / fast * units.force, units.force_unit)
+        return [Arrow(tool, "force", Shape(STRAIGHT, np.sign(force) * velocity / fast), False, text)]
+    return [Arrow(tool, "force", Shape(TURN, np.sign(force) * turn / spin), False, rounded(abs(force / spin) * units.moment, units.moment_unit))]
 
 
 def rounded(number, unit):
@@ -128,11 +137,15 @@ def rounded(number, unit):
     return amount(float(f"{number:.3g}"), unit)
 
 
+def circle(sense):
+    angle = np.radians(np.linspace(-50, 230, 40)[:: int(sense)])
+    return np.column_stack([np.cos(angle), np.sin(angle)])
+
+
 def points_of(shape):
-    """Points of the arrow about its middle [inches]; of a way the whole in small."""
+    """Points of the arrow about its middle [inches]; of a way the whole in small. A turn that is projected has points for a radius of one."""
     if shape.kind == TURN:
-        angle = np.radians(np.linspace(-50, 230, 40)[:: int(shape.points)])
-        return RADIUS * np.column_stack([np.cos(angle), np.sin(angle)])
+        return RADIUS * shape.points if np.ndim(shape.points) == 2 else RADIUS * circle(shape.points[0])
     if shape.kind == STRAIGHT:
         return LONG * np.outer([-0.5, 0.5], shape.points)
     middle = 0.5 * (shape.points.min(axis=0) + shape.points.max(axis=0))
@@ -227,10 +240,11 @@ def behind(at, inch):
 
 def draw_one(axes, arrow, points, middle, inch):
     """The arrow with its value about a place."""
-    color, at = COLORS["motion" if arrow.text is None else "force"], middle + inch * points
+    color, at = COLORS[arrow.what], middle + inch * points
     small = min(1.0, maps.length(points) / LONG)
     head = 10 + 10 * small
-    axes.plot(*at.T, color=color, linewidth=1.4 + 1.2 * small, zorder=6, solid_capstyle="butt")
+    axes.plot(*at.T, color=color, linewidth=1.4 + 1.2 * small, zorder=6, solid_capstyle="butt",
+              linestyle=DASHED if arrow.what == "free turn" else "-")
     ends = [(at[-1], behind(at, inch))] + ([(at[0], behind(at[::-1], inch))] if arrow.both else [])
     for tip, before in ends:
         way = (tip - before) / np.hypot(*(tip - before))
@@ -246,25 +260,34 @@ def rgb(color):
     return [int(color[k:k + 2], 16) / 255 for k in (1, 3, 5)]
 
 
-def draw_arrows(axes, run, outlines, mesh, words=True):
-    """All arrows of a run into axes with their limits set, over the tools at these places; handles for the key. words: with values"""
+def draw_arrows(axes, run, outlines, mesh, words=("force",)):
+    """All arrows of a run in the plane into axes with their limits set, over the tools at these places; handles for the key. words: which
+    have their values"""
     (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
     box, size = (x0, x1, y0, y1), max(x1 - x0, y1 - y0)
-    found, inch = arrows(run, size), inches_in(axes, box)
-    if not words:
-        found = [arrow._replace(text=arrow.text and "") for arrow in found]
-    grid = np.array([(x, y) for x in np.linspace(x0, x1, GRID) for y in np.linspace(y0, y1, GRID)])
-    regions, obstacles = regions_of(outlines, mesh, size), obstacles_of(outlines, mesh, box, size)
-    by_name = {outline.name: outline for outline in outlines}
+    grid, regions, seen = grid_of(axes), regions_of(outlines, mesh, size), {}
+    for outline in outlines:
+        region = regions[outline.name]
+        if region.contains_points(grid).any():
+            seen[outline.name] = anchor_of(outline, region, box, grid, mesh), region
+    return put(axes, arrows(run, size), seen, obstacles_of(outlines, mesh, box, size), words)
+
+
+def grid_of(axes):
+    return np.array([(x, y) for x in np.linspace(*axes.get_xlim(), GRID) for y in np.linspace(*axes.get_ylim(), GRID)])
+
+
+def put(axes, found, seen, obstacles, words):
+    """Draws these arrows, shapes in the plane of the picture; handles for the key. seen: {tool: its anchor and region} of those in the view"""
+    box, grid = (*axes.get_xlim(), *axes.get_ylim()), grid_of(axes)
+    inch, found = inches_in(axes, box), [arrow if arrow.what in words else arrow._replace(text="") for arrow in found if arrow.tool in seen]
     for arrow in sorted(found, key=lambda one: one.shape.kind != TURN):      # these need a place that is as high as wide
-        region = regions[arrow.tool]
-        if not region.contains_points(grid).any():       # not in this view
-            continue
-        tool = anchor_of(by_name[arrow.tool], region, box, grid, mesh), region, [r for name, r in regions.items() if name != arrow.tool]
+        tool = (*seen[arrow.tool], [region for name, (_, region) in seen.items() if name != arrow.tool])
         points, middle = best_place(arrow, tool, grid, obstacles, (box, inch))
         draw_one(axes, arrow, points, middle, inch)
         low, high = box_about(points, arrow.text)
         taken = np.array([(x, y) for x in np.linspace(low[0], high[0], 9) for y in np.linspace(low[1], high[1], 9)])
         obstacles = np.vstack([obstacles, np.repeat(middle + inch * taken, 3, axis=0)])
-    kinds = [kind for kind in COLORS if any((arrow.text is None) == (kind == "motion") for arrow in found)]
-    return [Line2D([], [], color=COLORS[kind], linewidth=2.6, marker=">", markersize=7, label=kind) for kind in kinds]
+    kinds = [kind for kind in COLORS if any(arrow.what == kind for arrow in found)]
+    return [Line2D([], [], color=COLORS[kind], linewidth=2.6, linestyle=DASHED if kind == "free turn" else "-", marker=">", markersize=7,
+                   label=kind) for kind in kinds]

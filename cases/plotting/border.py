@@ -12,9 +12,9 @@ LEFT, RIGHT, BELOW, ABOVE, BETWEEN = 0.72, 1.2, 0.9, 0.42, 0.55   # inches besid
 GALLERY = (690, 460)           # pixels
 
 
-def new_figure(height):
+def new_figure(height, width=WIDTH):
     """Figure that is drawn as it is; its axes are placed in inches."""
-    figure = Figure(figsize=(WIDTH, height), dpi=150, layout="none")
+    figure = Figure(figsize=(width, height), dpi=150, layout="none")
     FigureCanvasAgg(figure)
     figure.placed = True     # nothing is moved or cut off
     return figure

@@ -124,8 +124,8 @@ def as_in_space(run, pictures):
         from plotting.space import case
     except ImportError as error:
         raise InputError(f"{error}; pictures of a run in space need the Debian packages python3-vtk9 and xvfb") from None
-    if tuple(pictures) in ((final,), (gallery,)):
-        return case.space_run(run), [getattr(case, pictures[0].__name__)], case.write_movie
+    if len(pictures) == 1:   # by its name
+        return case.space_run(run), [getattr(case, pictures[0].__name__, pictures[0])], case.write_movie
     left_out = {p.__name__ for p in DEFAULT} - {p.__name__ for p in pictures}
     chosen = [p for p in case.DEFAULT if p.__name__ not in left_out] + [p for p in pictures if p not in DEFAULT]
     return case.space_run(run), chosen, case.write_movie

@@ -224,19 +224,6 @@ def pressure_figure(run, mu=None, expected=None):
     return figure
 
 
-def compare_figure(curves, xlabel, ylabel, title=""):
-    """Computed points beside what is expected. Each curve: (x, computed, x_expected, expected, label, its label)."""
-    figure, axes = new_figure(7.5, 4.8)
-    for (x, y, x_expected, expected, label, label_expected), color in zip(curves, COLORS * len(curves)):
-        axes.plot(x_expected, expected, color=color, linewidth=1.2, linestyle="--", label=label_expected)
-        axes.plot(x, y, color=color, marker="o", markersize=3.5, linewidth=0.8, label=label)
-    axes.set_xlabel(xlabel)
-    axes.set_ylabel(ylabel)
-    axes.set_title(title)
-    axes.legend()
-    return figure
-
-
 def expected_results(summary):
     """(name, entry) of the results with an expected value."""
     results = summary.get("results") or {}

@@ -3,9 +3,7 @@ the contact where that is small. 1200 pixels wide; few artists, since a run draw
 from collections import namedtuple
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
@@ -254,9 +252,7 @@ def share_of_zone(shown, box):
 def bare_figure(shown, box):
     """Workpiece and tools without words, in the size of the gallery."""
     shown.ways, shown.first = [], shown.outlines
-    figure = Figure(figsize=(GALLERY[0] / 150, GALLERY[1] / 150), dpi=150, layout="none")
-    FigureCanvasAgg(figure)
-    figure.placed = True
+    figure = new_figure(GALLERY[1] / 150, GALLERY[0] / 150)
     axes = figure.add_axes((0, 0, 1, 1))
     draw_panel(axes, shown, fitted(box, GALLERY[0] / GALLERY[1]))
     axes.set_axis_off()
@@ -272,7 +268,7 @@ def gallery_figure(run):
     if shown.levels is not None and share_of_zone(shown, fitted(box, GALLERY[0] / GALLERY[1])) < THIN:
         shown = Shown(run, *now, scale=scale_of([run], [now[1]], MOST_LEVELS, strain=False))
     figure = bare_figure(shown, box)
-    arrows.draw_arrows(figure.axes[0], run, shown.outlines, shown.smooth.mesh, words=False)
+    arrows.draw_arrows(figure.axes[0], run, shown.outlines, shown.smooth.mesh, words=())
     return figure
 
 

@@ -109,6 +109,10 @@ class Run:
         path = self.path("tools.csv")
         return read_tools(path, self.units.length) if os.path.isfile(path) else []
 
+    @property
+    def tool_names(self):
+        return list(dict.fromkeys(outline.name for outline in self.tools))
+
     @cached_property
     def frames(self):
         """[(t, {"workpiece": path, "tools": path, "contact surface": path})] of the series, that of the start first."""

@@ -170,7 +170,7 @@ class Arrows(unittest.TestCase):
         return run
 
     def found(self, size=40.0, **drives):
-        return [(a.shape.kind, list(np.atleast_1d(a.shape.points)), a.both, a.text) for a in arrows.arrows(self.run_with(**drives), size)]
+        return [(a.shape.kind, list(np.atleast_1d(a.shape.points)), a.both, a.what) for a in arrows.arrows(self.run_with(**drives), size)]
 
     def test_of_a_run(self):
         run = Run(str(FINISHED))
@@ -183,13 +183,15 @@ class Arrows(unittest.TestCase):
 
     def test_motions(self):
         along, up, turn = [1.0, 0, 0], [0, 1.0, 0], [0, 0, 1.0]
-        self.assertEqual(self.found(x=("motion", along, lambda t: -0.01 * t)), [("straight", [-1, 0], False, None)])
+        self.assertEqual(self.found(x=("motion", along, lambda t: -0.01 * t)), [("straight", [-1, 0], False, "motion")])
         self.assertEqual(self.found(x=("motion", along, lambda t: 0.01 * np.sin(2 * np.pi * t)))[0][2], True)
         self.assertEqual(self.found(x=("follows", along, lambda t: 0.01 * t), y=("motion", up, lambda t: 1e-3 * t)),
-                         [("straight", [1, 0], False, None)])                    # the second is small beside it
+                         [("straight", [1, 0], False, "motion")])                    # the second is small beside it
         self.assertEqual(self.found(x=("motion", along, lambda t: 1e-4 * t)), [])   # both, beside the view
         self.assertEqual(self.found(x=("force", along, lambda t: 0.01 * t)), [])    # without a force, free
-        self.assertEqual(self.found(angle=("motion", turn, lambda t: -t)), [("turn", [-1], False, None)])
+        self.assertEqual(self.found(angle=("motion", turn, lambda t: -t)), [("turn", [-1], False, "motion")])
+        self.assertEqual(self.found(angle=("force", turn, lambda t: -t)), [("turn", [-1], False, "free turn")])     # it idles
+        self.assertEqual(self.found(angle=("force", turn, lambda t: 0.1 * t)), [])
         self.assertEqual(arrows.arrows(self.run_with(), 40.0), [])                  # of older files
 
     def test_nothing_is_covered(self):

@@ -12,10 +12,12 @@ TOP = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(TOP / "cases"), str(TOP / "tests/support")]
 import numpy as np
 from picture import faults
-from plotting import case
+from plotting import arrows, case
+from plotting.border import new_figure
 from plotting.inputs import InputError
 from plotting.run import Run
 from plotting.space import files, maps, scene
+from plotting.space.arrows import draw_arrows, projected
 from plotting.space.run import SpaceRun
 from space_run import DEPTH, FRAMES, write_run
 
@@ -102,6 +104,16 @@ class Views(unittest.TestCase):
         self.assertEqual(len(track), FRAMES)
         np.testing.assert_allclose(track[-1] - track[0], [0.3, 0, -DEPTH], atol=1e-12)
 
+    def test_ways(self):
+        """Drawn of a tool that goes over the workpiece, not of one that pushes it along its way, nor in a frame that it is beside."""
+        run, pushed, frame = said("mm", "MPa"), said("mm", "MPa"), self.run_.last
+        run.__dict__["tracks"] = pushed.__dict__["tracks"] = {0: np.array([[0.1 * k, 0, 1 - DEPTH] for k in range(FRAMES)])}
+        self.assertEqual((run.riders, len(scene.ways_of(run, frame))), ({0}, 1))
+        beside = frame._replace(body=frame.body._replace(points=frame.body.points + [5, 0, 0]))
+        self.assertEqual(scene.ways_of(run, beside), [])
+        pushed.__dict__["along"] = np.array([0, 0, 1.0])
+        self.assertEqual((pushed.riders, scene.ways_of(pushed, frame)), (set(), []))
+
     def test_units_are_not_per_thickness(self):
         self.assertEqual(self.run_.columns["Q_z"].unit, "force")
         self.assertEqual(said("mm", "MPa").columns["Q_z"].unit, "N")
@@ -128,6 +140,53 @@ class Views(unittest.TestCase):
         self.assertEqual(colors[0][:3], scene.BODY)
 
 
+class Arrows(unittest.TestCase):
+    """The plate is led along x, turned about y and pressed down."""
+
+    def setUp(self):
+        self.run_ = said("mm", "MPa")
+        twists = {"x": (1, 0, 0, 0, 0, 0), "z": (0, 0, 1, 0, 0, 0), "turn": (0, 0, 0, 0, 1, 0)}
+        self.run_.summary["drive"] = {name: {"kind": "force" if name == "z" else "motion", "force": -50.0 * (name == "z"), "twist": list(twist)}
+                                      for name, twist in twists.items()}
+        self.run_.history = {**self.run_.history, "turn": -self.run_.history["t"], "Q_turn": 0 * self.run_.history["t"]}
+
+    def test_found(self):
+        found = [(a.tool, a.what, a.shape.kind, list(a.shape.points), a.text) for a in arrows.arrows(self.run_, 1.0)]
+        self.assertEqual(found, [("plate", "motion", "straight", [1, 0, 0], "0.3 mm"), ("plate", "force", "straight", [0, 0, -1], "50 N"),
+                                 ("plate", "motion", "turn", [0, -1, 0], "57.3°")])
+
+    def test_projected(self):
+        """To the right what goes along, upward what goes up; a turn about the eye's direction is counterclockwise."""
+        eye, up = scene.eye_of(self.run_), self.run_.up
+        along, upward = (projected(arrows.Shape("straight", v), eye, up).points for v in (self.run_.along, up))
+        self.assertGreater(along[0], abs(along[1]))
+        self.assertAlmostEqual(upward[0], 0, delta=1e-12)
+        self.assertGreater(upward[1], 0.5)
+        for sense in (1, -1):
+            x, y = projected(arrows.Shape("turn", sense * eye / np.linalg.norm(eye)), eye, up).points.T
+            self.assertGreater(sense * (x[:-1] * y[1:] - y[:-1] * x[1:]).sum(), 0)
+        self.assertGreater(np.linalg.norm(projected(arrows.Shape("straight", eye / np.linalg.norm(eye) + 1e-3 * up), eye, up).points), 0.3)
+
+    def test_contact_is_not_covered(self):
+        """Neither arrows nor their values lie on the contact surface or on one another, in the scene and in the gallery's picture."""
+        frame = self.run_.view(-1)
+        for words, number in (("motion", "force"), 3), ((), 0):
+            image, placed = scene.picture(self.run_, frame, scene.box_of([frame]), scene.scale_of(self.run_, [frame]))
+            figure = new_figure(5.0)
+            axes = figure.add_axes((0, 0, 1, 1))
+            scene.show(axes, image, scene.window_of([image]))
+            self.assertEqual([h.get_label() for h in draw_arrows(axes, self.run_, frame, placed, words)], ["motion", "force"])
+            figure.draw_without_rendering()
+            boxes = [text.get_window_extent() for text in axes.texts if text.get_text()]
+            self.assertEqual(len(boxes), number)
+            self.assertFalse(any(box.overlaps(other) for k, box in enumerate(boxes) for other in boxes[:k]))
+            a, b = np.meshgrid(np.linspace(0, 1, 9), np.linspace(0, 1, 9))
+            top = placed.pixels(np.column_stack([a.ravel(), b.ravel(), np.full(a.size, 1 - DEPTH)]))
+            self.assertFalse(any(box.contains(*place) for box in boxes for place in axes.transData.transform(top)))
+            way = np.vstack([line.get_xydata() for line in axes.lines])
+            self.assertGreater(np.hypot(*(way[:, None] - top).T).min(), 10)
+
+
 class Pictures(unittest.TestCase):
     def drawn(self, *words):
         out, err = io.StringIO(), io.StringIO()
@@ -142,7 +201,7 @@ class Pictures(unittest.TestCase):
             self.assertEqual(faults(Path(path)), [])
 
     def test_one_by_name(self):
-        for name in ("final", "gallery"):
+        for name in ("final", "gallery", "scene"):
             code, paths, said = self.drawn(name)
             self.assertEqual((code, [Path(p).stem for p in paths], said), (0, [name], ""))
             self.assertEqual(faults(Path(paths[0])), [])

@@ -99,7 +99,7 @@ def write_run(folder, quadratic=True):
     with open(f"{folder}/summary.json", "w") as file:
         json.dump({"status": "finished", "final": {"t": 1}, "balance": {"moment_point": [0, 0, 0], "contact": {"plate": [0] * 6}}}, file)
     with open(f"{folder}/history.csv", "w") as file:
-        file.write("t,x,z,Q_x,Q_z,contact,plate_Fz\n0,0,1,0,0,0,0\n1,0.3,0.9,0.2,-1,4,-1\n")
+        file.write("t,x,z,Q_x,Q_z,contact,sticking,sliding,plate_Fz\n0,0,1,0,0,0,0,0,0\n1,0.3,0.9,0.2,-1,4,4,0,-1\n")
 
 
 if __name__ == "__main__":

@@ -147,14 +147,14 @@ class Scene:
         picture = grab.GetOutput()
         width, height, _ = picture.GetDimensions()
         pixels = vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3].copy()
-        self.size = width, height
+        self.size, self.eye = (width, height), eye
         self.window.Finalize()  # before the display goes
         return pixels
 
     def pixels(self, points):
-        """Places of points in the image, x to the right and y downward."""
+        """Places of points in the image, x to the right and y upward from its lower edge."""
         width, height = self.size
         matrix = self.renderer.GetActiveCamera().GetCompositeProjectionTransformMatrix(width / height, -1, 1)
         m = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
         clip = np.column_stack([points, np.ones(len(points))]) @ m.T
-        return (0.5 + 0.5 * clip[:, :2] / clip[:, 3:] * (1, -1)) * (width, height)
+        return (0.5 + 0.5 * clip[:, :2] / clip[:, 3:]) * (width, height)

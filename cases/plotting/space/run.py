@@ -9,7 +9,6 @@ from plotting.run import Run
 from plotting.space import files
 
 AXES = "xyz"
-ALONG_AXIS = 0.999  # part of a direction from which it is an axis
 
 
 class SpaceRun(Run):
@@ -70,10 +69,24 @@ class SpaceRun(Run):
                 tracks.setdefault(number, []).append(self.units.length * origin)
         return {number: np.array(places) for number, places in tracks.items()}
 
-    def tool_name(self, number):
+    @cached_property
+    def riders(self):
+        """Numbers of the tools whose pull on the workpiece, where they touch last, is across their way; others push its end."""
+        pulls = {}
+        for surface in (files.read_surface(parts["contact surface"], 1.0) for _, parts in self.frames if "contact surface" in parts):
+            for number in self.tracks:
+                mine = files.touching(surface) & (surface.data["tool"] == number)
+                if mine.any():
+                    pulls[number] = np.abs(surface.data["traction"][mine].sum(axis=0))
+        return {number for number, pull in pulls.items() if pull @ np.abs(self.up) > pull @ np.abs(self.along)}
+
+    @property
+    def tool_names(self):
         """From the summary, which has the tools in their order."""
-        names = list((self.summary.get("balance") or {}).get("contact") or {})
-        return names[number] if number < len(names) else f"tool {number}"
+        return list((self.summary.get("balance") or {}).get("contact") or {})
+
+    def tool_name(self, number):
+        return self.tool_names[number] if number < len(self.tool_names) else f"tool {number}"
 
     @cached_property
     def up(self):

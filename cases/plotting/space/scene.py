@@ -10,6 +10,7 @@ from matplotlib.patches import Patch
 from plotting import fields
 from plotting.figure import ORANGE, new_figure
 from plotting.space import files
+from plotting.space.arrows import draw_arrows
 from plotting.space.render import APART, BODY, STEEL, Scene
 from plotting.space.run import unit
 from plotting.units import plain
@@ -66,10 +67,15 @@ def bands(scale):
     return [BODY + (1.0,)] + colors, (levels[0] - levels[1], levels[-1] + levels[0])
 
 
-def ways_of(run):
-    """Tracks of the tools that go along the workpiece, in parts between which they are lifted; those that only press have none."""
+def ways_of(run, frame):
+    """Tracks of the tools that go along the workpiece, in parts between which they are lifted. None of those that only press, that push its
+    end, or that are beside it in this frame."""
     side, across, ways = np.ptp(run.last.body.points, axis=0).max(), np.abs(run.up) < 0.5, []
-    for places in run.tracks.values():
+    low, high = frame.body.points.min(axis=0) - LIFTED * side, frame.body.points.max(axis=0) + LIFTED * side
+    for number, places in run.tracks.items():
+        now = places[[t for t, _ in run.frames].index(frame.t)]
+        if number not in run.riders or not ((now > low) & (now < high))[across].all():
+            continue
         lifted = places @ run.up > (places @ run.up).min() + LIFTED * side
         ways += [part[~lifted[first:first + len(part)]] for first, part in parted(places, lifted)]
     return [way for way in ways if len(way) > 1 and np.ptp(way, axis=0)[across].max() > LEAST_WAY * side]
@@ -82,7 +88,7 @@ def parted(places, lifted):
 
 
 def picture(run, frame, box, scale, size=(1100, 900)):
-    """(image, places in it of the corners of the workpiece's box)"""
+    """(image, the scene, which knows the places in it)"""
     scene, eye = Scene(size), eye_of(run)
     if scale.levels is None:
         scene.add_body(frame.body, eye)
@@ -91,10 +97,17 @@ def picture(run, frame, box, scale, size=(1100, 900)):
     side = np.ptp(run.last.body.points, axis=0).max()
     scene.add_tools(frame.tools, -APART * side * eye, None if run.cut is None else -run.front)
     top = (frame.body.points @ run.up).max() + TRACK * side
-    for places in ways_of(run):
+    for places in ways_of(run, frame):
         scene.add_track(places + np.outer(top - places @ run.up, run.up), TRACK * side)
-    image = scene.image(eye, run.up, box)
-    return image, scene.pixels(corners(frame.body.points))
+    return scene.image(eye, run.up, box), scene
+
+
+def show(axes, image, window):
+    """window: rows and columns of the image; y of the axes is upward."""
+    (top, bottom), (left, right) = window
+    axes.imshow(image, extent=(0, image.shape[1], 0, image.shape[0]), interpolation="antialiased")
+    axes.set(xlim=(left, right), ylim=(image.shape[0] - bottom, image.shape[0] - top))
+    axes.set_axis_off()
 
 
 def corners(points):
@@ -103,34 +116,36 @@ def corners(points):
     return np.array([[ends[k >> axis & 1, axis] for axis in range(3)] for k in range(8)])
 
 
-def label_edges(axes, run, frame, places):
+def label_edges(axes, run, frame, scene):
     """What the edges of the box measure, in words, at those below and at the left."""
     ends = corners(frame.body.points)
+    places = scene.pixels(ends)
     nearest = int(np.argmax(ends @ (1e-2 * eye_of(run) - run.up)))  # of the corners below
     for axis in range(3):
         first = nearest
         if abs(run.up[axis]) > 0.5:                 # the edge upward: the outermost one at the left
-            first = int(np.argmin(places[:, 0] + 1e-3 * places[:, 1]))
+            first = int(np.argmin(places[:, 0] - 1e-3 * places[:, 1]))
         a, b = places[first], places[first ^ 1 << axis]
         a, b = (a, b) if a[0] <= b[0] else (b, a)
         out = 0.5 * (a + b) - places.mean(axis=0)
         way = np.array([-(b - a)[1], (b - a)[0]]) / np.hypot(*(b - a))
         way *= np.sign(way @ out)
-        turn = -np.degrees(np.arctan2(*(b - a)[::-1]))
+        turn = np.degrees(np.arctan2(*(b - a)[::-1]))
         low, high = (end if abs(end) > 1e-4 * np.ptp(ends, axis=0).max() else 0.0 for end in (ends[:, axis].min(), ends[:, axis].max()))
-        axes.annotate(f"{'xyz'[axis]}: {low:.3g} to {high:.3g} [{run.units.length_unit}]", 0.5 * (a + b), way * (14, -14),
+        axes.annotate(f"{'xyz'[axis]}: {low:.3g} to {high:.3g} [{run.units.length_unit}]", 0.5 * (a + b), 14 * way,
                       textcoords="offset points", ha="center", va="center", rotation=turn, rotation_mode="anchor", fontsize=9)
 
 
-def key_of(run):
+def key_of(run, frame, more=()):
+    """more: further handles"""
     names = plain(", ".join(map(run.tool_name, run.tracks))) if len(run.tracks) < 4 else "tools"
     told = "workpiece, edges of its elements" + (" where it was computed" if run.symmetry else "")
     told += "" if run.cut is None else f"; cut open at {'xyz'[run.cut]} = 0"
     handles = [Patch(facecolor=BODY, edgecolor="black", label=told),
                Patch(facecolor=STEEL, alpha=0.6, label=f"rigid {names}")]
-    if ways_of(run):
+    if ways_of(run, frame):
         handles.append(Line2D([], [], color=ORANGE, linewidth=4, label="way of the tool, on the surface"))
-    return handles
+    return handles + list(more)
 
 
 def window_of(images, room=45):
@@ -151,24 +166,22 @@ def add_scale(figure, axes, scale):
     figure.colorbar(drawn, ax=axes, label=label, ticks=levels[first::2], format="%.4g", shrink=0.8, pad=0.01)
 
 
-def row_figure(run, frames, titles, columns=2, width=12.5):
-    """Images of the frames with one scale."""
+def row_figure(run, frames, titles, driven=False, columns=2, width=12.5):
+    """Images of the frames with one scale. driven: the first one with the arrows of what drives the tools"""
     scale, box = scale_of(run, frames), box_of(frames)
     drawn = [picture(run, frame, box, scale) for frame in frames]
-    (top, bottom), (left, right) = window_of([image for image, _ in drawn])
+    (top, bottom), (left, right) = window = window_of([image for image, _ in drawn])
     rows = -(-len(frames) // columns)
     height = rows * ((width - 1.3) / columns * (bottom - top) / (right - left) + 0.3) + 0.5
     figure, panels = new_figure(width, height, nrows=rows, ncols=columns, squeeze=False)
-    for axes, frame, title, (image, places) in zip(panels.flat, frames, titles, drawn):
-        axes.imshow(image)
-        axes.set_xlim(left, right)
-        axes.set_ylim(bottom, top)
-        axes.set_axis_off()
+    for axes, frame, title, (image, placed) in zip(panels.flat, frames, titles, drawn):
+        show(axes, image, window)
         axes.set_title(title)
-        label_edges(axes, run, frame, places)
+        label_edges(axes, run, frame, placed)
+    more = draw_arrows(panels.flat[0], run, frames[0], drawn[0][1]) if driven else []
     for axes in list(panels.flat)[len(frames):]:
         axes.set_visible(False)
-    figure.legend(handles=key_of(run), loc="upper center", ncol=3, bbox_to_anchor=(0.5, 0.0), frameon=False)
+    figure.legend(handles=key_of(run, frames[-1], more), loc="upper center", ncol=3, bbox_to_anchor=(0.5, 0.0), frameon=False)
     if scale.levels is not None:
         add_scale(figure, list(panels.flat), scale)
     figure.shaded = True
@@ -176,7 +189,7 @@ def row_figure(run, frames, titles, columns=2, width=12.5):
 
 
 def scene_figure(run):
-    return row_figure(run, [run.view(0), run.view(-1)], [f"Start, t = {run.first.t:.4g}", f"End, t = {run.last.t:.4g}"])
+    return row_figure(run, [run.view(0), run.view(-1)], [f"Start, t = {run.first.t:.4g}", f"End, t = {run.last.t:.4g}"], driven=True)
 
 
 def sequence_figure(run, number=4):

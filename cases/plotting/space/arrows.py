@@ -1,0 +1,79 @@
+"""Arrows of what the program prescribes, over a picture in space: plotting/arrows.py finds and places them, here they are projected."""
+import numpy as np
+from matplotlib.tri import Triangulation
+
+from plotting import arrows, maps
+from plotting.space import files
+from plotting.space.run import unit
+
+LEAST = 0.4                    # of a straight arrow that points to the viewer or away
+OPEN = np.radians(np.linspace(-140, 140, 40))   # of a turn, from what of it faces the viewer
+ROUND = 1.3                    # its radius over that in the plane
+CELL = 0.012                   # of the view: size of the cells that the workpiece covers
+MOST_POINTS = 3000             # of a tool
+INNER = np.array([(i, j, 6 - i - j) for i in range(7) for j in range(7 - i)]) / 6    # points of a triangle
+
+
+class Hull:
+    """What a tool covers in the picture, taken as convex."""
+
+    def __init__(self, points):
+        self.found = Triangulation(*points.T).get_trifinder()
+
+    def contains_points(self, points):
+        return self.found(*points.T) >= 0
+
+
+def projected(shape, eye, up):
+    """The shape in the plane of the picture."""
+    right = unit(np.cross(up, eye))
+    screen = np.column_stack([right, unit(np.cross(eye, right))])
+    if shape.kind == arrows.STRAIGHT:
+        direction = shape.points @ screen
+        return shape._replace(points=direction * max(1.0, LEAST / max(np.linalg.norm(direction), 1e-9)))
+    front = eye - (eye @ shape.points) * shape.points
+    front = unit(front if np.linalg.norm(front) > 0.05 * np.linalg.norm(eye) else np.cross(shape.points, right))
+    around = np.outer(np.cos(OPEN), front) + np.outer(np.sin(OPEN), np.cross(shape.points, front))
+    return shape._replace(points=ROUND * around @ screen)
+
+
+def without_image(run, points):
+    """Of a tool beside a plane of symmetry what was computed; one that the plane cuts is whole."""
+    for axis, side in run.symmetry:
+        height = side * points[:, axis]
+        if np.abs(height).min() > 1e-6 * np.ptp(points):
+            points = points[height > 0]
+    return points
+
+
+def seen_tools(run, frame, scene, grid):
+    """{tool: its middle in the view and what it covers}"""
+    seen = {}
+    for number, points, _, _ in files.tool_parts(frame.tools):
+        points = without_image(run, points)
+        places = scene.pixels(points[:: len(points) // MOST_POINTS + 1])
+        region = Hull(places)
+        inside = grid[region.contains_points(grid)]
+        inside = inside if len(inside) else places[maps.inside(places, np.column_stack([grid.min(axis=0), grid.max(axis=0)]).ravel())]   # a small one
+        if len(inside):
+            seen[run.tool_name(number)] = inside.mean(axis=0), region
+    return seen
+
+
+def covered(body, scene, size):
+    """Middles of the cells of the view that show the workpiece."""
+    corners = scene.pixels(body.points)[files.triangles_of(body.faces)]
+    places = np.einsum("kc,tcx->tkx", INNER, corners).reshape(-1, 2)
+    return CELL * size * (0.5 + np.unique(np.floor(places / (CELL * size)), axis=0))
+
+
+def draw_arrows(axes, run, frame, scene, words=("motion", "force")):
+    """All arrows of a run into axes with their limits set and the picture of this frame; handles for the key."""
+    size = max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
+    length = np.ptp(np.vstack([frame.body.points.min(axis=0), frame.body.points.max(axis=0)]), axis=0).max()
+    found = [arrow._replace(shape=projected(arrow.shape, scene.eye, run.up)) for arrow in arrows.arrows(run, length)]
+    handles = arrows.put(axes, found, seen_tools(run, frame, scene, arrows.grid_of(axes)), covered(frame.body, scene, size), words)
+    for handle in handles if run.symmetry and words else ():
+        if handle.get_label() == "force":
+            handle.set_label("force on what was computed")
+    return handles
