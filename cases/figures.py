@@ -109,7 +109,7 @@ def main():
     wrong = [text for text in bad.values() if text]
     for picture, words, name in chosen:
         source = folder(words) / name
-        if not bad[words] and (name == "gallery.png" or words[0] == "lab" and source.stem in ("scene", "final")):    # runs of labs draw only some
+        if not bad[words] and (name == "gallery.png" or words[0] == "lab" and source.stem in ("scene", "final", "work")):    # runs of labs draw only some
             subprocess.run([sys.executable, "cases/plotting/scene.py", str(source.parent), source.stem], cwd=TOP, stdout=subprocess.DEVNULL)
         if bad[words]:
             wrong.append(f"{picture}: left as it is, its run failed")

@@ -19,7 +19,7 @@ import sys
 
 from plotting import curves, fields
 from plotting.figure import apply_style, save
-from plotting.final import final_figure, gallery_figure
+from plotting.final import at_work, final_figure, gallery_figure
 from plotting.inputs import InputError, MissingInput
 from plotting.movie import write_movie
 from plotting.run import Run
@@ -32,6 +32,11 @@ def final(run):
 
 def gallery(run):
     return gallery_figure(run)
+
+
+def work(run):
+    """final.png of the last frame in which as many tools touch as ever."""
+    return final_figure(run, at_work(run))
 
 
 def scene(run):
@@ -131,19 +136,20 @@ def as_in_space(run, pictures):
     return case.space_run(run), chosen, case.write_movie
 
 
-def draw(arguments, read_run, pictures, patient=False, read_movie=None):
-    """The body of a plot.py OUTDIR [PICTURE|movie]: reads the run and draws its pictures, the one of that name alone, gallery too, or its
-    movie; returns the exit code. read_movie: reads the Run of the movie where read_run makes something else."""
+def draw(arguments, read_run, pictures, patient=False, read_plain=None):
+    """The body of a plot.py OUTDIR [PICTURE|movie]: reads the run and draws its pictures, the one of that name alone, gallery and work too, or
+    its movie; returns the exit code. read_plain: reads the Run of these three where read_run makes something else."""
     for name in (signal.SIGINT, signal.SIGPIPE):
         signal.signal(name, signal.SIG_DFL)  # stop quietly
-    movie, named = arguments[1:] == ["movie"], {p.__name__.replace("_", "-"): p for p in (gallery, *pictures)}
+    movie, named = arguments[1:] == ["movie"], {p.__name__.replace("_", "-"): p for p in (gallery, work, *pictures)}
     if not 0 < len(arguments) < 3 or arguments[0].startswith("-") or arguments[1:] and not movie and arguments[1] not in named:
         print(f"usage: {os.path.basename(sys.argv[0])} OUTDIR [movie|{'|'.join(named)}]    (the folder of a run's results)", file=sys.stderr)
         return 2
     if arguments[1:] and not movie:
         pictures = (named[arguments[1]],)
     try:
-        run, write = (read_movie if movie and read_movie else read_run)(arguments[0]), write_movie
+        plain = read_plain and arguments[1:] and arguments[1] in ("movie", "gallery", "work")
+        run, write = (read_plain if plain else read_run)(arguments[0]), write_movie
         if isinstance(run, Run) and run.in_space:
             run, pictures, write = as_in_space(run, pictures)
     except InputError as error:

@@ -9,8 +9,8 @@ from matplotlib.patches import Rectangle
 
 from plotting import arrows, contact, fields, maps, quadratic, tools
 from plotting.border import ABOVE, BELOW, BETWEEN, GALLERY, LEFT, RIGHT, WIDTH, add_key, add_scale, add_title, fitted, new_figure
-from plotting.figure import BLUE, GRAY, ORANGE
-from plotting.units import amount, plain, touch_columns
+from plotting.figure import BLUE, ORANGE
+from plotting.units import amount, touch_columns
 
 BODY, TOOL, RIM = "#f4f1ea", "#c9d0d8", "#4d5a68"
 LARGE = 4.0                    # a tool over the workpiece, from which only its part near the workpiece is drawn
@@ -169,13 +169,8 @@ def draw_panel(axes, shown, box):
             other = {**shown.surface, "x": sx * shown.surface["x"], "y": sy * shown.surface["y"]}
             mark = contact.mark_contact(axes, other, letters="", scale=shown.run.units.length)
         handles.append(mark)
-    if shown.mirrors:
-        lines = (axes.axvline, axes.axhline)
-        drawn = [lines[k](0, color=GRAY, linewidth=0.9, linestyle="-.", zorder=3.2) for k in (0, 1) if any(sign[k] < 0 for sign in shown.mirrors)]
-        handles.append(Line2D([], [], color=drawn[0].get_color(), linewidth=0.9, linestyle="-.", label="symmetry"))
-    names = list(dict.fromkeys(o.name for o in shown.outlines))
-    label = plain(names[0]) if len(names) == 1 else "tools: " + plain(", ".join(names)) if len(names) < 4 else "tools"
-    return [Line2D([], [], color=TOOL, linewidth=7, label=label)] * bool(names) + handles
+    handles += maps.draw_symmetry(axes, shown.mirrors)
+    return [Line2D([], [], color=TOOL, linewidth=7, label=tools.label_of(shown.outlines))] * bool(shown.outlines) + handles
 
 
 def layout(whole, zone):
@@ -193,10 +188,10 @@ def layout(whole, zone):
     return [(LEFT, BELOW, first, height), (LEFT + first + BETWEEN, BELOW, room - first, height)], height + BELOW + ABOVE
 
 
-def final_figure(run):
-    """The end of the run."""
-    surface = run.surface if run.has("surface.csv") else None
-    shown = Shown(run, run.t, run.field, surface)
+def final_figure(run, now=None):
+    """The end of the run, or another instant. now: its t and its field, as at_work has them"""
+    surface = run.surface if now is None and run.has("surface.csv") else None
+    shown = Shown(run, *(now or (run.t, run.field)), surface)
     whole, zone = shown.whole(), shown.zone()
     if zone and max(zone[1] - zone[0], zone[3] - zone[2]) > SMALL * max(whole[1] - whole[0], whole[3] - whole[2]):
         zone = None
@@ -219,15 +214,19 @@ def final_figure(run):
     return figure
 
 
-def at_work(run):
-    """Instant and field of the last frame in which as many tools touch as ever; the end if none does."""
+def frame_at_work(run):
+    """Instant and file of the last frame in which as many tools touch as ever; None if none does."""
     history = run.history
     touching = sum((history[n] > 0).astype(int) for n in touch_columns(history))
     if not run.series or not touching.max() > 0:
-        return run.t, run.field
-    shown = [(np.interp(t, history["t"], touching), t, path) for t, path in run.series]
-    _, t, path = max(shown, key=lambda frame: (round(frame[0]), frame[1]))
-    return t, run.read_field(path)
+        return None
+    return max(run.series, key=lambda frame: (round(np.interp(frame[0], history["t"], touching)), frame[0]))
+
+
+def at_work(run):
+    """Instant and field of that frame, or of the end."""
+    frame = frame_at_work(run)
+    return (frame[0], run.read_field(frame[1])) if frame else (run.t, run.field)
 
 
 def cropped(box, outlines):

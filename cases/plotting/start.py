@@ -48,6 +48,7 @@ def start_figure(run, width=8.5):
     if run.has("surface.csv"):
         handles += draw_surface(axes, run)
     handles += draw_supports(axes, run)
+    handles += maps.draw_symmetry(axes, run.mirrors)
     handles += arrows.draw_arrows(axes, run, outlines, mesh)
     axes.set_title("Mesh, supports and tools at t = 0")
     key_under_labels(axes, handles, min(4, len(handles)))

@@ -7,6 +7,7 @@ from matplotlib.path import Path
 
 from plotting.figure import GRAY
 from plotting.inputs import read_table
+from plotting.units import plain
 
 FACE = "#d9d9d9"
 
@@ -85,6 +86,12 @@ def own_part(axes, mesh, mirrors):
     return Path([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)])
 
 
+def label_of(outlines):
+    """What the key says of the tools."""
+    names = list(dict.fromkeys(outline.name for outline in outlines))
+    return plain(names[0]) if len(names) == 1 else "tools: " + plain(", ".join(names)) if len(names) < 4 else "tools"
+
+
 def draw_tools(axes, outlines, mesh, names=True, mirrors=()):
     """Outlines, filled where they are closed and do not enclose the workpiece, otherwise with a band on the tool's
     side; set the view before. A tool ends where its mirror image (mirrors: Run.mirrors) begins. Returns handles for the
@@ -101,5 +108,4 @@ def draw_tools(axes, outlines, mesh, names=True, mirrors=()):
             artist.set_in_layout(False)  # matplotlib 3.6 fails where the view and this part share nothing of it
     if not outlines or not names:
         return []
-    label = outlines[0].name if len(outlines) == 1 else "tools"
-    return [Line2D([], [], color=GRAY, linewidth=1.2, label=label)]
+    return [Line2D([], [], color=GRAY, linewidth=1.2, label=label_of(outlines))]

@@ -225,4 +225,4 @@ PICTURES = (final, scene, stress_below_yield, stress_above_yield, plastic_strain
 
 
 if __name__ == "__main__":
-    sys.exit(draw(sys.argv[1:], read_run, PICTURES, read_movie=Run))
+    sys.exit(draw(sys.argv[1:], read_run, PICTURES, read_plain=Run))

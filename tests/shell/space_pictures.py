@@ -201,13 +201,13 @@ class Pictures(unittest.TestCase):
             self.assertEqual(faults(Path(path)), [])
 
     def test_one_by_name(self):
-        for name in ("final", "gallery", "scene"):
+        for name in ("final", "gallery", "work", "scene"):
             code, paths, said = self.drawn(name)
             self.assertEqual((code, [Path(p).stem for p in paths], said), (0, [name], ""))
             self.assertEqual(faults(Path(paths[0])), [])
         code, paths, said = self.drawn("finale")
         self.assertEqual((code, paths), (2, []))
-        self.assertRegex(said, r"usage: .*\[movie\|gallery\|final\|")
+        self.assertRegex(said, r"usage: .*\[movie\|gallery\|work\|final\|")
 
     def test_page(self):
         code, paths, said = self.drawn("movie")

@@ -1,5 +1,6 @@
 """The pictures of a run in space: final, scene, sequence, pressure, section, history, expected; see plotting/case.py."""
 from plotting import curves
+from plotting.final import frame_at_work
 from plotting.space import final as finals
 from plotting.space import maps
 from plotting.space import scene as scenes
@@ -13,6 +14,11 @@ def final(run):
 
 def gallery(run):
     return finals.gallery_figure(run)
+
+
+def work(run):
+    frame = frame_at_work(run)
+    return finals.final_figure(run, [t for t, _ in run.frames].index(frame[0]) if frame else -1)
 
 
 def scene(run):

@@ -19,8 +19,9 @@ def near(image, places):
     return ((int(max(top, low[1] - 2 * room)), int(min(bottom, high[1] + room))), (int(max(left, low[0] - room)), int(min(right, high[0] + room))))
 
 
-def final_figure(run):
-    frame = run.view(-1)
+def final_figure(run, k=-1):
+    """k: number of the frame"""
+    frame = run.view(k)
     scale = scene.scale_of(run, [frame])
     box = scene.box_of([frame])
     image, placed = scene.picture(run, frame, box, scale, SIZE)
