@@ -270,14 +270,14 @@ def draw_arrows(axes, run, outlines, mesh, words=("force",)):
         region = regions[outline.name]
         if region.contains_points(grid).any():
             seen[outline.name] = anchor_of(outline, region, box, grid, mesh), region
-    return put(axes, arrows(run, size), seen, obstacles_of(outlines, mesh, box, size), words)
+    return put(axes, run, arrows(run, size), seen, obstacles_of(outlines, mesh, box, size), words)
 
 
 def grid_of(axes):
     return np.array([(x, y) for x in np.linspace(*axes.get_xlim(), GRID) for y in np.linspace(*axes.get_ylim(), GRID)])
 
 
-def put(axes, found, seen, obstacles, words):
+def put(axes, run, found, seen, obstacles, words):
     """Draws these arrows, shapes in the plane of the picture; handles for the key. seen: {tool: its anchor and region} of those in the view"""
     box, grid = (*axes.get_xlim(), *axes.get_ylim()), grid_of(axes)
     inch, found = inches_in(axes, box), [arrow if arrow.what in words else arrow._replace(text="") for arrow in found if arrow.tool in seen]
@@ -288,6 +288,8 @@ def put(axes, found, seen, obstacles, words):
         low, high = box_about(points, arrow.text)
         taken = np.array([(x, y) for x in np.linspace(low[0], high[0], 9) for y in np.linspace(low[1], high[1], 9)])
         obstacles = np.vstack([obstacles, np.repeat(middle + inch * taken, 3, axis=0)])
-    kinds = [kind for kind in COLORS if any(arrow.what == kind for arrow in found)]
+    kinds = {kind: kind for kind in COLORS if any(arrow.what == kind for arrow in found)}
+    if run.said_symmetry and "force" in kinds:
+        kinds["force"] = "force on what was computed"
     return [Line2D([], [], color=COLORS[kind], linewidth=2.6, linestyle=DASHED if kind == "free turn" else "-", marker=">", markersize=7,
-                   label=kind) for kind in kinds]
+                   label=label) for kind, label in kinds.items()]

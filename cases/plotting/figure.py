@@ -37,12 +37,12 @@ def new_figure(width=8.0, height=5.0, **grid):
 
 
 def save(figure, folder, name):
-    """Writes name.png into folder and returns its path. 128 or 256 colors: a third of the size, the eye sees no difference;
-    a figure with figure.shaded = True keeps all of its own. figure.placed: it is drawn as it is, else its margins are cut off."""
+    """Writes name.png into folder and returns its path. 128 or 256 colors: a third of the size, the eye sees no difference; a figure with
+    figure.shaded = True has more: all of its own or, figure.placed, 256. figure.placed: it is drawn as it is, else its margins are cut off."""
     path, drawn = os.path.join(folder, name + ".png"), io.BytesIO()
     if getattr(figure, "placed", False):
         figure.canvas.draw()
-        colors = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]).quantize(128, dither=Image.Dither.NONE)
+        colors = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3]).quantize(256 if getattr(figure, "shaded", False) else 128, dither=Image.Dither.NONE)
     else:
         figure.savefig(drawn, format="png", dpi=150, bbox_inches="tight", pad_inches=0.12, pil_kwargs={"compress_level": 1})
         plt.close(figure)

@@ -7,6 +7,7 @@ from matplotlib.tri import Triangulation
 from plotting import arrows, fields, maps, quadratic, tools
 from plotting.figure import BLUE, RED, key_under_labels, new_figure
 
+ROOM = 0.15   # for arrows, over the workpiece
 KINDS = ((True, True, "s", "held"), (True, False, ">", "held along x"), (False, True, "^", "held along y"))
 
 
@@ -34,11 +35,18 @@ def draw_surface(axes, run):
     return [Line2D([], [], color=BLUE, linewidth=2.2, label="contact surface")]
 
 
+def with_room(box, mesh, outlines):
+    """The limits with room for arrows above and below the workpiece where a tool is there, however small."""
+    room = ROOM * max(np.ptp(mesh.x), np.ptp(mesh.y))
+    above, below = (any(f(o.points[:, 1]) for o in outlines) for f in (lambda y: y.min() > mesh.y.mean(), lambda y: y.max() < mesh.y.mean()))
+    return (*box[:2], min(box[2], mesh.y.min() - room) if below else box[2], max(box[3], mesh.y.max() + room) if above else box[3])
+
+
 def start_figure(run, width=8.5):
     """The undeformed mesh, the nodes held, the contact surface, the tools, and what drives them."""
     mesh = Triangulation(*(run.units.length * run.field.points).T, quadratic.elements_of(run.field.triangles)[:, :3])
     outlines = tools.at_time(run.tools, 0)
-    box = tools.widened(fields.mesh_box(mesh), outlines)
+    box = with_room(tools.widened(fields.mesh_box(mesh), outlines), mesh, outlines)
     figure, axes = new_figure(width, fields.shape_of(box, width))
     maps.set_view(axes, box, run.units.length_unit)
     axes.grid(False)

@@ -72,8 +72,4 @@ def draw_arrows(axes, run, frame, scene, words=("motion", "force")):
     size = max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
     length = np.ptp(np.vstack([frame.body.points.min(axis=0), frame.body.points.max(axis=0)]), axis=0).max()
     found = [arrow._replace(shape=projected(arrow.shape, scene.eye, run.up)) for arrow in arrows.arrows(run, length)]
-    handles = arrows.put(axes, found, seen_tools(run, frame, scene, arrows.grid_of(axes)), covered(frame.body, scene, size), words)
-    for handle in handles if run.symmetry and words else ():
-        if handle.get_label() == "force":
-            handle.set_label("force on what was computed")
-    return handles
+    return arrows.put(axes, run, found, seen_tools(run, frame, scene, arrows.grid_of(axes)), covered(frame.body, scene, size), words)

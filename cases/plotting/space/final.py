@@ -7,16 +7,16 @@ from plotting.space.arrows import draw_arrows
 from plotting.units import amount, in_powers
 
 SIZE = (1300, 1000)   # of what VTK draws, in pixels
-ROOM = 0.16           # about the workpiece, over its size in the picture; twice that above it
+ROOM = 0.16           # about the workpiece, over its size in the picture; some times that above it
 
 
-def near(image, places):
+def near(image, places, above=2):
     """Rows and columns of the image about the workpiece, places: those of its corners; large tools go on beyond."""
     (top, bottom), (left, right) = scene.window_of([image])
     places = places * (1, -1) + (0, image.shape[0])
     low, high = places.min(axis=0), places.max(axis=0)
     room = ROOM * (high - low).max()
-    return ((int(max(top, low[1] - 2 * room)), int(min(bottom, high[1] + room))), (int(max(left, low[0] - room)), int(min(right, high[0] + room))))
+    return ((int(max(top, low[1] - above * room)), int(min(bottom, high[1] + room))), (int(max(left, low[0] - room)), int(min(right, high[0] + room))))
 
 
 def final_figure(run, k=-1):
@@ -32,6 +32,7 @@ def final_figure(run, k=-1):
     below = border.key_height(key) + 0.05
     whole = height + border.ABOVE + below
     figure = border.new_figure(whole)
+    figure.shaded = True
     axes = figure.add_axes((0.3 / border.WIDTH, below / whole, room / border.WIDTH, height / whole))
     scene.show(axes, image, window)
     scene.label_edges(axes, run, frame, placed)
@@ -49,8 +50,9 @@ def gallery_figure(run, shared=None):
     frame, (wide, high) = run.view(-1), border.GALLERY
     scale = scene.Scale(shared.quantity, "", shared.factor, shared.levels) if shared else scene.scale_of(run, [frame])
     image, placed = scene.picture(run, frame, scene.box_of([frame]), scale, (2 * wide, 2 * high))
-    (top, bottom), (left, right) = near(image, placed.pixels(scene.corners(frame.body.points)))
+    (top, bottom), (left, right) = near(image, placed.pixels(scene.corners(frame.body.points)), above=3)
     figure = border.new_figure(high / 150, wide / 150)
+    figure.shaded = True
     axes = figure.add_axes((0, 0, 1, 1))
     left, right, top, bottom = border.fitted((left, right, top, bottom), wide / high)
     scene.show(axes, image, ((top, bottom), (left, right)))
