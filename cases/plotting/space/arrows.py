@@ -60,11 +60,14 @@ def seen_tools(run, frame, scene, grid):
     return seen
 
 
-def covered(body, scene, size):
-    """Middles of the cells of the view that show the workpiece."""
-    corners = scene.pixels(body.points)[files.triangles_of(body.faces)]
-    places = np.einsum("kc,tcx->tkx", INNER, corners).reshape(-1, 2)
-    return CELL * size * (0.5 + np.unique(np.floor(places / (CELL * size)), axis=0))
+def covered(axes, frame, scene, size):
+    """Middles of the cells of the view that show the workpiece or, where it goes on beyond all sides of the view, the tools."""
+    low, high = np.column_stack([sorted(axes.get_xlim()), sorted(axes.get_ylim())])
+    places, triangles = scene.pixels(frame.body.points), files.triangles_of(frame.body.faces)
+    if (places.min(axis=0) < low).all() and (places.max(axis=0) > high).all():
+        places, triangles = scene.pixels(frame.tools.points), frame.tools.triangles
+    cells = np.floor(np.einsum("kc,tcx->tkx", INNER, places[triangles]).reshape(-1, 2) / (CELL * size))
+    return CELL * size * (0.5 + np.unique(cells, axis=0))
 
 
 def draw_arrows(axes, run, frame, scene, words=("motion", "force")):
@@ -72,4 +75,4 @@ def draw_arrows(axes, run, frame, scene, words=("motion", "force")):
     size = max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
     length = np.ptp(np.vstack([frame.body.points.min(axis=0), frame.body.points.max(axis=0)]), axis=0).max()
     found = [arrow._replace(shape=projected(arrow.shape, scene.eye, run.up)) for arrow in arrows.arrows(run, length)]
-    return arrows.put(axes, run, found, seen_tools(run, frame, scene, arrows.grid_of(axes)), covered(frame.body, scene, size), words)
+    return arrows.put(axes, run, found, seen_tools(run, frame, scene, arrows.grid_of(axes)), covered(axes, frame, scene, size), words)

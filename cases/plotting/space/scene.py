@@ -18,6 +18,7 @@ from plotting.units import plain
 # label with its unit; factor from the file's numbers; levels: None where all is zero
 Scale = namedtuple("Scale", "quantity label factor levels")
 View = namedtuple("View", "eye up box length")  # directions; what is seen, low and high corner; unit of length
+SMALL = 0.1        # of tools over the workpiece, below which only what is near them is seen
 TOOL_ROOM = 0.35   # how far a tool is shown beyond the workpiece, over the workpiece's largest side
 ASIDE, ABOVE = 0.55, 0.42  # of the view: sideways and upward, over straight from the front
 FLOWING = 1e-6     # plastic strain from which it is shown
@@ -42,14 +43,17 @@ def values_of(frame, scale):
 
 
 def box_of(frames):
-    """Workpieces of the frames and their tools near them: low and high corner."""
+    """Workpieces of the frames and their tools near them, of tools that are small beside them what is near the tools: low and high corner."""
     bodies = np.vstack([frame.body.points for frame in frames])
     low, high = bodies.min(axis=0), bodies.max(axis=0)
     room = TOOL_ROOM * (high - low).max()
-    for frame in frames:
-        for _, points, _, _ in files.tool_parts(frame.tools):
-            low, high = np.minimum(low, np.maximum(points.min(axis=0), low - room)), \
-                np.maximum(high, np.minimum(points.max(axis=0), high + room))
+    found = [points for frame in frames for _, points, _, _ in files.tool_parts(frame.tools)]
+    size = max((np.ptp(points, axis=0).max() for points in found), default=np.inf)
+    if size < SMALL * (high - low).max():
+        low, high = (f([f(points, axis=0) for points in found], axis=0) for f in (np.min, np.max))
+        return low - size, high + size
+    for points in found:
+        low, high = np.minimum(low, np.maximum(points.min(axis=0), low - room)), np.maximum(high, np.minimum(points.max(axis=0), high + room))
     return low, high
 
 
@@ -133,7 +137,7 @@ def label_edges(axes, run, frame, scene):
         turn = np.degrees(np.arctan2(*(b - a)[::-1]))
         low, high = (end if abs(end) > 1e-4 * np.ptp(ends, axis=0).max() else 0.0 for end in (ends[:, axis].min(), ends[:, axis].max()))
         axes.annotate(f"{'xyz'[axis]}: {low:.3g} to {high:.3g} [{run.units.length_unit}]", 0.5 * (a + b), 14 * way,
-                      textcoords="offset points", ha="center", va="center", rotation=turn, rotation_mode="anchor", fontsize=9)
+                      textcoords="offset points", ha="center", va="center", rotation=turn, rotation_mode="anchor", fontsize=9, annotation_clip=True)
 
 
 def key_of(run, frame, more=()):
@@ -153,8 +157,9 @@ def window_of(images, room=45):
     drawn = np.logical_or.reduce([(image < 250).any(axis=2) for image in images])
     spans = []
     for axis in (1, 0):
-        found = np.flatnonzero(drawn.any(axis=axis))
-        spans.append((max(0, found[0] - room), found[-1] + room))
+        some = drawn.any(axis=axis)
+        found = np.flatnonzero(some)
+        spans.append((max(0, found[0] - room), min(len(some), found[-1] + room)))
     return spans
 
 
