@@ -1,10 +1,9 @@
-"""The contact surface: which nodes touch, marks of the contact arc, traction, profile, chart of events."""
+"""The contact surface: which nodes touch, marks of the contact arc, profile, chart of events."""
 import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from matplotlib.ticker import MaxNLocator
 
-from plotting.figure import (BLUE, GRAY, GREEN, MICRON, MM, MPA, ORANGE, PURPLE, RED, SKY, key_below, new_figure,
+from plotting.figure import (BLUE, GRAY, GREEN, MICRON, MM, ORANGE, PURPLE, RED, SKY, key_below, new_figure,
                              say_empty)
 from plotting.maps import WHITE_EDGE
 
@@ -76,35 +75,6 @@ def mark_contact(axes, surface, letters="EF", scale=MM):
                   label=f"contact arc {letters}" if letters else "in contact")
 
 
-def arc_from_middle(surface):
-    """Length along the deformed arc [mm], zero in the middle of the contact, growing clockwise; None: no contact."""
-    nodes = np.flatnonzero(touching(surface))
-    if not len(nodes):
-        return None
-    x, y = MM * surface["x"], MM * surface["y"]
-    arc = np.r_[0, np.cumsum(np.hypot(np.diff(x), np.diff(y)))]
-    if polar_degrees(x[-1], y[-1]) > polar_degrees(x[0], y[0]):
-        arc = -arc
-    return arc - arc[nodes[[0, -1]]].mean()
-
-
-def angle_axis(axes, arc, angle):
-    """Second axis on top with the polar angle; its ticks sit where the surface has that angle."""
-    top = axes.twiny()
-    top.grid(False)
-    order = np.argsort(angle)
-    low, high = np.sort(np.interp(axes.get_xlim(), *sorted_pair(arc, angle)))
-    ticks = [a for a in MaxNLocator(7).tick_values(low, high) if low <= a <= high]
-    top.set_xlim(axes.get_xlim())
-    top.set_xticks(np.interp(ticks, angle[order], arc[order]), [f"{a:g}" for a in ticks])
-    top.set_xlabel("polar angle [deg]")
-
-
-def sorted_pair(x, y):
-    order = np.argsort(x)
-    return x[order], y[order]
-
-
 def shade_sticking(axes, arc, surface):
     """Bands over the sticking nodes, up to halfway to their neighbors; true if there is any."""
     border = np.r_[arc[0], (arc[1:] + arc[:-1]) / 2, arc[-1]]
@@ -112,50 +82,6 @@ def shade_sticking(axes, arc, surface):
     for part in parts:
         axes.axvspan(border[part.start], border[part.stop], color=GREEN, alpha=0.2, linewidth=0, zorder=0)
     return bool(parts)
-
-
-def nodal_dots(axes, arc, shown, values, color, dot):
-    """Nodal forces over tributary lengths behind the line."""
-    if dot:
-        axes.plot(arc[shown], MPA * values[shown], color=color, marker=dot, markersize=3, linestyle="none", alpha=0.35)
-
-
-def traction_figure(surface, mu, title):
-    """Contact pressure and tangential traction along the arc; mu: coefficient of friction or None."""
-    figure, axes = new_figure(8.0, 5.4)
-    axes.set_ylabel("traction [MPa]")
-    axes.set_title(title)
-    arc = arc_from_middle(surface)
-    if arc is None:
-        say_empty(axes, "no node in contact")
-        return figure
-    reach = 1.25 * np.abs(arc[touching(surface)]).max() + 2 * np.abs(np.diff(arc)).max()
-    shown = np.abs(arc) <= reach
-    dot = "o" if shown.sum() < 120 else None
-    pressure, traction = MPA * surface["pressure"], MPA * surface["traction_tangential"]
-    handles = axes.plot(arc[shown], pressure[shown], color=BLUE, label="pressure p")
-    if traction.any():
-        handles += axes.plot(arc[shown], traction[shown], color=RED, label="tangential traction")
-        nodal_dots(axes, arc, shown, surface["nodal_traction"], RED, dot)
-    else:
-        handles.append(Line2D([], [], linestyle="none", label="no friction"))
-    nodal_dots(axes, arc, shown, surface["nodal_pressure"], BLUE, dot)
-    if dot:
-        handles.append(Line2D([], [], color=GRAY, marker=dot, markersize=3, linestyle="none", alpha=0.5,
-                              label="nodal force / length"))
-    if mu:
-        for sign in (1, -1):
-            line, = axes.plot(arc[shown], sign * mu * pressure[shown], color=GRAY, linewidth=0.9, linestyle="--",
-                              label=f"$\\pm\\mu p$, $\\mu$ = {mu:g}", zorder=1.5)
-        handles.append(line)
-    if shade_sticking(axes, arc, surface):
-        handles.append(Patch(color=GREEN, alpha=0.2, label="sticking nodes"))
-    axes.axhline(0, color="black", linewidth=0.8)
-    axes.set_xlim(-reach, reach)
-    axes.set_xlabel("length along the arc from the middle of the contact, clockwise [mm]")
-    angle_axis(axes, arc, polar_degrees(surface["x"], surface["y"]))
-    key_below(axes, handles, 3)
-    return figure
 
 
 def profile_figure(surface, first_contact, title):

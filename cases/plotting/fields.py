@@ -4,12 +4,11 @@ from collections import namedtuple
 import numpy as np
 from matplotlib.cm import get_cmap
 from matplotlib.colors import ListedColormap
-from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
 from plotting import contact, maps, tools
-from plotting.figure import GRAY, key_under_labels, new_figure, say_empty
+from plotting.figure import key_under_labels, new_figure, say_empty
 from plotting.units import amount, in_powers, power_of_ten, with_unit
 
 # name in the .vtu, label, color map, whether it is measured in units of stress
@@ -52,18 +51,14 @@ def reflected(mesh, sign):
 
 
 def draw_mirrored(axes, mesh, values, levels, outlines, cmap, mirrors, edge=1.0):
-    """The parts that symmetry leaves out: bands, outlines, tools; no mesh. Returns the handle for the key."""
+    """The parts that symmetry leaves out: bands, outlines, tools; no mesh. Returns the handles for the key."""
     for sign in mirrors:
         other = reflected(mesh, sign)
         if levels is not None:
             maps.draw_bands(axes, other, values, levels, cmap)
         maps.draw_outline(axes, other, edge)
         tools.draw_tools(axes, [o._replace(points=o.points * sign) for o in outlines], other, mirrors=mirrors)
-    if any(sign[0] < 0 for sign in mirrors):
-        axes.axvline(0, color=GRAY, linewidth=0.9, linestyle="-.", zorder=3.2)
-    if any(sign[1] < 0 for sign in mirrors):
-        axes.axhline(0, color=GRAY, linewidth=0.9, linestyle="-.", zorder=3.2)
-    return Line2D([], [], color=GRAY, linewidth=0.9, linestyle="-.", label="symmetry; the mesh is what was computed")
+    return maps.draw_symmetry(axes, mirrors, "symmetry; the mesh is what was computed")
 
 
 def draw_map(axes, mesh, values, levels, outlines, box, cmap, unit="mm", mirrors=(), edge=1.0):
@@ -79,7 +74,7 @@ def draw_map(axes, mesh, values, levels, outlines, box, cmap, unit="mm", mirrors
     maps.draw_outline(axes, mesh, edge)
     handles = tools.draw_tools(axes, outlines, mesh, mirrors=mirrors)
     if mirrors:
-        handles.append(draw_mirrored(axes, mesh, values, levels, outlines, cmap, mirrors, edge))
+        handles += draw_mirrored(axes, mesh, values, levels, outlines, cmap, mirrors, edge)
     return bands, handles
 
 

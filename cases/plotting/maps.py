@@ -65,11 +65,11 @@ def set_view(axes, box, unit="mm"):
     axes.set_ylabel(f"y [{unit}]")
 
 
-def draw_symmetry(axes, mirrors):
+def draw_symmetry(axes, mirrors, label="symmetry"):
     """The lines of symmetry, mirrors: Run.mirrors; handles for the key."""
     drawn = [line(0, color=GRAY, linewidth=0.9, linestyle="-.", zorder=3.2) for k, line in enumerate((axes.axvline, axes.axhline))
              if any(sign[k] < 0 for sign in mirrors)]
-    return [Line2D([], [], color=GRAY, linewidth=0.9, linestyle="-.", label="symmetry")] * bool(drawn)
+    return [Line2D([], [], color=GRAY, linewidth=0.9, linestyle="-.", label=label)] * bool(drawn)
 
 
 def inside(points, box, part=0.0):

@@ -11,6 +11,7 @@ try:
     from matplotlib.ticker import MaxNLocator
     from plotting import contact, fields, maps
     from plotting.case import draw
+    from plotting.curves import pressure_figure
     from plotting.figure import (BLUE, GRAY, GREEN, MICRON, MM, ORANGE, RED, SKY, key_below, new_figure, say_empty)
     from plotting.final import final_figure
     from plotting.inputs import InputError, option, read_summary, read_table
@@ -204,9 +205,8 @@ def tool_histories(run):
     return figure
 
 
-def contact_traction(run):
-    return contact.traction_figure(run.surface, option(run.summary, "mu", "friction"),
-                                   f"Contact pressure and friction, {at_end(run)}")
+def pressure(run):
+    return pressure_figure(Run(run.folder), option(run.summary, "mu", "friction"))
 
 
 def surface_profile(run):
@@ -220,7 +220,7 @@ def events(run):
     return contact.events_figure(run.events, run.history, "Contact events")
 
 
-PICTURES = (final, scene, stress_below_yield, stress_above_yield, plastic_strain, tool_histories, contact_traction, surface_profile,
+PICTURES = (final, scene, stress_below_yield, stress_above_yield, plastic_strain, tool_histories, pressure, surface_profile,
             events)
 
 

@@ -43,7 +43,7 @@ for name in ("final.vtu", "fields.pvd", "surface.csv"):
     path = os.path.join(sys.argv[1], name)
     size = os.path.getsize(path) if os.path.exists(path) else 0
     checks.that("file " + name, size > 500, f"{size} bytes")
-for name in ("final", "stress-below-yield", "stress-above-yield", "plastic-strain", "tool-histories", "contact-traction",
+for name in ("final", "stress-below-yield", "stress-above-yield", "plastic-strain", "tool-histories", "pressure",
              "surface-profile", "events"):
     wrong = faults(os.path.join(sys.argv[1], name + ".png"))
     checks.that("picture " + name, not wrong, "; ".join(wrong) or "something is drawn")
