@@ -186,7 +186,10 @@ struct ClosestToPoints {
 };
 basicAC_F0::name_and_type ClosestToPoints::names[1];
 double tightest_radius(ToolHandle* const& handle) {
-  return on(handle, [](auto& object) { return object.tool->tool().surface().tightest_radius(); });
+  return on(handle, [](auto& object) {
+    const auto& tool = object.tool->tool();
+    return tool.coordinates().pose(object.tool->q()).size * tool.surface().tightest_radius();
+  });
 }
 
 } // namespace
