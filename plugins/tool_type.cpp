@@ -113,8 +113,8 @@ struct ChooseCoordinates {
   static bool call(const Named& named, CoordinatesMethod m, string* kind) {
     return visit(m->get(), [&](auto& object) {
       const auto coordinates = make_coordinates<dim_of<decltype(object)>>(
-          object.tool->name(), *kind, arguments_of(named, coordinate_parameters()),
-          object.tool->parameters(), following_of(*object.tool));
+          object.tool->name(), *kind, arguments_of(named, coordinate_parameters()), object.tool->parameters(),
+          following_of(*object.tool));
       if (object.added)
         fail("tool.coordinates", "tool \"" + object.tool->name() +
                                      "\" belongs to a contact already: choose its coordinates before add");
@@ -138,7 +138,8 @@ double parameter(const Method<ToolHandle, ToolParameterTag>& m, string* const& n
   });
 }
 
-double whole_parameter(const Method<ToolHandle, ToolParameterTag>& m, string* const& name, const long& value) {
+double whole_parameter(const Method<ToolHandle, ToolParameterTag>& m, string* const& name,
+                       const long& value) {
   return parameter(m, name, static_cast<double>(value));
 }
 double following_parameter(const Method<ToolHandle, ToolParameterTag>& m, string* const& name,
@@ -228,7 +229,9 @@ void register_tool() {
   add_method<ToolHandle, MoveTag>(
       "move", [] { return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, double>(move); },
       [] { return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, long>(move_whole); },
-      [] { return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, string*>(move_by_formula); });
+      [] {
+        return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, string*>(move_by_formula);
+      });
   add_method<ToolHandle, ForceTag>(
       "force",
       [] {

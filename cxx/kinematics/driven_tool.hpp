@@ -54,7 +54,8 @@ private:
   Eigen::VectorXd m_q, m_force;
   std::map<std::string, double> m_parameters;
   std::map<std::string, std::string> m_following;
-  std::map<std::pair<std::string, std::string>, std::shared_ptr<const CoordinateFormula>> m_formulas, m_motions;
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<const CoordinateFormula>> m_formulas,
+      m_motions;
 };
 
 } // namespace burnish

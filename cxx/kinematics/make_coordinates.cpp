@@ -230,15 +230,15 @@ const std::vector<Parameter>& coordinate_parameters() {
        "in space \"z:phi x:theta z:psi\", \"vector: a, b, c\" or \"quaternion: w, a, b, c\", each a formula "
        "[rad, -]"},
       {"size", ArgumentKind::TEXT,
-       "all kinds: formula of the tool's size over that of its shape; names that are no parameters are coordinates [-]"}};
+       "all kinds: formula of the tool's size over that of its shape; names that are no parameters are "
+       "coordinates [-]"}};
   return list;
 }
 
 template <int Dim>
-std::shared_ptr<const Coordinates<Dim>> make_coordinates(const std::string& tool, const std::string& kind,
-                                                         const Arguments& given,
-                                                         const std::map<std::string, double>& parameters,
-                                                         const std::vector<std::string>& following) {
+std::shared_ptr<const Coordinates<Dim>>
+make_coordinates(const std::string& tool, const std::string& kind, const Arguments& given,
+                 const std::map<std::string, double>& parameters, const std::vector<std::string>& following) {
   const Said said{tool, kind, given, parameters, following};
   const auto& all = kinds<Dim>();
   const auto named = [&](const Kind<Dim>& known) { return known.name == kind && !kind.empty(); };

@@ -18,8 +18,8 @@ template <int Dim> struct SurfacePoint {
   PerCoordinate<Dim> x_q, n_q;                 ///< X_,k ; n_,k
   std::array<PerCoordinate<Dim>, Dim - 1> E_q; ///< E_q[a].col(k) = dE_a/dq^k
   std::vector<PerCoordinate<Dim>> x_qq;        ///< x_qq[k].col(l) = d2X/dq^k dq^l
-  double size = 1;           ///< lengths along the tool over those in its own frame
-  Eigen::RowVectorXd growth; ///< size_,k / size; empty: none
+  double size = 1;                             ///< lengths along the tool over those in its own frame
+  Eigen::RowVectorXd growth;                   ///< size_,k / size; empty: none
 };
 
 template <int Dim> class Tool {

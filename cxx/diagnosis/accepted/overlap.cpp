@@ -96,7 +96,8 @@ template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<Dim>& step) 
 template <int Dim> void OverlapCheck<Dim>::move(const AcceptedStep<Dim>& step, int tool) {
   Watched& watched = m_tools[tool];
   const Pose<Dim>& pose = step.poses[tool];
-  watched.moved += (pose.origin - watched.origin).norm() + (pose.size * pose.R - watched.R).norm() * watched.reach;
+  watched.moved +=
+      (pose.origin - watched.origin).norm() + (pose.size * pose.R - watched.R).norm() * watched.reach;
   watched.origin = pose.origin;
   watched.R = pose.size * pose.R;
 }

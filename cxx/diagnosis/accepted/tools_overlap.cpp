@@ -79,10 +79,10 @@ double ToolOverlapCheck<Dim>::motion(const AcceptedStep<2>& step, int a, int b, 
   const Pose<2>&pa = step.poses[a], &pb = step.poses[b];
   const Vector<2> origin = pa.R.transpose() * (pb.origin - pa.origin);
   const Tensor<2> R = pb.size * (pa.R.transpose() * pb.R);
-  const double way = pair.R.size() == 0 ? 0
-                                        : (origin - pair.origin).norm() +
-                                              (R - pair.R).norm() * m_outlines[b].reach +
-                                              std::abs(pa.size - pair.size) * m_outlines[a].reach;
+  const double way = pair.R.size() == 0
+                         ? 0
+                         : (origin - pair.origin).norm() + (R - pair.R).norm() * m_outlines[b].reach +
+                               std::abs(pa.size - pair.size) * m_outlines[a].reach;
   pair.origin = origin;
   pair.R = R;
   pair.size = pa.size;

@@ -45,7 +45,8 @@ template <int Dim> Combination weakest(const Pose<Dim>& pose, const std::vector<
   result.part = singular.vectors.col(last);
   for (std::size_t i = 0; i < motions.size(); ++i) // per unit of the coordinate
     result.part[static_cast<Eigen::Index>(i)] /=
-        motion_of<Dim>(pose.origin_q[result.coordinates[i]], turn_and_growth(pose, result.coordinates[i]), lever)
+        motion_of<Dim>(pose.origin_q[result.coordinates[i]], turn_and_growth(pose, result.coordinates[i]),
+                       lever)
             .norm();
   return result;
 }

@@ -123,7 +123,8 @@ template <int Dim> double lever(const ContactModel<Dim>& model, const std::vecto
 
 template <int Dim> Failure tool_passage(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path) {
   for (int t = 0; t < static_cast<int>(setup.tools().size()); ++t) {
-    const double grown = setup.model().tools[t]->coordinates().pose(setup.model().tool_q(path.start->q, t)).size;
+    const double grown =
+        setup.model().tools[t]->coordinates().pose(setup.model().tool_q(path.start->q, t)).size;
     const double way = travel(setup, path, t),
                  length = grown * setup.model().tools[t]->surface().length_scale();
     if (way <= SAMPLE * std::min(length, setup.body().spacing)) continue; // cheap, for nearly all steps

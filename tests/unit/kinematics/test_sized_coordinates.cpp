@@ -16,13 +16,17 @@ namespace {
 
 using Names = std::vector<std::string>;
 std::shared_ptr<const Coordinates<2>> in_plane() {
-  return make_coordinates<2>("roll", "polar", Call().list("pivot", {0.3, -0.2}).text("size", "R^2*(1+phi/9)/c"),
-                             {{"c", 2.}});
+  return make_coordinates<2>("roll", "polar",
+                             Call().list("pivot", {0.3, -0.2}).text("size", "R^2*(1+phi/9)/c"), {{"c", 2.}});
 }
 std::shared_ptr<const Coordinates<3>> in_space() {
   return make_coordinates<3>("ball", "h, tilt, a",
-                             Call().text("x", "a").text("y", "h").text("z", "h*tilt").text("rotation", "x:tilt").text(
-                                 "size", "exp(R)*(1+a^2)"),
+                             Call()
+                                 .text("x", "a")
+                                 .text("y", "h")
+                                 .text("z", "h*tilt")
+                                 .text("rotation", "x:tilt")
+                                 .text("size", "exp(R)*(1+a^2)"),
                              {});
 }
 const Eigen::VectorXd PLANE_Q = Eigen::Vector4d(1.2, 0.7, -0.4, 1.3);
@@ -43,22 +47,29 @@ void check_point(const Tool<Dim>& tool, const Eigen::VectorXd& q, const SurfaceP
       moved[k] += t;
       return tool.point(moved, place);
     };
-    check(by_q, [](P p) { return p.x; }, Vector<Dim>(point.x_q.col(k)), "X_k");
-    check(by_q, [](P p) { return p.n; }, Vector<Dim>(point.n_q.col(k)), "n_k");
+    check(
+        by_q, [](P p) { return p.x; }, Vector<Dim>(point.x_q.col(k)), "X_k");
+    check(
+        by_q, [](P p) { return p.n; }, Vector<Dim>(point.n_q.col(k)), "n_k");
     for (int a = 0; a < Dim - 1; ++a)
-      check(by_q, [a](P p) { return Vector<Dim>(p.E.col(a)); }, Vector<Dim>(point.E_q[a].col(k)), "E_k");
+      check(
+          by_q, [a](P p) { return Vector<Dim>(p.E.col(a)); }, Vector<Dim>(point.E_q[a].col(k)), "E_k");
     for (int l = 0; l < q.size(); ++l)
-      check(by_q, [l](P p) { return Vector<Dim>(p.x_q.col(l)); }, Vector<Dim>(point.x_qq[l].col(k)), "X_kl");
+      check(
+          by_q, [l](P p) { return Vector<Dim>(p.x_q.col(l)); }, Vector<Dim>(point.x_qq[l].col(k)), "X_kl");
   }
   for (int a = 0; a < Dim - 1; ++a) {
     const auto along = [&](double t) {
       const Param<Dim> eta = t / point.size * Param<Dim>::Unit(a);
       return tool.point(q, tool.surface().moved(place, eta));
     };
-    check(along, [](P p) { return p.x; }, Vector<Dim>(point.E.col(a)), "E");
-    check(along, [](P p) { return p.n; }, Vector<Dim>(point.E * point.B.col(a)), "B");
+    check(
+        along, [](P p) { return p.x; }, Vector<Dim>(point.E.col(a)), "E");
+    check(
+        along, [](P p) { return p.n; }, Vector<Dim>(point.E * point.B.col(a)), "B");
     const PerCoordinate<Dim> turned = point.E_q[a] + point.E.col(a) * point.growth;
-    check(along, [](P p) { return p.x_q; }, turned, "X_k along the tool");
+    check(
+        along, [](P p) { return p.x_q; }, turned, "X_k along the tool");
   }
 }
 
@@ -74,16 +85,16 @@ TEST(SizedCoordinates, PoseAgainstDifferences) {
     const auto moved = [&](double t) { return coordinates->pose(PLANE_Q + t * Eigen::VectorXd::Unit(4, k)); };
     EXPECT_NEAR(finite_difference([&](double t) { return moved(t).size; }, 0, 1e-3), pose.size_q[k], 1e-10);
     for (int l = 0; l < 4; ++l)
-      EXPECT_NEAR(finite_difference([&](double t) { return moved(t).size_q[l]; }, 0, 1e-3), pose.size_qq(k, l),
-                  1e-10);
+      EXPECT_NEAR(finite_difference([&](double t) { return moved(t).size_q[l]; }, 0, 1e-3),
+                  pose.size_qq(k, l), 1e-10);
   }
 }
 
 TEST(SizedCoordinates, NamesOfTheSizeComeLast) {
   EXPECT_EQ(in_plane()->names(), (Names{"r", "phi", "theta", "R"}));
   EXPECT_EQ(in_space()->names(), (Names{"h", "tilt", "a", "R"}));
-  const auto own = make_coordinates<2>("roll", "s, b", Call().text("x", "b").text("y", "L*b").text("size", "s*L"),
-                                       {}, {"L"});
+  const auto own = make_coordinates<2>("roll", "s, b",
+                                       Call().text("x", "b").text("y", "L*b").text("size", "s*L"), {}, {"L"});
   EXPECT_EQ(own->names(), (Names{"b", "L", "s"}));
 }
 
@@ -102,9 +113,11 @@ TEST(SizedCoordinates, PointsAgainstDifferences) {
 TEST(SizedCoordinates, FeetAndGapsAreThoseOfTheSize) {
   const auto roll = make_coordinates<2>("roll", "cartesian", Call().text("size", "R"), {});
   const auto grown = profile_tool("roll", std::make_shared<Circle>(1.), roll);
-  const auto same = profile_tool("roll", std::make_shared<Circle>(3.), make_coordinates<2>("roll", "cartesian", {}, {}));
+  const auto same =
+      profile_tool("roll", std::make_shared<Circle>(3.), make_coordinates<2>("roll", "cartesian", {}, {}));
   const Eigen::Vector3d place(1, 2, 0.3);
-  const auto a = tool_feet(*grown, (Eigen::VectorXd(4) << place, 3).finished(), {Vector<2>(4, 7), Vector<2>(1, 1)});
+  const auto a =
+      tool_feet(*grown, (Eigen::VectorXd(4) << place, 3).finished(), {Vector<2>(4, 7), Vector<2>(1, 1)});
   const auto b = tool_feet(*same, place, {Vector<2>(4, 7), Vector<2>(1, 1)});
   for (int i = 0; i < 2; ++i) {
     EXPECT_NEAR(a[i].gap, b[i].gap, 1e-14);
@@ -117,7 +130,8 @@ TEST(SizedCoordinates, ParametersThatFollowTime) {
   DrivenTool<2> roll("roll", std::make_shared<ProfileSurface>(std::make_shared<Circle>(1.)));
   roll.set_parameter("v", 0.1);
   roll.set_parameter("R", "5 + v*t");
-  roll.set_coordinates(make_coordinates<2>("roll", "cartesian", Call().text("size", "R"), roll.parameters(), {"R"}));
+  roll.set_coordinates(
+      make_coordinates<2>("roll", "cartesian", Call().text("size", "R"), roll.parameters(), {"R"}));
   EXPECT_EQ(roll.q(), (Eigen::VectorXd(4) << 0, 0, 0, 5).finished());
   const double t = 2;
   ASSERT_TRUE(roll.prescription().is_motion(3));
