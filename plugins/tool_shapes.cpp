@@ -1,4 +1,4 @@
-// The profile of a tool, and what scripts read of it. Arrays: inline, real[int] or int[int].
+// The profile of a tool, and what scripts read of it. Its lengths are numbers; a tool that grows has size= in t.coordinates.
 // Closed: body outside; open: body on the left of the direction of travel. FreeFEM reads letters beyond ASCII in a path only
 // from the command line: cad=getARGV("-cad", "").
 //   tool(...)   parameters of the profile or surface; those of the kinds not chosen are refused. A profile alone is a tool of the
