@@ -1,4 +1,4 @@
-// The profile of a tool, and what scripts read of it. Arrays: inline, real[int] or int[int].
+// The profile of a tool, and what scripts read of it. Its lengths are numbers; a tool that grows has size= in t.coordinates.
 // Closed: body outside; open: body on the left of the direction of travel. FreeFEM reads letters beyond ASCII in a path only
 // from the command line: cad=getARGV("-cad", "").
 //   tool(...)   parameters of the profile or surface; those of the kinds not chosen are refused. A profile alone is a tool of the
@@ -186,7 +186,10 @@ struct ClosestToPoints {
 };
 basicAC_F0::name_and_type ClosestToPoints::names[1];
 double tightest_radius(ToolHandle* const& handle) {
-  return on(handle, [](auto& object) { return object.tool->tool().surface().tightest_radius(); });
+  return on(handle, [](auto& object) {
+    const auto& tool = object.tool->tool();
+    return tool.coordinates().pose(object.tool->q()).size * tool.surface().tightest_radius();
+  });
 }
 
 } // namespace

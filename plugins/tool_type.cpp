@@ -24,6 +24,9 @@
 //     angle=    the same of its turn in the plane, counter-clockwise | rad | "0"
 //     rotation=   the same of its rotation in space: turns one after the other about axes of the frame turned so far,
 //       "z:phi x:theta z:psi", "[1 1 0]:phi"; "vector: a, b, c"; "quaternion: w, a, b, c" of any length but 0 | rad, - | none
+//     size=     all kinds: formula of the size of the tool, over that of its shape: every length of the shape is so many times as
+//       long. Names that are no parameters are coordinates, last of all; their forces do work as it grows | - | none | > 0
+//     > roll.coordinates("cartesian", size="R");
 //     > crank.coordinates("beta", x="e*cos(beta)", y="e*sin(beta)", angle="0");
 //     > ball.coordinates("cartesian");
 //     > plate.coordinates("cartesian", rotation="z:phi x:theta z:psi");
@@ -32,18 +35,24 @@
 //     ! has its coordinates already:
 //     ! lack the formula
 //     ! lacks lead=, the way along the axis of a full turn
+//     ! depends on no coordinate, expected a name
 //     ! the quaternion has the length 0, expected a direction
 //     ! whose spins have no singular pose
 //   t.parameter(name, value)   a number that formulas of coordinates and forces call by name; returns it | its own
 //     name      name in the formulas
-//     value     the number | its own | | finite
+//     value     number, or text: a formula of t; the name is a coordinate then, of this motion and with a force, and begins at its
+//       value at t = 0; before coordinates | its own | | finite
+//     > roll.parameter("R", "5 + 0.1*t");
+//     ! comes too late
+//     ! follows t, but no formula of its coordinates names it
 //   t.place(coordinate, value)   sets the present value of a coordinate, at the start or between runs; returns it
 //     coordinate   its name
 //     value     where to | length, rad | | finite
 //     ! has no coordinate
 //   t.move(coordinate, value)   prescribes the motion: the coordinate's value at the end of the step; returns it
 //     coordinate   its name
-//     value     at the end of the step | length, rad | | finite
+//     value     at the end of the step: number, or text: a formula of t and of the tool's parameters | length, rad | | finite
+//     > roller.move("phi", "1.6*t");
 //     ! and takes neither motion nor force of its own: prescribe what it follows
 //   t.force(coordinate, value)   prescribes the generalized force that the drive exerts, positive along the growing coordinate
 //     coordinate   its name
@@ -89,6 +98,12 @@ std::vector<basicAC_F0::name_and_type> MakeTool::list = shape_names({{"name", &t
 const int MakeTool::n = static_cast<int>(list.size());
 basicAC_F0::name_and_type* const MakeTool::names = list.data();
 
+template <int Dim> std::vector<std::string> following_of(const DrivenTool<Dim>& tool) {
+  std::vector<std::string> names;
+  for (const auto& [name, text] : tool.following()) names.push_back(name);
+  return names;
+}
+
 struct CoordinatesTag {};
 using CoordinatesMethod = Method<ToolHandle, CoordinatesTag>;
 struct ChooseCoordinates {
@@ -98,8 +113,8 @@ struct ChooseCoordinates {
   static bool call(const Named& named, CoordinatesMethod m, string* kind) {
     return visit(m->get(), [&](auto& object) {
       const auto coordinates = make_coordinates<dim_of<decltype(object)>>(
-          object.tool->name(), *kind, arguments_of(named, coordinate_parameters()),
-          object.tool->parameters());
+          object.tool->name(), *kind, arguments_of(named, coordinate_parameters()), object.tool->parameters(),
+          following_of(*object.tool));
       if (object.added)
         fail("tool.coordinates", "tool \"" + object.tool->name() +
                                      "\" belongs to a contact already: choose its coordinates before add");
@@ -123,6 +138,18 @@ double parameter(const Method<ToolHandle, ToolParameterTag>& m, string* const& n
   });
 }
 
+double whole_parameter(const Method<ToolHandle, ToolParameterTag>& m, string* const& name,
+                       const long& value) {
+  return parameter(m, name, static_cast<double>(value));
+}
+double following_parameter(const Method<ToolHandle, ToolParameterTag>& m, string* const& name,
+                           string* const& text) {
+  return on(m.object, [&](auto& object) {
+    object.tool->set_parameter(*name, *text);
+    return 0.;
+  });
+}
+
 struct PlaceTag {};
 struct MoveTag {};
 struct ForceTag {};
@@ -136,6 +163,15 @@ double move(const Method<ToolHandle, MoveTag>& m, string* const& name, const dou
   return on(m.object, [&](auto& object) {
     called("tool.move", [&] { object.tool->prescription().move(*name, value); });
     return value;
+  });
+}
+double move_whole(const Method<ToolHandle, MoveTag>& m, string* const& name, const long& value) {
+  return move(m, name, static_cast<double>(value));
+}
+double move_by_formula(const Method<ToolHandle, MoveTag>& m, string* const& name, string* const& text) {
+  return on(m.object, [&](auto& object) {
+    called("tool.move", [&] { object.tool->move(*name, *text); });
+    return 0.;
   });
 }
 double prescribe_force(const Method<ToolHandle, ForceTag>& m, string* const& name, const double& value) {
@@ -182,14 +218,20 @@ void register_tool() {
   TheOperators->Add("<-", new NamedOperator<MakeTool, ToolHandle*, ToolHandle*>);
   add_method<ToolHandle, CoordinatesTag>(
       "coordinates", [] { return new NamedOperator<ChooseCoordinates, bool, CoordinatesMethod, string*>; });
-  add_method<ToolHandle, ToolParameterTag>("parameter", [] {
-    return new OneOperator3_<double, Method<ToolHandle, ToolParameterTag>, string*, double>(parameter);
-  });
+  using ParameterMethod = Method<ToolHandle, ToolParameterTag>;
+  add_method<ToolHandle, ToolParameterTag>(
+      "parameter", [] { return new OneOperator3_<double, ParameterMethod, string*, double>(parameter); },
+      [] { return new OneOperator3_<double, ParameterMethod, string*, long>(whole_parameter); },
+      [] { return new OneOperator3_<double, ParameterMethod, string*, string*>(following_parameter); });
   add_method<ToolHandle, PlaceTag>("place", [] {
     return new OneOperator3_<double, Method<ToolHandle, PlaceTag>, string*, double>(place);
   });
   add_method<ToolHandle, MoveTag>(
-      "move", [] { return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, double>(move); });
+      "move", [] { return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, double>(move); },
+      [] { return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, long>(move_whole); },
+      [] {
+        return new OneOperator3_<double, Method<ToolHandle, MoveTag>, string*, string*>(move_by_formula);
+      });
   add_method<ToolHandle, ForceTag>(
       "force",
       [] {

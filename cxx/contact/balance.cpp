@@ -102,13 +102,13 @@ void contact_node(const BalancedState<Dim>& state, int candidate, const ContactP
     result.inconsistent += off || N < -limits.force;
     return;
   }
-  const Param<Dim> slip = slip_of(model, node);
+  const Param<Dim> slip = slip_of(model, node, at.surface.size);
   result.friction += force.T.norm();
   result.friction_limit += law.capacity(deciding);
   if (node.state == NodeState::SLIDING) {
     double r = law.sliding_residual(deciding, at.m);
     if (!model.is_constrained(candidate) && !TangentialLaw<Dim>::slips_back(slip, at.m, 0)) {
-      const Param<Dim> way = mean_slip_of(model, node).way;
+      const Param<Dim> way = mean_slip_of(model, node, at.surface.size).way;
       r = std::max(r, direction_residual(law, deciding, at.m, way, state.contact.slip_stiffness));
     }
     r *= tolerance.weight(node.tool);
@@ -125,8 +125,7 @@ template <int Dim>
 double lever_of_tool(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses, int k) {
   const auto tool = static_cast<std::size_t>(model.tool_of(k)),
              own = static_cast<std::size_t>(k - model.first[tool]);
-  return poses[tool].origin_q[own].norm() +
-         poses[tool].R_q[own].norm() * model.tools[tool]->surface().length_scale();
+  return point_rate(poses[tool], own, model.tools[tool]->surface().length_scale());
 }
 
 // Levers of coordinates that others follow, of those that no node in contact sees, and of those that only their drive holds.

@@ -87,9 +87,10 @@ template <int Dim>
 Vector<Dim> in_tool_frame(const Pose<Dim>& pose, const SurfacePoint<Dim>& point, const Param<Dim>& m) {
   return pose.R.transpose() * (point.E * m);
 }
-/// Slip of a node since its origin, in the tangents E at its place [length].
-template <int Dim> Param<Dim> slip_of(const ContactModel<Dim>& model, const ContactNode<Dim>& node) {
-  return model.tools[node.tool]->surface().slip(node.slip_origin, node.place);
+/// Slip of a node since its origin, in the tangents E at its place [length]. @param size of its tool, see Pose
+template <int Dim>
+Param<Dim> slip_of(const ContactModel<Dim>& model, const ContactNode<Dim>& node, double size) {
+  return size * model.tools[node.tool]->surface().slip(node.slip_origin, node.place);
 }
 
 /// Force of the tool on a contact node and its parts [force].

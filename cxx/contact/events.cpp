@@ -159,8 +159,9 @@ ContactEvent<Dim> contact_event(const ContactModel<Dim>& model, const BodyView<D
   } else if (n0.state == NodeState::SLIDING) {
     kind = EventKind::SLIP_TO_STICK;
     const bool plane = Dim == 2; // in space the power of friction, whose direction turns, at the end
-    const Param<Dim> slip =
+    const Param<Dim> own =
         plane ? Param<Dim>(-surface.slip(n1.place, n0.place)) : surface.slip(n0.place, n1.place);
+    const Param<Dim> slip = ends.poses1[n0.tool].size * own;
     if (!law.frictionless()) change = stick_fraction(n0, slip, plane ? a.m : b.m, step.dt, tolerance);
   } else if (!support && !law.friction().sticks_always()) {
     change = slip_fraction(law, ends.deciding0[i], ends.deciding1[i], tolerance.force_of(n0.tool));

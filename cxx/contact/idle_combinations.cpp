@@ -44,7 +44,8 @@ Eigen::MatrixXd seen_motions(const ContactModel<3>& model, const ContactState<3>
 Eigen::VectorXd motions_of_tool(const Pose<3>& pose, double length) {
   Eigen::VectorXd size(static_cast<Eigen::Index>(pose.origin_q.size()));
   for (Eigen::Index k = 0; k < size.size(); ++k)
-    size[k] = std::hypot(pose.origin_q[k].norm(), length * pose.R_q[k].norm());
+    size[k] = std::hypot(pose.origin_q[k].norm(),
+                         length * turn_and_growth(pose, static_cast<std::size_t>(k)).norm());
   return size.unaryExpr([](double s) { return s > 0 ? s : 1.; });
 }
 

@@ -41,7 +41,9 @@ TiedRow<Dim> tied_row(const SurfacePoint<Dim>& p, const Vector<Dim>& F, const No
     turned.row(a) = F.transpose() * p.E_q[static_cast<std::size_t>(a)];
   turned = (follows.transpose() * turned).eval();
   tied.geo_sq = 0.5 * (kept * turned + end.m * (end.cone.slope * F.transpose() * p.n_q));
-  if (terms == GeometricTerms::COMPLETE) tied.geo_qs = 0.5 * turned;
+  if (terms != GeometricTerms::COMPLETE) return tied;
+  tied.geo_qs = 0.5 * turned;
+  if (p.growth.size() > 0) tied.geo_qs += 0.5 * (follows.transpose() * (p.E.transpose() * F)) * p.growth;
   return tied;
 }
 
@@ -70,6 +72,8 @@ void add_slip(const SurfacePoint<Dim>& p, const SlidingRows<Dim>& rows, const Cu
   }
   for (Eigen::Index a = 0; terms == GeometricTerms::COMPLETE && a < Dim - 1; ++a)
     node.geo_qs.row(a) = node.F.transpose() * p.E_q[static_cast<std::size_t>(a)];
+  if (terms == GeometricTerms::COMPLETE && p.growth.size() > 0)
+    node.geo_qs += p.E.transpose() * node.F * p.growth;
 }
 
 // The slip across the free direction of a guided node is zero: its row has `diagonal` alone.

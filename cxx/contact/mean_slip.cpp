@@ -19,8 +19,9 @@ template <int Dim> MeanSlip<Dim> mean_slip(const Param<Dim>& slip, const Param<D
   return mean;
 }
 
-template <int Dim> MeanSlip<Dim> mean_slip_of(const ContactModel<Dim>& model, const ContactNode<Dim>& node) {
-  const Param<Dim> slip = slip_of(model, node);
+template <int Dim>
+MeanSlip<Dim> mean_slip_of(const ContactModel<Dim>& model, const ContactNode<Dim>& node, double tool_size) {
+  const Param<Dim> slip = slip_of(model, node, tool_size);
   if (Dim == 2 || node.slip_memory.isZero()) return {slip, Curvature<Dim>::Identity()};
   const SurfaceFrame<Dim> frame = model.tools[node.tool]->surface().frame(node.place);
   const Param<Dim> memory = frame.E.transpose() * node.slip_memory;
@@ -29,7 +30,7 @@ template <int Dim> MeanSlip<Dim> mean_slip_of(const ContactModel<Dim>& model, co
 
 template MeanSlip<2> mean_slip<2>(const Param<2>&, const Param<2>&);
 template MeanSlip<3> mean_slip<3>(const Param<3>&, const Param<3>&);
-template MeanSlip<2> mean_slip_of<2>(const ContactModel<2>&, const ContactNode<2>&);
-template MeanSlip<3> mean_slip_of<3>(const ContactModel<3>&, const ContactNode<3>&);
+template MeanSlip<2> mean_slip_of<2>(const ContactModel<2>&, const ContactNode<2>&, double);
+template MeanSlip<3> mean_slip_of<3>(const ContactModel<3>&, const ContactNode<3>&, double);
 
 } // namespace burnish

@@ -20,7 +20,7 @@ bool NodeTest<Dim>::test_contact(int candidate, const ContactNode<Dim>& solved, 
     if (N < -tolerance.force) make_free(node);
     return !in_contact(node.state);
   }
-  switch (law.test(node.state, N, deciding, slip_of(m_model, solved), at.m, tolerance)) {
+  switch (law.test(node.state, N, deciding, slip_of(m_model, solved, at.surface.size), at.m, tolerance)) {
   case Change::NONE:
     return false;
   case Change::RELEASE:
@@ -72,7 +72,7 @@ void NodeTest<Dim>::enter(int candidate, const SurfaceFoot<Dim>& foot, ContactNo
   if (!sticks_always && releases > 0 && !entry.slip_direction.isZero())
     return make_slide(node, entry.slip_direction);
   const auto point = m_model.tools[node.tool]->point(m_poses[node.tool], foot.place);
-  const Param<Dim> slip = slip_space(m_model, candidate, point) * slip_of(m_model, node);
+  const Param<Dim> slip = slip_space(m_model, candidate, point) * slip_of(m_model, node, point.size);
   if (!sticks_always && known && slip.norm() > ENTRY_SLIP * m_tolerances.gap) {
     return make_slide(node, in_tool_frame(m_poses[node.tool], point, Param<Dim>(slip.normalized())));
   }

@@ -27,7 +27,8 @@ void begin_turn(const ContactModel<Dim>& model, const BeginningSlips<Dim>& slips
     if (node.state != NodeState::SLIDING || !slips.by_friction[node.tool] || !(slips.deciding[i].force.N > 0))
       return;
     if (!turn.H.isZero(0) || model.is_constrained(i) || model.law(i, node).frictionless()) return;
-    turn = TangentialLaw<Dim>::first_turn(contact_point(model, slips.poses, node).m, slip_of(model, node),
+    const Param<Dim> slip = slip_of(model, node, slips.poses[node.tool].size);
+    turn = TangentialLaw<Dim>::first_turn(contact_point(model, slips.poses, node).m, slip,
                                           slips.state.slip_stiffness);
   };
   if (!cones.tied) turn_of(candidate, cones.turn);
@@ -44,9 +45,10 @@ void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, Contac
     const int candidate = static_cast<int>(i);
     if (node.state != NodeState::SLIDING || node.tied || model.law(candidate, node).frictionless()) continue;
     const ContactPoint<Dim> at = contact_point(model, poses, node);
-    const Param<Dim> slip = slip_of(model, node);
+    const double size = poses[node.tool].size;
+    const Param<Dim> slip = slip_of(model, node, size);
     const double c = model.law(candidate, node).slip_stiffness(deciding[i], slip, state);
-    Param<Dim> way = c * mean_slip_of(model, node).way - deciding[i].force.T;
+    Param<Dim> way = c * mean_slip_of(model, node, size).way - deciding[i].force.T;
     if (model.is_constrained(candidate)) {
       const Curvature<Dim> free = slip_space(model, candidate, at.surface);
       const Param<Dim> kept = free * at.m;

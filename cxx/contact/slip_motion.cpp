@@ -20,7 +20,7 @@ void measure_slips(const ContactModel<Dim>& model, double dt, const Eigen::Vecto
     node.slip_memory.setZero();
     if (node.state != NodeState::SLIDING) continue;
     const ContactPoint<Dim> at = contact_point(model, poses, node);
-    const Param<Dim> slip = slip_of(model, node);
+    const Param<Dim> slip = slip_of(model, node, at.surface.size);
     node.slip_rate = TangentialLaw<Dim>::advance(slip, at.m) / dt;
     node.slip_direction = in_tool_frame(poses[node.tool], at.surface, at.m);
     if (ties) continue;
@@ -32,13 +32,14 @@ void measure_slips(const ContactModel<Dim>& model, double dt, const Eigen::Vecto
 template <int Dim>
 void move_by(const ContactModel<Dim>& model, const typename Condensation<Dim>::Expansion& increment,
              ContactState<Dim>& state) {
+  const auto poses = model.poses(state.q);
   state.q += increment.dq;
   follow(model, state.q);
   for (std::size_t i = 0; i < state.nodes.size(); ++i) {
     ContactNode<Dim>& node = state.nodes[i];
     if (node.state != NodeState::SLIDING || node.tied) continue;
     const Param<Dim> slip = increment.slip.col(static_cast<Eigen::Index>(i));
-    node.place = model.tools[node.tool]->surface().moved(node.place, slip);
+    node.place = model.tools[node.tool]->surface().moved(node.place, slip / poses[node.tool].size);
   }
   follow_ends(model, state);
 }

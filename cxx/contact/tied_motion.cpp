@@ -45,7 +45,7 @@ TiedEnd<3> tied_end(const ContactModel<3>& model, const ContactState<3>& state,
   tied.follows = foot_slope(model, state, middle) * (m.E.transpose() * e.E);
   tied.lift = e.E.transpose() * m.n;
   tied.normal = m.E.transpose() * e.n;
-  tied.B = e.B;
+  tied.B = e.B / poses[node.tool].size;
   if (!model.is_constrained(end)) return tied;
   const Curvature<3> free = slip_space(
       model, end, model.tools[static_cast<std::size_t>(node.tool)]->point(poses[node.tool], node.place));
@@ -60,7 +60,7 @@ SurfacePlace<2> tied_place(const ContactModel<2>& model, const ContactState<2>& 
   const ContactNode<2>& node = state.nodes[middle];
   Param<2> slip = Param<2>::Zero();
   for (const int end : model.edge_ends[middle])
-    if (slides(state.nodes[end])) slip += 0.5 * slip_of(model, state.nodes[end]);
+    if (slides(state.nodes[end])) slip += 0.5 * slip_of(model, state.nodes[end], 1); // in the tool's frame
   return model.tools[static_cast<std::size_t>(node.tool)]->surface().moved(node.slip_origin, slip);
 }
 template <>

@@ -34,7 +34,7 @@ ToolContact contact_of(const ContactModel<Dim>& model, const std::vector<Pose<Di
     // weightless vertices come last, then refused nodes
     const bool weightless = model.law(static_cast<int>(i), node).frictionless();
     const std::tuple<bool, bool, double> slip(weightless, !refused.empty() && refused[i],
-                                              slip_of(model, node).norm());
+                                              slip_of(model, node, p.size).norm());
     if (result.least_slip >= 0 && slip >= smallest) continue;
     result.least_slip = static_cast<int>(i);
     smallest = slip;
@@ -121,7 +121,7 @@ bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& s
     const Vector<Dim> here = poses[node.tool].R * node.slip_direction;
     if (direction[node.tool].isZero()) direction[node.tool] = here;
     neutral = neutral || direction[node.tool].dot(here) < 0;
-    const double slip = slip_of(model, node).norm();
+    const double slip = slip_of(model, node, poses[node.tool].size).norm();
     if (node.tied || refused[i] || (best >= 0 && slip >= smallest)) continue;
     best = static_cast<int>(i);
     smallest = slip;

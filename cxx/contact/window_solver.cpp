@@ -153,8 +153,8 @@ bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim
   for (std::size_t a = 0; a < active.size(); ++a) {
     ContactNode<Dim>& node = out.state.nodes[m_window[active[a]]];
     if (nodes[a].sliding)
-      node.place =
-          m_model.tools[node.tool]->surface().moved(node.place, block.slip.col(static_cast<Eigen::Index>(a)));
+      node.place = m_model.tools[node.tool]->surface().moved(
+          node.place, block.slip.col(static_cast<Eigen::Index>(a)) / nodes[a].point.size);
     out.F.template segment<Dim>(Dim * active[a]) = block.F.template segment<Dim>(Dim * a);
     out.load.template segment<Dim>(Dim * active[a]) = block.load.template segment<Dim>(Dim * a);
   }

@@ -54,8 +54,9 @@ Failure wedged_node(const ContactModel<Dim>& model, const ContactState<Dim>& sta
     const ContactPoint<Dim> at = contact_point(model, poses, node);
     const SurfaceForce<Dim>& part = deciding[i].force;
     const double reserve = model.law(candidate, node).reserve(deciding[i]);
-    const bool wedged =
-        sticks(node.state) ? reserve < -tolerance : part.N > 0 && slip_of(model, node).dot(at.m) < 0;
+    const bool wedged = sticks(node.state)
+                            ? reserve < -tolerance
+                            : part.N > 0 && slip_of(model, node, at.surface.size).dot(at.m) < 0;
     if (!wedged) continue;
     Failure failure(Cause::WEDGED);
     failure.node = mesh_node;

@@ -205,7 +205,7 @@ void Predictor<Dim>::place_contact_node(const std::vector<Pose<Dim>>& poses, int
     node.place = m_model.tools[node.tool]->foot(poses[node.tool], x, node.slip_origin.hint).place;
     const Param<Dim> m = contact_point(m_model, poses, node).m;
     if (may_stick && !m_model.law(candidate, node).frictionless() &&
-        TangentialLaw<Dim>::slips_back(slip_of(m_model, node), m, 0))
+        TangentialLaw<Dim>::slips_back(slip_of(m_model, node, poses[node.tool].size), m, 0))
       node.state = NodeState::STICKING;
   }
   if (!sticks(node.state)) return;

@@ -55,4 +55,12 @@ std::shared_ptr<const CoordinateFormula> force_formula(const std::string& tool, 
                                              known, false);
 }
 
+std::shared_ptr<const CoordinateFormula> motion_formula(const std::string& tool,
+                                                        const std::string& coordinate,
+                                                        const std::string& text,
+                                                        const std::map<std::string, double>& parameters) {
+  return std::make_shared<CoordinateFormula>("motion \"" + coordinate + "\" of tool \"" + tool + "\"", text,
+                                             FormulaNames{{"t"}, parameters}, false);
+}
+
 } // namespace burnish

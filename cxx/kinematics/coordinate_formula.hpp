@@ -56,4 +56,11 @@ std::shared_ptr<const CoordinateFormula> force_formula(const std::string& tool, 
                                                        const std::vector<std::string>& names,
                                                        const std::map<std::string, double>& parameters);
 
+/// A coordinate under motion as a formula of t, the time at the end of the step, and of the tool's parameters. Value: t.
+/// @throws std::invalid_argument naming tool and coordinate for everything that Formula refuses, and for a parameter t
+std::shared_ptr<const CoordinateFormula> motion_formula(const std::string& tool,
+                                                        const std::string& coordinate,
+                                                        const std::string& text,
+                                                        const std::map<std::string, double>& parameters);
+
 } // namespace burnish

@@ -1,5 +1,5 @@
 #pragma once
-// Generalized coordinates q place a tool's frame in space: x = origin(q) + R(q) xhat.
+// Generalized coordinates q place a tool's frame in space: x = origin(q) + size(q) R(q) xhat.
 #include "base/types.hpp"
 #include <string>
 #include <vector>
@@ -14,7 +14,28 @@ template <int Dim> struct Pose {
   std::vector<Tensor<Dim>> R_q;                    ///< [k]
   std::vector<std::vector<Vector<Dim>>> origin_qq; ///< [k][l], symmetric
   std::vector<std::vector<Tensor<Dim>>> R_qq;      ///< [k][l], symmetric
+  double size = 1;                                 ///< of the tool over that of its own frame, > 0
+  Eigen::VectorXd size_q;                          ///< [k]; empty: the size is 1 for good
+  Eigen::MatrixXd size_qq;                         ///< (k, l), symmetric
 };
+
+/// Derivative of size times R by coordinate k: how the tool turns and grows with it.
+template <int Dim> Tensor<Dim> turn_and_growth(const Pose<Dim>& pose, std::size_t k) {
+  if (pose.size_q.size() == 0) return pose.R_q[k];
+  return pose.size * pose.R_q[k] + pose.size_q[static_cast<Eigen::Index>(k)] * pose.R;
+}
+
+/// Bound of the motion of the tool's points that are up to `length` off its origin, in its own frame, with coordinate k
+/// [length per unit].
+template <int Dim> double point_rate(const Pose<Dim>& pose, std::size_t k, double length) {
+  return pose.origin_q[k].norm() + turn_and_growth(pose, k).norm() * length;
+}
+
+/// Bound of the way of such points from one pose to another [length].
+template <int Dim> double pose_change(const Pose<Dim>& from, const Pose<Dim>& to, double length) {
+  const double turn = (to.size * to.R - from.size * from.R).norm();
+  return (to.origin - from.origin).norm() + turn * length;
+}
 
 /// Rigid motion x -> R x + d.
 template <int Dim> struct RigidMotion {

@@ -18,6 +18,11 @@ void DrivenTool<Dim>::set_coordinates(std::shared_ptr<const Coordinates<Dim>> co
   m_tool = std::make_shared<Tool<Dim>>(m_name, m_surface, coordinates);
   m_prescription.emplace(m_name, coordinates->names());
   m_q = m_force = Eigen::VectorXd::Zero(coordinates->size());
+  const double start = 0;
+  for (const auto& [name, text] : m_following) {
+    move(name, text);
+    place(name, m_prescription->formula(index(name))->value(&start));
+  }
 }
 
 template <int Dim> const Tool<Dim>& DrivenTool<Dim>::tool() const {
@@ -37,9 +42,31 @@ template <int Dim> void DrivenTool<Dim>::force(const std::string& coordinate, co
   prescription().force(coordinate, formula);
 }
 
+template <int Dim> void DrivenTool<Dim>::move(const std::string& coordinate, const std::string& text) {
+  index(coordinate); // throws
+  auto& formula = m_motions[{coordinate, text}];
+  if (!formula) formula = motion_formula(m_name, coordinate, text, m_parameters);
+  prescription().move(coordinate, formula);
+}
+
+template <int Dim>
+void DrivenTool<Dim>::set_parameter(const std::string& parameter, const std::string& text) {
+  const std::string where = "tool.parameter of \"" + m_name + "\"";
+  check_formula_names(where, {{parameter}, {}});
+  if (m_tool)
+    fail(where, "\"" + parameter + "\" = " + quoted(text) +
+                    " comes too late: set parameters before coordinates(...)");
+  if (m_parameters.count(parameter) > 0)
+    fail(where, "\"" + parameter + "\" = " + quoted(text) + ", but it is a number already");
+  motion_formula(m_name, parameter, text, m_parameters); // throws
+  m_following[parameter] = text;
+}
+
 template <int Dim> void DrivenTool<Dim>::set_parameter(const std::string& parameter, double value) {
   const std::string where = "tool.parameter of \"" + m_name + "\"";
   check_formula_names(where, {{}, {{parameter, value}}});
+  if (m_following.count(parameter) > 0)
+    fail(where, "\"" + parameter + "\" follows " + quoted(m_following.at(parameter)) + " already");
   const auto known = m_parameters.find(parameter);
   if (m_tool && known != m_parameters.end() && known->second != value) {
     std::ostringstream text;

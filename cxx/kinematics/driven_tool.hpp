@@ -21,11 +21,20 @@ public:
   /// Prescribes the force conjugate to a coordinate by a formula, see force_formula. A formula that was given before
   /// is not read again. @throws std::invalid_argument naming tool and coordinate, see there
   void force(const std::string& coordinate, const std::string& text);
+  /// Prescribes the motion of a coordinate by a formula of t, see motion_formula; read once, as those of forces.
+  /// @throws std::invalid_argument naming tool and coordinate, see there
+  void move(const std::string& coordinate, const std::string& text);
   /// A number that formulas of coordinates and forces call by name. Once the coordinates are chosen, new ones only.
   /// @throws std::invalid_argument for a name that formulas cannot have, a value that is not finite, or one that
   /// formulas have read already
   void set_parameter(const std::string& parameter, double value);
+  /// The same that follows a formula of t: a coordinate under this motion, METHOD.md 2.8. Before the coordinates are
+  /// chosen, which place it where it is at t = 0.
+  /// @throws std::invalid_argument for a name that formulas cannot have, and if the coordinates are chosen
+  void set_parameter(const std::string& parameter, const std::string& text);
   const std::map<std::string, double>& parameters() const { return m_parameters; }
+  /// Formulas of t by the names of the parameters that follow them.
+  const std::map<std::string, std::string>& following() const { return m_following; }
   const std::string& name() const { return m_name; }
   /// Present coordinates, one per name; may be set before the first step.
   Eigen::VectorXd& q();
@@ -44,7 +53,9 @@ private:
   std::optional<Prescription> m_prescription;
   Eigen::VectorXd m_q, m_force;
   std::map<std::string, double> m_parameters;
-  std::map<std::pair<std::string, std::string>, std::shared_ptr<const CoordinateFormula>> m_formulas;
+  std::map<std::string, std::string> m_following;
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<const CoordinateFormula>> m_formulas,
+      m_motions;
 };
 
 } // namespace burnish

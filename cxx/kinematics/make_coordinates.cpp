@@ -7,6 +7,7 @@
 #include "kinematics/polar.hpp"
 #include "kinematics/polar_in_space.hpp"
 #include "kinematics/screw.hpp"
+#include "kinematics/sized_coordinates.hpp"
 #include <algorithm>
 #include <functional>
 
@@ -25,6 +26,7 @@ struct Said {
   const std::string &tool, &kind;
   const Arguments& given;
   const std::map<std::string, double>& parameters;
+  const Names& following;
 
   template <int Dim>
   Vector<Dim> vector(const char* name, const Vector<Dim>& otherwise, const char* expected) const {
@@ -51,20 +53,45 @@ template <int Dim> struct Kind {
   std::function<Made(const Said&)> make;
 };
 
-// Words of the formulas of a rotation that nobody else explains.
-Names names_of_rotation(const Said& said, const std::string& text) {
+// Adds the words of a formula that nobody else explains.
+void add_names(const Said& said, const std::string& formula, Names& names) {
   const Names constants{"pi", "Pi", "I", "Euler", "Catalan"};
+  std::vector<FormulaToken> tokens;
+  try {
+    tokens = formula_tokens(formula);
+  } catch (const std::invalid_argument&) { // Formula says what is wrong
+    return;
+  }
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const std::string& word = tokens[i].text;
+    const bool call = i + 1 < tokens.size() && tokens[i + 1].kind == FormulaToken::Kind::OPEN;
+    if (tokens[i].kind != FormulaToken::Kind::WORD || call || said.parameters.count(word) > 0) continue;
+    if (!among(constants, word) && !among(names, word)) names.push_back(word);
+  }
+}
+
+// Those of the formulas of a rotation.
+Names names_of_rotation(const Said& said, const std::string& text) {
   Names names;
   const std::string where = "rotation of tool \"" + said.tool + "\"";
-  for (const FormulaText& number : rotation_formulas(where, text, said.parameters).numbers) {
-    const auto tokens = formula_tokens(number.text);
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-      const std::string& word = tokens[i].text;
-      const bool call = i + 1 < tokens.size() && tokens[i + 1].kind == FormulaToken::Kind::OPEN;
-      if (tokens[i].kind != FormulaToken::Kind::WORD || call || said.parameters.count(word) > 0) continue;
-      if (!among(constants, word) && !among(names, word)) names.push_back(word);
-    }
-  }
+  for (const FormulaText& number : rotation_formulas(where, text, said.parameters).numbers)
+    add_names(said, number.text, names);
+  return names;
+}
+
+// The coordinates of the script, but those that size= alone names, and the parameters that follow t and move the frame.
+Names names_of_frame(const Said& said) {
+  if (!said.given.has("size") && said.following.empty()) return coordinate_names(said.kind);
+  Names frame, size;
+  if (said.given.has("rotation")) frame = names_of_rotation(said, said.given.text("rotation"));
+  for (const char* formula : {"x", "y", "z", "angle"})
+    if (said.given.has(formula)) add_names(said, said.given.text(formula), frame);
+  if (said.given.has("size")) add_names(said, said.given.text("size"), size);
+  Names names;
+  for (const std::string& name : coordinate_names(said.kind))
+    if (among(frame, name) || !among(size, name)) names.push_back(name);
+  for (const std::string& name : said.following)
+    if (among(frame, name) && !among(names, name)) names.push_back(name);
   return names;
 }
 
@@ -99,7 +126,7 @@ template <> const std::vector<Kind<2>>& kinds<2>() {
          require_formulas(said, {"x", "y"});
          const std::string angle = said.given.has("angle") ? said.given.text("angle") : "0";
          return std::make_shared<FormulaCoordinates<2>>(
-             said.tool, coordinate_names(said.kind),
+             said.tool, names_of_frame(said),
              PlaneFormulas{said.given.text("x"), said.given.text("y"), angle}, said.parameters);
        }}};
   return all;
@@ -123,7 +150,7 @@ template <> const std::vector<Kind<3>>& kinds<3>() {
       {"", {"x", "y", "z", "rotation"}, "x=, y=, z= and rotation=", [](const Said& said) {
          require_formulas(said, {"x", "y", "z"});
          return std::make_shared<FormulaCoordinates<3>>(
-             said.tool, coordinate_names(said.kind),
+             said.tool, names_of_frame(said),
              SpaceFormulas{said.given.text("x"), said.given.text("y"), said.given.text("z"),
                            said.given.text("rotation")},
              said.parameters);
@@ -145,7 +172,7 @@ template <int Dim> void refuse_others(const Kind<Dim>& kind, const Said& said) {
   const Names& own = kinds<Dim>().back().takes;
   for (const Parameter& parameter : coordinate_parameters()) {
     const std::string& name = parameter.name;
-    if (!said.given.has(name) || among(kind.takes, name)) continue;
+    if (!said.given.has(name) || name == "size" || among(kind.takes, name)) continue;
     const auto known = [&](const Kind<Dim>& other) { return among(other.takes, name); };
     if (std::none_of(kinds<Dim>().begin(), kinds<Dim>().end(), known))
       fail(WHERE, "tool \"" + said.tool + "\" is one of " + (Dim == 2 ? "the plane" : "space") +
@@ -158,6 +185,23 @@ template <int Dim> void refuse_others(const Kind<Dim>& kind, const Said& said) {
                       "=, which is a formula of coordinates named by the script");
     fail(WHERE, "\"" + said.kind + "\" takes no " + name + "=, only " + takers<Dim>(name));
   }
+}
+
+// Coordinates of a frame with the size of the tool, if the script gives one.
+template <int Dim>
+std::shared_ptr<const Coordinates<Dim>> sized(const Said& said,
+                                              std::shared_ptr<const Coordinates<Dim>> frame) {
+  Names names = frame->names();
+  if (said.given.has("size")) {
+    add_names(said, said.given.text("size"), names);
+    frame = std::make_shared<SizedCoordinates<Dim>>(said.tool, std::move(frame), names,
+                                                    said.given.text("size"), said.parameters);
+  }
+  for (const std::string& name : said.following)
+    if (!among(names, name))
+      fail(WHERE, "parameter \"" + name + "\" of tool \"" + said.tool +
+                      "\" follows t, but no formula of its coordinates names it");
+  return frame;
 }
 
 template <int Dim> [[noreturn]] void unknown(const Said& said) {
@@ -184,15 +228,18 @@ const std::vector<Parameter>& coordinate_parameters() {
       {"angle", ArgumentKind::TEXT, "the same of its turn in the plane, counter-clockwise [rad]"},
       {"rotation", ArgumentKind::TEXT,
        "in space \"z:phi x:theta z:psi\", \"vector: a, b, c\" or \"quaternion: w, a, b, c\", each a formula "
-       "[rad, -]"}};
+       "[rad, -]"},
+      {"size", ArgumentKind::TEXT,
+       "all kinds: formula of the tool's size over that of its shape; names that are no parameters are "
+       "coordinates [-]"}};
   return list;
 }
 
 template <int Dim>
-std::shared_ptr<const Coordinates<Dim>> make_coordinates(const std::string& tool, const std::string& kind,
-                                                         const Arguments& given,
-                                                         const std::map<std::string, double>& parameters) {
-  const Said said{tool, kind, given, parameters};
+std::shared_ptr<const Coordinates<Dim>>
+make_coordinates(const std::string& tool, const std::string& kind, const Arguments& given,
+                 const std::map<std::string, double>& parameters, const std::vector<std::string>& following) {
+  const Said said{tool, kind, given, parameters, following};
   const auto& all = kinds<Dim>();
   const auto named = [&](const Kind<Dim>& known) { return known.name == kind && !kind.empty(); };
   const auto found = std::find_if(all.begin(), all.end(), named);
@@ -200,14 +247,16 @@ std::shared_ptr<const Coordinates<Dim>> make_coordinates(const std::string& tool
   const auto has = [&](const std::string& name) { return given.has(name); };
   if (chosen.name.empty() && std::none_of(chosen.takes.begin(), chosen.takes.end(), has)) unknown<Dim>(said);
   refuse_others(chosen, said);
-  return chosen.make(said);
+  return sized<Dim>(said, chosen.make(said));
 }
 
 template std::shared_ptr<const Coordinates<2>> make_coordinates<2>(const std::string&, const std::string&,
                                                                    const Arguments&,
-                                                                   const std::map<std::string, double>&);
+                                                                   const std::map<std::string, double>&,
+                                                                   const std::vector<std::string>&);
 template std::shared_ptr<const Coordinates<3>> make_coordinates<3>(const std::string&, const std::string&,
                                                                    const Arguments&,
-                                                                   const std::map<std::string, double>&);
+                                                                   const std::map<std::string, double>&,
+                                                                   const std::vector<std::string>&);
 
 } // namespace burnish

@@ -21,6 +21,10 @@ void Prescription::move(const std::string& name, double value) {
   set("Prescription::move", name, {Kind::MOTION, value});
 }
 
+void Prescription::move(const std::string& name, std::shared_ptr<const CoordinateFormula> formula) {
+  set("Prescription::move", name, {Kind::MOTION, 0, std::move(formula)});
+}
+
 void Prescription::force(const std::string& name, double value) {
   set("Prescription::force", name, {Kind::FORCE, value});
 }

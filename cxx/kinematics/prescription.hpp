@@ -32,6 +32,9 @@ public:
   /// Prescribes motion: q^k = value at the end of the step [length or rad].
   /// @throws std::invalid_argument if the name is unknown (lists the names) or the value is not finite
   void move(const std::string& name, double value);
+  /// Prescribes motion by a formula of t, see motion_formula: its value at the end of every step and piece of a step.
+  /// @throws std::invalid_argument if the name is unknown (lists the names)
+  void move(const std::string& name, std::shared_ptr<const CoordinateFormula> formula);
   /// Prescribes the conjugate force Q_k ON the tool at the end of the step, positive along growing q^k
   /// [force, or force length for an angle]; equilibrium is sum_n X_k . F_n = Q_k.
   /// @throws std::invalid_argument if the name is unknown (lists the names) or the value is not finite
@@ -55,7 +58,7 @@ public:
   /// The prescribed q^k or Q_k of coordinate k; 0 if it has a formula or follows others.
   /// @throws std::invalid_argument if k is out of range or has neither
   double value(int k) const;
-  /// The formula of the force of coordinate k; null if it has none.
+  /// The formula of the motion or the force of coordinate k; null if it has none.
   /// @throws std::invalid_argument if k is out of range or has neither
   std::shared_ptr<const CoordinateFormula> formula(int k) const;
   /// To be called when a step begins.

@@ -26,11 +26,11 @@ SurfaceMesh surface_mesh(const Tool<3>& tool, const Eigen::VectorXd& q, const Ei
   const Pose<3> pose = tool.coordinates().pose(q);
   Eigen::AlignedBox3d local; // about the corners of the window
   for (int corner = 0; corner < 8; ++corner)
-    local.extend(
-        Vector<3>(pose.R.transpose() *
-                  (window.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - pose.origin)));
+    local.extend(Vector<3>(
+        pose.R.transpose() *
+        (window.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - pose.origin) / pose.size));
   SurfaceMesh mesh = surface_mesh(tool.surface(), local);
-  for (auto& point : mesh.points) point = pose.origin + pose.R * point;
+  for (auto& point : mesh.points) point = pose.origin + pose.R * (pose.size * point);
   return mesh;
 }
 

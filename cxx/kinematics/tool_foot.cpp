@@ -12,8 +12,8 @@ std::vector<ToolFoot<Dim>> tool_feet(const Tool<Dim>& tool, const Eigen::VectorX
   for (const auto& x : points) {
     const SurfaceFoot<Dim> foot = tool.foot(pose, x, no_hint);
     const SurfaceFrame<Dim> local = tool.surface().frame(foot.place);
-    feet.push_back({tool.position(pose, foot.place), pose.R * local.n, pose.R * local.E, local.B, foot.gap,
-                    foot.on_end});
+    feet.push_back({tool.position(pose, foot.place), pose.R * local.n, pose.R * local.E, local.B / pose.size,
+                    foot.gap, foot.on_end});
   }
   return feet;
 }

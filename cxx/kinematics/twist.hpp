@@ -6,7 +6,7 @@ namespace burnish {
 
 /// Twist for a unit rate of coordinate k: velocity of the frame's origin, Dim numbers [length, or length/rad], then the
 /// angular velocity of the frame, in the plane one number, in space three [rad/length, or 1]: the axial vector of
-/// R_q R^T. The force of the coordinate is what does work along it, METHOD.md (2.8).
+/// R_q R^T; the growth of METHOD.md 2.8 is no part of it. The force of the coordinate is what does work along it, METHOD.md (2.8).
 template <int Dim> Eigen::VectorXd twist(const Pose<Dim>& pose, int k) {
   const auto coordinate = static_cast<std::size_t>(k);
   const Tensor<Dim> spin = pose.R_q[coordinate] * pose.R.transpose();

@@ -38,9 +38,11 @@ std::vector<Vector<Dim>> window_outline(const Tool<Dim>& tool, const Eigen::Vect
                                         const PictureWindow<Dim>& window) {
   require(window.sagitta > 0, "outline", "sagitta", window.sagitta, "> 0");
   const auto pose = tool.coordinates().pose(q);
-  const auto in_space = [&](const Vector<Dim>& y) -> Vector<Dim> { return pose.origin + pose.R * y; };
+  const auto in_space = [&](const Vector<Dim>& y) -> Vector<Dim> {
+    return pose.origin + pose.R * (pose.size * y);
+  };
   const auto allowed = [&](const Vector<Dim>& a, const Vector<Dim>& b) {
-    return window.sagitta * (seen(window, in_space(a), in_space(b)) ? 1 : FAR_OUT);
+    return window.sagitta / pose.size * (seen(window, in_space(a), in_space(b)) ? 1 : FAR_OUT);
   };
   std::vector<Vector<Dim>> points;
   for (const auto& place : refined_outline<Dim>(tool.surface(), FIRST, allowed))

@@ -113,7 +113,9 @@ template <int Dim> void check_independent_approach(const ContactSetup<Dim>& setu
 }
 
 template <int Dim> [[noreturn]] void fail_approach(const ContactSetup<Dim>& setup, int tool, int k) {
-  const double h = setup.body().spacing, radius = setup.model().tools[tool]->surface().tightest_radius();
+  const Tool<Dim>& placed = *setup.model().tools[tool];
+  const double h = setup.body().spacing, radius = placed.coordinates().pose(setup.tools()[tool]->q()).size *
+                                                  placed.surface().tightest_radius();
   std::ostringstream small;
   if (radius < h)
     small << " (its tightest radius, " << radius << ", is smaller than the distance of the contact nodes, "

@@ -20,6 +20,8 @@ func int record(real t) {\
   $ a ofstream last("last.txt"); last.precision(17); last << turned << " " << said << " " << angles.l2 << " " << ep[].l2 << endl;' \
   edp/manual/examples/law-j2.edp >"$SCRATCH/scripts/own.edp"
 kills own 2 "$SCRATCH/scripts/own.edp"
+# a tool of which a number follows a formula of t
+kills mandrel 1 edp/manual/examples/mandrel.edp -series 5
 
 # 2. a run of which the last checkpoint is the one before its end
 folder="$SCRATCH/refused"

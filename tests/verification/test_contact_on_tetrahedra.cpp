@@ -28,7 +28,7 @@ void expect_rules(RolledTetrahedra& scene, double mu) {
     if (node.state == NodeState::SLIDING) {
       EXPECT_GE(force.T.norm(), limit - small);
     }
-    const Param<3> slip = slip_of(model, node);
+    const Param<3> slip = slip_of(model, node, 1);
     if (rough && node.state == NodeState::SLIDING && slip.norm() > 1e-4) {
       EXPECT_LE(force.T.dot(slip), -0.95 * force.T.norm() * slip.norm() + small * slip.norm());
     }

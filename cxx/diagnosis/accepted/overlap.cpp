@@ -85,7 +85,7 @@ template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<Dim>& step) 
   for (std::size_t tool = 0; tool < step.model().tools.size(); ++tool) {
     Watched watched;
     watched.origin = step.poses[tool].origin;
-    watched.R = step.poses[tool].R;
+    watched.R = step.poses[tool].size * step.poses[tool].R;
     for (const SurfacePlace<Dim>& place : step.model().tools[tool]->surface().samples(samples))
       watched.reach = std::max(watched.reach, place.y.norm());
     watched.distance.resize(static_cast<std::size_t>(places));
@@ -96,9 +96,10 @@ template <int Dim> void OverlapCheck<Dim>::start(const AcceptedStep<Dim>& step) 
 template <int Dim> void OverlapCheck<Dim>::move(const AcceptedStep<Dim>& step, int tool) {
   Watched& watched = m_tools[tool];
   const Pose<Dim>& pose = step.poses[tool];
-  watched.moved += (pose.origin - watched.origin).norm() + (pose.R - watched.R).norm() * watched.reach;
+  watched.moved +=
+      (pose.origin - watched.origin).norm() + (pose.size * pose.R - watched.R).norm() * watched.reach;
   watched.origin = pose.origin;
-  watched.R = pose.R;
+  watched.R = pose.size * pose.R;
 }
 
 // Of a node from a tool's surface, or less.

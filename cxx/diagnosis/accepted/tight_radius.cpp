@@ -9,8 +9,9 @@ template <int Dim> class TightRadius final : public ObserverOf<TightRadius<Dim>,
 public:
   void begin(const AcceptedStep<Dim>& step, FindingList& findings) override {
     const double h = step.body().spacing;
-    for (const auto& tool : step.model().tools) {
-      const double radius = tool->surface().tightest_radius();
+    for (std::size_t t = 0; t < step.model().tools.size(); ++t) {
+      const auto& tool = step.model().tools[t];
+      const double radius = step.poses[t].size * tool->surface().tightest_radius();
       if (!(radius < h)) continue;
       Finding* finding = findings.report("contact", "curvature " + tool->name(), Severity::WARNING, 0);
       if (finding)

@@ -14,11 +14,12 @@ constexpr double TOOLS_OVERLAP = 2e-3; // depth of a tool in another one over th
 // Two tools of the plane.
 struct ToolPairState {
   Eigen::VectorXd origin; // of the second one in the frame of the first one [length]
-  Eigen::MatrixXd R;      // its rotation there
+  Eigen::MatrixXd R;      // its rotation there, times its size
+  double size = 1;        // of the first one
   double at_start = 0;    // depth of their overlap at the start of the run [length]
   double clear = 0;       // they are apart by so much at least [length]
   bool moved = false;     // relative to each other
-  BURNISH_FIELDS(origin, R, at_start, clear, moved)
+  BURNISH_FIELDS(origin, R, size, at_start, clear, moved)
 };
 
 // Of the plane. In space nothing is checked: a few places on two surfaces do not tell whether these cross.
@@ -77,22 +78,25 @@ template <int Dim>
 double ToolOverlapCheck<Dim>::motion(const AcceptedStep<2>& step, int a, int b, ToolPairState& pair) const {
   const Pose<2>&pa = step.poses[a], &pb = step.poses[b];
   const Vector<2> origin = pa.R.transpose() * (pb.origin - pa.origin);
-  const Tensor<2> R = pa.R.transpose() * pb.R;
-  const double way =
-      pair.R.size() == 0 ? 0 : (origin - pair.origin).norm() + (R - pair.R).norm() * m_outlines[b].reach;
+  const Tensor<2> R = pb.size * (pa.R.transpose() * pb.R);
+  const double way = pair.R.size() == 0
+                         ? 0
+                         : (origin - pair.origin).norm() + (R - pair.R).norm() * m_outlines[b].reach +
+                               std::abs(pa.size - pair.size) * m_outlines[a].reach;
   pair.origin = origin;
   pair.R = R;
+  pair.size = pa.size;
   return way;
 }
 
 template <int Dim>
 ToolOverlap ToolOverlapCheck<Dim>::overlap(const AcceptedStep<2>& step, int a, int b) const {
-  const double apart =
-      (step.poses[b].origin - step.poses[a].origin).norm() - m_outlines[a].reach - m_outlines[b].reach;
+  const double apart = (step.poses[b].origin - step.poses[a].origin).norm() -
+                       step.poses[a].size * m_outlines[a].reach - step.poses[b].size * m_outlines[b].reach;
   if (apart > 0) return {0, apart};
   const auto placed = [&](int t) {
     return PlacedTool{step.model().tools[t].get(), &step.poses[t], &m_outlines[t].places,
-                      m_outlines[t].spacing};
+                      step.poses[t].size * m_outlines[t].spacing};
   };
   return tool_overlap(placed(a), placed(b));
 }
@@ -104,7 +108,8 @@ void ToolOverlapCheck<Dim>::look_at_pair(const AcceptedStep<2>& step, int a, int
                                          ToolPairState& pair, FindingList& findings) const {
   constexpr double rounding = 1e-9; // of the size of the tools
   const auto &first = step.model().tools[a]->surface(), &second = step.model().tools[b]->surface();
-  const double size = std::min(first.length_scale(), second.length_scale());
+  const double size =
+      std::min(step.poses[a].size * first.length_scale(), step.poses[b].size * second.length_scale());
   if (pair.at_start > bound * size && !(first.closed() && second.closed())) return;
   const double way = motion(step, a, b, pair);
   pair.moved = pair.moved || way > rounding * (m_outlines[a].reach + m_outlines[b].reach) ||

@@ -40,7 +40,7 @@ public:
       const CoordinateUse& use = m_use[k];
       if (!use.forced) continue;
       const int tool = model.tool_of(k), own = k - model.first[tool];
-      const double per_unit = poses[tool].origin_q[own].norm() + size * poses[tool].R_q[own].norm();
+      const double per_unit = point_rate(poses[tool], static_cast<std::size_t>(own), size);
       const double way = per_unit * (use.most - use.least) / size;
       if (!(way < UNMOVED)) continue;
       const double at = std::abs(use.most) < UNMOVED * size ? 0 : use.most; // no rounding

@@ -30,7 +30,7 @@ template <int Dim> Combination weakest(const Pose<Dim>& pose, const std::vector<
   Combination result;
   std::vector<Eigen::VectorXd> motions;
   for (const int k : free) {
-    const Eigen::VectorXd motion = motion_of<Dim>(pose.origin_q[k], pose.R_q[k], lever);
+    const Eigen::VectorXd motion = motion_of<Dim>(pose.origin_q[k], turn_and_growth(pose, k), lever);
     if (motion.norm() == 0) continue;
     motions.push_back(motion / motion.norm());
     result.coordinates.push_back(k);
@@ -45,7 +45,9 @@ template <int Dim> Combination weakest(const Pose<Dim>& pose, const std::vector<
   result.part = singular.vectors.col(last);
   for (std::size_t i = 0; i < motions.size(); ++i) // per unit of the coordinate
     result.part[static_cast<Eigen::Index>(i)] /=
-        motion_of<Dim>(pose.origin_q[result.coordinates[i]], pose.R_q[result.coordinates[i]], lever).norm();
+        motion_of<Dim>(pose.origin_q[result.coordinates[i]], turn_and_growth(pose, result.coordinates[i]),
+                       lever)
+            .norm();
   return result;
 }
 

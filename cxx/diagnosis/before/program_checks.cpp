@@ -45,6 +45,10 @@ template <int Dim> PrescribedValues prescribed_values(const ContactSetup<Dim>& s
       prescribed.is_motion.push_back(prescription.is_motion(k));
       prescribed.value[at] = prescription.value(k);
       if (!prescription.formula(k)) continue;
+      if (prescription.is_motion(k)) {
+        prescribed.value[at] = prescription.formula(k)->value(&t);
+        continue;
+      }
       prescribed.formula.resize(nq);
       prescribed.formula[static_cast<std::size_t>(at)] = prescription.formula(k);
     }

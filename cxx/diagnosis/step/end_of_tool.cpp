@@ -44,10 +44,12 @@ template <int Dim> void EndOfTool<Dim>::look(const AcceptedStep<Dim>& step, Find
 
 template <int Dim>
 void EndOfTool<Dim>::explain(const FailedStep<Dim>& step, std::vector<Failure>& causes) const {
+  const auto poses = step.setup.model().poses(step.state.q);
   for (std::size_t i = 0; i < step.state.nodes.size(); ++i) {
     const auto& node = step.state.nodes[i];
     if (!in_contact(node.state)) continue;
-    const double away = step.setup.model().tools[node.tool]->surface().distance_to_end(node.place);
+    const double away =
+        poses[node.tool].size * step.setup.model().tools[node.tool]->surface().distance_to_end(node.place);
     if (away > CLOSE * step.setup.body().spacing) continue;
     Failure failure(Cause::END_OF_TOOL);
     failure.tool = node.tool;

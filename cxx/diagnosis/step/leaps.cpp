@@ -69,7 +69,7 @@ template <int Dim> double travel(const ContactSetup<Dim>& setup, const SteppedPa
   const auto& model = setup.model();
   const auto poses = model.poses(path.start->q), end = model.poses(path.end->q);
   const double size = model.tools[tool]->surface().length_scale();
-  double way = (end[tool].origin - poses[tool].origin).norm() + (end[tool].R - poses[tool].R).norm() * size;
+  double way = pose_change(poses[tool], end[tool], size);
   for (int k = model.first[tool]; k < model.first[tool + 1]; ++k) // a turn that ends where it began
     way = std::max(way, std::abs(path.end->q[k] - path.start->q[k]) * lever(model, poses, k));
   double body = 0;
@@ -118,15 +118,17 @@ template <int Dim> bool touches(const ContactModel<Dim>& model, const ContactSta
 template <int Dim> double lever(const ContactModel<Dim>& model, const std::vector<Pose<Dim>>& poses, int k) {
   const int tool = model.tool_of(k);
   const auto own = static_cast<std::size_t>(k - model.first[tool]);
-  return poses[tool].origin_q[own].norm() +
-         poses[tool].R_q[own].norm() * model.tools[tool]->surface().length_scale();
+  return point_rate(poses[tool], own, model.tools[tool]->surface().length_scale());
 }
 
 template <int Dim> Failure tool_passage(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path) {
   for (int t = 0; t < static_cast<int>(setup.tools().size()); ++t) {
-    const double way = travel(setup, path, t), length = setup.model().tools[t]->surface().length_scale();
+    const double grown =
+        setup.model().tools[t]->coordinates().pose(setup.model().tool_q(path.start->q, t)).size;
+    const double way = travel(setup, path, t),
+                 length = grown * setup.model().tools[t]->surface().length_scale();
     if (way <= SAMPLE * std::min(length, setup.body().spacing)) continue; // cheap, for nearly all steps
-    const double size = thickness(setup.model().tools[t]->surface());
+    const double size = grown * thickness(setup.model().tools[t]->surface());
     if (way <= LEAST_TRAVEL * size) continue;
     const auto points = points_of_surface(setup, path, SAMPLE * size);
     const int i = passed_point(setup, path, t, size, way, points);
@@ -178,8 +180,7 @@ Failure body_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path, 
   const auto first = model.poses(path.start->q), last = model.poses(path.end->q);
   double driven = 0, way = 0; // by tools and supports; of the surface
   for (std::size_t t = 0; t < first.size(); ++t)
-    driven = std::max(driven, (last[t].origin - first[t].origin).norm() +
-                                  (last[t].R - first[t].R).norm() * model.tools[t]->surface().length_scale());
+    driven = std::max(driven, pose_change(first[t], last[t], model.tools[t]->surface().length_scale()));
   for (Eigen::Index d = 0; d < path.u_end->size(); ++d)
     if (body.fixed[d]) driven = std::max(driven, std::abs((*path.u_end)[d] - (*path.u_start)[d]));
   for (const int node : setup.candidates())

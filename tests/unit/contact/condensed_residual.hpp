@@ -31,6 +31,7 @@ using Force = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 /// Displacement and states after a change z of the condensed unknowns; contact nodes on their tools.
 inline void moved(const ContactModel<2>& model, const BodyView<2>& body, const Eigen::VectorXd& z,
                   ContactState<2>& state, Eigen::VectorXd& u) {
+  const auto before = model.poses(state.q);
   state.q += z.tail(state.q.size());
   const Eigen::VectorXd u0 = u;
   u += z.head(u.size());
@@ -40,7 +41,8 @@ inline void moved(const ContactModel<2>& model, const BodyView<2>& body, const E
     if (!in_contact(node.state)) continue;
     const int dof = 2 * model.candidates[i];
     const Tool<2>& tool = *model.tools[node.tool];
-    if (node.state == NodeState::SLIDING) node.place = tool.surface().moved(node.place, Param<2>(z[dof]));
+    if (node.state == NodeState::SLIDING)
+      node.place = tool.surface().moved(node.place, Param<2>(z[dof] / before[node.tool].size));
     u.segment<2>(dof) = tool.position(poses[node.tool], node.place) - body.X.segment<2>(dof);
   }
 }

@@ -8,6 +8,7 @@
 #include "kinematics/cartesian.hpp"
 #include "kinematics/formula_coordinates.hpp"
 #include "kinematics/polar.hpp"
+#include "kinematics/sized_coordinates.hpp"
 #include "solver/sparse_view.hpp"
 #include "support/profile_tool.hpp"
 #include <random>
@@ -83,7 +84,7 @@ private:
 };
 
 enum class Shape { CIRCLE, INSIDE, SEGMENT, ARC_CHAIN, SPLINE };
-enum class Frame { CARTESIAN, POLAR, CRANK, POLAR_BY_FORMULA };
+enum class Frame { CARTESIAN, POLAR, CRANK, POLAR_BY_FORMULA, GROWING };
 
 inline std::shared_ptr<const Coordinates<2>> make_coordinates(const std::string& tool, Frame frame) {
   if (frame == Frame::POLAR) return std::make_shared<Polar>(Vector<2>(0.4, -0.3));
@@ -92,6 +93,10 @@ inline std::shared_ptr<const Coordinates<2>> make_coordinates(const std::string&
         tool, std::vector<std::string>{"beta"},
         PlaneFormulas{"e*cos(beta)+sqrt(l^2-e^2*sin(beta)^2)-1", "h", "beta/2"},
         std::map<std::string, double>{{"e", 0.6}, {"l", 1.5}, {"h", -0.3}});
+  if (frame == Frame::GROWING)
+    return std::make_shared<SizedCoordinates<2>>(tool, std::make_shared<Polar>(Vector<2>(0.4, -0.3)),
+                                                 std::vector<std::string>{"r", "phi", "theta", "R"},
+                                                 "R*(1+phi/9)", std::map<std::string, double>{});
   if (frame == Frame::POLAR_BY_FORMULA)
     return std::make_shared<FormulaCoordinates<2>>(
         tool, std::vector<std::string>{"r", "phi", "theta"},

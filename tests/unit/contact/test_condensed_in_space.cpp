@@ -50,7 +50,7 @@ struct SpaceSample : BoundNodes<6> {
       const Vector<3> F = nodal_force(model, i, p, Vector<3>(R.segment<3>(3 * i))).F;
       r.tail(6) += p.x_q.transpose() * F;
       if (i == 2) continue;
-      const Param<3> slip = slip_of(model, nodes[i]), tau = part.T - state.slip_stiffness * slip;
+      const Param<3> slip = slip_of(model, nodes[i], 1), tau = part.T - state.slip_stiffness * slip;
       const double g = model.laws[0].friction().limit(part.N, 1);
       Param<3> m = i == 3 ? contact_point(model, model.poses(q), nodes[3]).m : Param<3>(-tau.normalized());
       const Param<3> row = part.T + g * m;

@@ -83,7 +83,7 @@ struct TiedFace : BoundNodes<8> {
           N += 0.5 * f[m].dot(surface.frame(nodes[m].place).n);
         }
       if (!slides(c)) continue;
-      const Param<3> T = at.E.transpose() * sum, tau = T - state.slip_stiffness * slip_of(model, nodes[c]);
+      const Param<3> T = at.E.transpose() * sum, tau = T - state.slip_stiffness * slip_of(model, nodes[c], 1);
       const Param<3> row = T - MU * N * tau.normalized();
       r.segment<2>(3 * c) = surface.frame(state.nodes[c].place).E.transpose() * (at.E * row);
     }
