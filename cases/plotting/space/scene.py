@@ -81,8 +81,8 @@ def parted(places, lifted):
     return [(first, places[first:last]) for first, last in zip(firsts, [*firsts[1:], len(places)])]
 
 
-def picture(run, frame, box, scale, size=(1100, 900)):
-    """(image, places in it of the corners of the workpiece's box)"""
+def staged(run, frame, box, scale, size):
+    """All that is to be seen, and from where."""
     scene, eye = Scene(size), eye_of(run)
     if scale.levels is None:
         scene.add_body(frame.body, eye)
@@ -93,8 +93,14 @@ def picture(run, frame, box, scale, size=(1100, 900)):
     top = (frame.body.points @ run.up).max() + TRACK * side
     for places in ways_of(run):
         scene.add_track(places + np.outer(top - places @ run.up, run.up), TRACK * side)
-    image = scene.image(eye, run.up, box)
-    return image, scene.pixels(corners(frame.body.points))
+    scene.look(eye, run.up, box)
+    return scene
+
+
+def picture(run, frame, box, scale, size=(1100, 900)):
+    """(image, places in it of the corners of the workpiece's box)"""
+    scene = staged(run, frame, box, scale, size)
+    return scene.image(), scene.pixels(corners(frame.body.points))
 
 
 def corners(points):
