@@ -98,7 +98,8 @@ long picture_soon(const long& dimension) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return 0;
   const std::string libraries = dimension == 3 ? "space" : "plane";
-  waiting() = {start({environment("PYTHON", "python3"), scene_program(), "-", "final", libraries}, ends[1]), ends[0]};
+  waiting() = {start({environment("PYTHON", "python3"), scene_program(), "-", "final", libraries}, ends[1]),
+               ends[0]};
   close(ends[1]);
   if (waiting().process == 0) close(ends[0]);
   return 0;
