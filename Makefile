@@ -205,13 +205,15 @@ try-docker: ## the lines of edp/manual/Dockerfile in a clean Debian, without a c
 uninstall: ## remove what make install has put there
 	rm -rf $(DESTDIR)$(PREFIX)/bin/burnish $(DESTDIR)$(PREFIX)/lib/burnish $(DESTDIR)$(PREFIX)/share/burnish
 
-docs: build ## the manual as a site, out/docs/index.html, with the pictures of its scripts: works offline, without JavaScript
+docs: build ## the manual as a site, out/docs/index.html, with the pictures of its scripts, and as out/docs/burnish.pdf: works offline, without JavaScript
 	@$(PACKAGES) docs
 	@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) edp/manual/runs.py out/manual
 	@rm -rf out/docs && mkdir -p out/docs
 	@$(PYTHON) edp/manual/reference/generate.py out/reference
 	@$(PYTHON) -m sphinx -q -W -E --keep-going -b html -c edp/manual -d $(BUILD)/doctrees . out/docs
 	@cp edp/manual/redirect.html out/docs/index.html
+	@rm -rf $(BUILD)/single && $(PYTHON) -m sphinx -q -W -E --keep-going -b singlehtml -c edp/manual -d $(BUILD)/doctrees-single . $(BUILD)/single
+	@$(PYTHON) -B edp/manual/pdf.py $(BUILD)/single/edp/manual/index.html out/docs/burnish.pdf
 	@$(PYTHON) edp/manual/links.py out/docs
 	@echo "out/docs/index.html"
 

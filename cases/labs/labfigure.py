@@ -10,8 +10,10 @@ import os
 import sys
 from pathlib import Path
 
+from matplotlib import pyplot as plt
+
 from plotting.case import DEFAULT, draw_all
-from plotting.figure import MARK, Image, apply_style, plt
+from plotting.figure import MARK, Image, apply_style
 from plotting.inputs import InputError, MissingInput, read_summary
 from plotting.run import Run
 

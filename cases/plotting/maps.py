@@ -1,11 +1,11 @@
 """Nodal fields on the deformed workpiece: outline, isolines with numbers, filled bands, marks."""
 import numpy as np
+from matplotlib import colormaps
 from matplotlib import patheffects
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.path import Path
 from matplotlib.tri import Triangulation
-import matplotlib.pyplot as plt
 
 from plotting.figure import GRAY, MM, MPA
 
@@ -139,7 +139,7 @@ def drop_fragments(lines, least):
 
 def draw_isolines(axes, mesh, values, levels, box):
     """Numbered isolines; returns one handle a level for the key, which says when a level is not reached."""
-    colors = [plt.get_cmap("plasma")(c) for c in np.linspace(0, 0.78, len(levels))]
+    colors = [colormaps["plasma"](c) for c in np.linspace(0, 0.78, len(levels))]
     mesh, values = drawable(mesh, values)
     lines = axes.tricontour(mesh, values, levels=levels, colors=colors, linewidths=1.4, zorder=2) \
         if values.min() < max(levels) and values.max() > min(levels) else None

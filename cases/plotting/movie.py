@@ -7,10 +7,11 @@ import base64
 import io
 import os
 
-import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import BoundaryNorm
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from PIL import Image
 
@@ -124,11 +125,11 @@ class Screen:
         flat = (self.box[1] - self.box[0]) > 1.7 * (self.box[3] - self.box[2])
         number = max(1, len(panels))
         if flat:
-            self.figure = plt.figure(figsize=(8.5, 6.2), dpi=PIXELS)
+            self.figure = FigureCanvasAgg(Figure(figsize=(8.5, 6.2), dpi=PIXELS)).figure
             grid = self.figure.add_gridspec(2, number, height_ratios=(1.6, 1))
             return (self.figure.add_subplot(grid[0, :]),
                     [self.figure.add_subplot(grid[1, k]) for k in range(len(panels))])
-        self.figure = plt.figure(figsize=(9.4, 5.5), dpi=PIXELS)
+        self.figure = FigureCanvasAgg(Figure(figsize=(9.4, 5.5), dpi=PIXELS)).figure
         grid = self.figure.add_gridspec(number, 2, width_ratios=(1.7, 1))
         return (self.figure.add_subplot(grid[:, 0]),
                 [self.figure.add_subplot(grid[k, 1]) for k in range(len(panels))])
@@ -192,7 +193,6 @@ def write_movie(run, folder):
     frames = frames_of(run)
     screen = Screen(run, frames)
     pictures = [screen.picture(frame) for frame in frames]
-    plt.close(screen.figure)
     above, name = os.path.split(os.path.abspath(folder))
     name = os.path.basename(above) if name == "out" else name
     html = page(name, [frame.t for frame in frames], [data_uri(p) for p in pictures], pictures[0].size)

@@ -9,6 +9,8 @@ from plotting.inputs import InputError, read_text
 
 TYPES = {"Float64": "f8", "Int64": "i8", "UInt8": "u1"}
 
+BROKEN = (ElementTree.ParseError, AttributeError, KeyError, TypeError, ValueError)
+
 # points: n x 3; lines: list of arrays of point numbers; data: {name: n or n x components}; cells: {name: numbers of the lines}
 Lines = namedtuple("Lines", "points lines data cells")
 
@@ -22,15 +24,28 @@ def numbers_of(element, order):
     return values.reshape(-1, components) if components > 1 else values
 
 
+def arrays_of(path, parts=None):
+    """{part of the file: {name: numbers}}, of all parts or of those named."""
+    root = ElementTree.fromstring(read_text(path))
+    order = "<" if root.get("byte_order") == "LittleEndian" else ">"
+    return {part.tag: {a.get("Name"): numbers_of(a, order) for a in part.findall("DataArray")} for part in root.find("PolyData/Piece")
+            if parts is None or part.tag in parts}
+
+
+def read_cell_data(path):
+    """{name: numbers of the cells}, the rest of the file left alone."""
+    try:
+        return arrays_of(path, ("CellData",))["CellData"]
+    except BROKEN as error:
+        raise InputError(f"{path}: not a whole VTP file: {error}") from None
+
+
 def read_vtp(path):
     try:
-        root = ElementTree.fromstring(read_text(path))
-        order = "<" if root.get("byte_order") == "LittleEndian" else ">"
-        piece = root.find("PolyData/Piece")
-        arrays = {part.tag: {a.get("Name"): numbers_of(a, order) for a in part.findall("DataArray")} for part in piece}
+        arrays = arrays_of(path)
         cells = arrays["Lines" if "Lines" in arrays else "Verts"]
         ends = cells["offsets"]
         lines = np.split(cells["connectivity"], ends[:-1]) if len(ends) else []
         return Lines(arrays["Points"]["Points"], lines, arrays.get("PointData", {}), arrays.get("CellData", {}))
-    except (ElementTree.ParseError, AttributeError, KeyError, TypeError, ValueError) as error:
+    except BROKEN as error:
         raise InputError(f"{path}: not a whole VTP file: {error}") from None

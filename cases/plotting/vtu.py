@@ -5,8 +5,6 @@ savevtk writes the boundary edges as lines behind the triangles; they are droppe
 import os
 from collections import namedtuple
 
-from meshio import vtu
-
 from plotting.inputs import InputError, MissingInput
 
 # points: n x 2; triangles: m x 3, indices of points; data: {name: n or n x components}
@@ -29,7 +27,10 @@ def read_mesh(path):
     if not os.path.isfile(path):
         raise MissingInput(f"{path}: missing")
     try:
+        from meshio import vtu  # takes long to load: runs in space do without
         return vtu.read(path)
+    except ImportError as error:
+        raise InputError(f"{error}; the Debian package python3-meshio is needed") from None
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except Exception as error:

@@ -9,6 +9,19 @@ namespace {
 constexpr double LEAST_YIELD = 1e-6, MOST_HARDENING = 1; // over Young's modulus
 constexpr double MOST_STRAIN = 8; // at the end of a table of the yield stress: known ones end below
 
+constexpr double ELASTIC = 1e30, ROUND = 1e-9;
+
+/// Whether it is 1, 10, 100, ... or 0.1, 0.01, ...
+bool power_of_ten(double value) {
+  const double exponent = std::log10(value);
+  return std::abs(exponent - std::round(exponent)) < ROUND;
+}
+
+/// Whether a yield stress above Young's modulus says that the workpiece is elastic: 1e30, or a round number, or a round multiple of a modulus.
+bool elastic_on_purpose(double sigY, double E, double G) {
+  return sigY >= ELASTIC || power_of_ten(sigY) || power_of_ten(sigY / E) || (G > 0 && power_of_ten(sigY / G));
+}
+
 double number(const LawNumbers& numbers, const char* name) {
   const auto found = numbers.find(name);
   return found == numbers.end() ? 0 : found->second;
@@ -26,7 +39,8 @@ std::string line(const char* where, const char* name, double value, double E, co
 std::string unit_warnings(const LawNumbers& numbers, const char* where,
                           const std::vector<double>& plastic_strain) {
   double E = number(numbers, "E");
-  if (E == 0) E = 2 * number(numbers, "G") * (1 + number(numbers, "nu"));
+  const double G = E > 0 ? E / (2 * (1 + number(numbers, "nu"))) : number(numbers, "G");
+  if (E == 0) E = 2 * G * (1 + number(numbers, "nu"));
   const double sigY = number(numbers, "sigY"), H = number(numbers, "H");
   std::string text;
   if (!plastic_strain.empty() && plastic_strain.back() > MOST_STRAIN) {
@@ -38,6 +52,12 @@ std::string unit_warnings(const LawNumbers& numbers, const char* where,
   }
   if (!(E > 0)) return text;
   if (sigY > 0 && sigY < LEAST_YIELD * E) text += line(where, "sigY", sigY, E, "more than 1e-6");
+  if (sigY > E && !elastic_on_purpose(sigY, E, G)) {
+    std::ostringstream never;
+    never << where << ": sigY = " << sigY << " is " << sigY / E << " of E = " << E
+          << ", nothing will yield: is a digit or a unit another one? An elastic workpiece has sigY=1e30\n";
+    text += never.str();
+  }
   if (H > MOST_HARDENING * E) text += line(where, "H", H, E, "at most 1");
   return text;
 }

@@ -23,10 +23,10 @@ myst_heading_anchors = 4
 myst_dmath_allow_labels = False
 suppress_warnings = ["misc.highlighting_failure"]
 highlight_language = "none"
-html_theme = "furo"
+html_theme = "basic" if "singlehtml" in sys.argv else "furo"   # for pdf.py
 # Debian's style sheet lacks the colors of a system that is dark, its theme's sources have them
 dark = re.search(r"@mixin colors-dark \{(.*?)\n\}", (Path(furo.__file__).parent / "assets/styles/variables/_colors.scss").read_text(), re.DOTALL)[1]
-html_theme_options = {"dark_css_variables": dict(re.findall(r"--([\w-]+): ([^;]+);", dark))}
+html_theme_options = {} if html_theme == "basic" else {"dark_css_variables": dict(re.findall(r"--([\w-]+): ([^;]+);", dark))}
 html_title = f"Burnish {version}"
 html_static_path = ["static"]
 html_css_files, html_js_files = ["burnish.css"], ["theme.js"]
@@ -41,7 +41,7 @@ FENCES = {"freefem": "cpp"}
 
 
 def to_site(app, document, source):
-    """Links to a folder go to its README, or are left out; scripts are colored as C++."""
+    """Links to a folder go to its README, or are left out; scripts are colored as C++; the page of a case ends with its scripts."""
     folder = TOP / Path(document).parent
 
     def readme(link):
@@ -51,6 +51,11 @@ def to_site(app, document, source):
     text = runs.shown(LINK.sub(r"\2", TARGET.sub(readme, source[0])), TOP / "out/manual")
     for name, other in FENCES.items():
         text = re.sub(rf"^```{name}\b.*$", f"```{other}", text, flags=re.MULTILINE)
+    if app.builder.name == "html":   # pdf.py writes it
+        text = text.replace("<!-- the manual as a PDF -->", '<a href="../../burnish.pdf">The manual as a PDF</a>')
+    scripts = sorted(folder.glob("*.edp")) if document.startswith("cases/") else []
+    if scripts:
+        text += "\n\nScripts: " + ", ".join(f"{{download}}`{script.name}`" for script in scripts) + "\n"
     source[0] = text
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fifty kills at random instants, writes among them, over all ways to run: every resumed run ends with the same bytes in every file as one
-# that was left alone. A full disk and a folder that is gone end no run; the checkpoint before stays whole.
+# that was left alone. So does one whose system clock is set back. A full disk and a folder that is gone end no run; the checkpoint before stays whole.
 set -u
 failures=0
 kills() { "$PYTHON" -B tests/support/kills.py "$@" || failures=$((failures + 1)); }
@@ -15,6 +15,7 @@ kills axisymmetric 5 cases/upsetting/upsetting.edp -axisymmetric 1 -n 8 -check 0
 kills tools 5 cases/planetary/planetary.edp -check 0 -series 3 -fine 200e-6
 kills damage 5 cases/damage/damage.edp -check 0 -n 4 -steps 60 -series 3
 kills space 4 cases/ball/ball.edp -check 0 -series 2 -n 3
+"$PYTHON" -B tests/support/clock_back.py clock-back "${rolling[@]}" -steps 60 -series 5 || failures=$((failures + 1))
 
 # a disk that is full: no file may exceed a limit that the history keeps and the checkpoint does not
 folder="$SCRATCH/full"

@@ -56,6 +56,9 @@ def set_all(data, points, cells, attach, arrays, of_cells=()):
 def write(data, writer, path):
     writer.SetInputData(data)
     writer.SetFileName(path)
+    writer.SetDataModeToBinary()   # as the core writes
+    writer.SetHeaderTypeToUInt64()
+    writer.SetCompressorTypeToNone()
     writer.Write()
 
 

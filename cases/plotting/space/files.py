@@ -1,6 +1,7 @@
 """The files of a run in space as arrays: workpiece, contact surface and tools of a frame. VTK reads them (python3-vtk9)."""
 import os
 from collections import namedtuple
+from functools import lru_cache
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -9,6 +10,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridRead
 
 from plotting.inputs import InputError, MissingInput
 from plotting.space import grids, mirror
+from plotting.vtp import read_cell_data
 
 vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # what is wrong with a file, `read` says
 
@@ -45,13 +47,16 @@ def arrays(attributes):
 def outer_faces(cells):
     """Faces that belong to one tetrahedron only. cells: m x 4 or m x 10"""
     faces = cells[:, FACES[:, :3 if cells.shape[1] == 4 else 6]].reshape(-1, 3 if cells.shape[1] == 4 else 6)
-    _, first, count = np.unique(np.sort(faces[:, :3], axis=1), axis=0, return_index=True, return_counts=True)
+    corners = np.sort(faces[:, :3], axis=1).astype(np.int64)
+    numbers = np.ravel_multi_index(corners.T[:2], [corners.max() + 1] * 2)  # one for two: sorting rows is slow
+    _, pairs = np.unique(numbers, return_inverse=True)
+    _, first, count = np.unique(pairs * (corners.max() + 1) + corners[:, 2], return_index=True, return_counts=True)
     return faces[np.sort(first[count == 1])]
 
 
-def read_body(path, scale, symmetry=()):
-    """scale: from the file's unit of length to that of the picture; symmetry: [(axis, side)] of the planes in which it is
-    reflected (mirror.py)."""
+@lru_cache(maxsize=2)
+def body_arrays(path):
+    """(points, cells, data, vtk's grid) of a workpiece, in the file's unit; those of a picture are asked for more than once."""
     grid = read(path, vtkXMLUnstructuredGridReader())
     cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(grid.GetNumberOfCells(), -1)
     if cells.shape[1] not in (4, 10):
@@ -59,6 +64,22 @@ def read_body(path, scale, symmetry=()):
     data, points = arrays(grid.GetPointData()), vtk_to_numpy(grid.GetPoints().GetData())
     if "displacement" not in data:
         raise MissingInput(f"{path}: no nodal data displacement")
+    return points, cells, data, grid
+
+
+@lru_cache(maxsize=4)
+def surface_arrays(path):
+    """(points where they are, triangles, data, data of the triangles), in the file's unit."""
+    surface = read(path, vtkXMLPolyDataReader())
+    data, cells = arrays(surface.GetPointData()), arrays(surface.GetCellData())
+    points = vtk_to_numpy(surface.GetPoints().GetData()) + data["displacement"]
+    return points, vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3), data, cells
+
+
+def read_body(path, scale, symmetry=()):
+    """scale: from the file's unit of length to that of the picture; symmetry: [(axis, side)] of the planes in which it is
+    reflected (mirror.py)."""
+    points, cells, data, grid = body_arrays(path)
     computed = len(points)
     for axis, _ in symmetry:
         points, cells, data = mirror.doubled(points, cells, data, axis)
@@ -70,10 +91,7 @@ def read_body(path, scale, symmetry=()):
 
 def read_surface(path, scale, symmetry=()):
     """Triangles where they are: of the contact surface or, where the cells know their tool, the tools."""
-    surface = read(path, vtkXMLPolyDataReader())
-    data, cells = arrays(surface.GetPointData()), arrays(surface.GetCellData())
-    points = vtk_to_numpy(surface.GetPoints().GetData()) + data["displacement"]
-    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    points, triangles, data, cells = surface_arrays(path)
     for axis, side in symmetry:
         if "tool" in cells:
             points, triangles, cells = mirror.doubled_tools(points, triangles, cells, axis, side)
@@ -84,7 +102,7 @@ def read_surface(path, scale, symmetry=()):
 
 def read_origins(path):
     """(number, origin of its frame in the file's unit) of every tool."""
-    cells = arrays(read(path, vtkXMLPolyDataReader()).GetCellData())
+    cells = read_cell_data(path)  # of every frame: a third of what VTK takes for the whole file
     numbers, first = np.unique(cells["tool"], return_index=True)
     return [(int(number), cells["origin"][k]) for number, k in zip(numbers, first)]
 

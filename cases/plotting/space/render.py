@@ -1,9 +1,4 @@
-"""Pictures of bodies in space by VTK, which draws into a display of its own (Xvfb): nothing of it is seen."""
-import atexit
-import os
-import subprocess
-from functools import cache
-
+"""Pictures of bodies in space by VTK, which draws into a display of its own (display.py)."""
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
@@ -12,32 +7,14 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, v
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 
 from plotting.figure import ORANGE
-from plotting.inputs import InputError
 from plotting.space import files
+from plotting.space.display import start_display
 from plotting.space.grids import clipped, poly
 
 STEEL, BODY, EDGE = (0.55, 0.60, 0.68), (0.93, 0.91, 0.86), (0.35, 0.35, 0.35)
 
 DENSE = 3000  # triangles of a tool whose lines are no longer told apart
 APART = 2e-3  # how far lines lie before faces and tools behind them, over the size of the workpiece
-
-
-@cache
-def start_display():
-    """DISPLAY of an Xvfb of our own, which ends with the program."""
-    get, put = os.pipe()
-    try:
-        server = subprocess.Popen(["Xvfb", "-displayfd", str(put), "-screen", "0", "64x64x24", "-nolisten", "tcp", "-noreset"],
-                                  pass_fds=[put], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    except OSError:
-        raise InputError("Xvfb cannot be started; the Debian package xvfb is needed for pictures in space") from None
-    os.close(put)
-    atexit.register(server.terminate)
-    with os.fdopen(get) as answer:
-        number = answer.readline().strip()
-    if not number:
-        raise InputError("Xvfb does not start")
-    os.environ["DISPLAY"] = ":" + number
 
 
 def smoothed(data):
@@ -59,10 +36,9 @@ def lookup(colors):
 
 
 class Scene:
-    """Bodies that are added, drawn once by `image`."""
+    """Bodies that are added, seen by `look`, drawn once by `image`; points: all of theirs."""
 
     def __init__(self, size=(1300, 1000)):
-        start_display()
         self.renderer, self.window = vtkRenderer(), vtkRenderWindow()
         self.renderer.SetBackground(1, 1, 1)
         self.renderer.SetUseDepthPeeling(True)
@@ -72,6 +48,7 @@ class Scene:
         self.renderer.SetUseFXAA(True)
         self.window.SetOffScreenRendering(True)
         self.window.SetSize(*size)
+        self.size, self.points = size, []
         self.window.AddRenderer(self.renderer)
 
     def add(self, data, color=None, opacity=1.0, width=None, bands=None):
@@ -85,6 +62,8 @@ class Scene:
             mapper.SetInterpolateScalarsBeforeMapping(True)
         actor.SetMapper(mapper)
         look = actor.GetProperty()
+        if data.GetNumberOfPoints():
+            self.points.append(vtk_to_numpy(data.GetPoints().GetData()))
         if color:
             look.SetColor(*color)
         look.SetOpacity(opacity)
@@ -124,8 +103,9 @@ class Scene:
         tube.Update()
         self.add(tube.GetOutput(), rgb)
 
-    def image(self, eye, up, box):
-        """Numbers h x w x 3. box: low and high corner of what is to be seen."""
+    def look(self, eye, up, box):
+        """box: low and high corner of what is to be seen."""
+        self.eye = eye
         camera, middle = self.renderer.GetActiveCamera(), 0.5 * (box[0] + box[1])
         camera.SetFocalPoint(*middle)
         camera.SetPosition(*(middle + eye))
@@ -139,6 +119,23 @@ class Scene:
             light.SetFocalPoint(*middle)
             light.SetIntensity(strength)
             self.renderer.AddLight(light)
+
+    def narrow(self, columns, rows, size):
+        """Draws only these pixels (first, last), rows upward, by `size` pixels: what is cut off costs nothing, what stays is as sharp as it can be."""
+        camera, (width, height) = self.renderer.GetActiveCamera(), self.size
+        (left, right), (low, high) = columns, rows
+        camera.SetViewAngle(2 * np.degrees(np.arctan(np.tan(np.radians(camera.GetViewAngle() / 2)) * (high - low) / height)))
+        camera.SetWindowCenter((left + right - width) / (right - left), (low + high - height) / (high - low))
+        actors = self.renderer.GetActors()
+        actors.InitTraversal()
+        while actor := actors.GetNextActor():
+            actor.GetProperty().SetLineWidth(actor.GetProperty().GetLineWidth() * size[0] / (right - left))
+        self.size = size
+        self.window.SetSize(*size)
+
+    def image(self):
+        """Numbers h x w x 3."""
+        start_display().wait()
         self.window.Render()
         grab = vtkWindowToImageFilter()
         grab.SetInput(self.window)
@@ -147,7 +144,6 @@ class Scene:
         picture = grab.GetOutput()
         width, height, _ = picture.GetDimensions()
         pixels = vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3].copy()
-        self.size, self.eye = (width, height), eye
         self.window.Finalize()  # before the display goes
         return pixels
 

@@ -91,8 +91,8 @@ def parted(places, lifted):
     return [(first, places[first:last]) for first, last in zip(firsts, [*firsts[1:], len(places)])]
 
 
-def picture(run, frame, box, scale, size=(1100, 900)):
-    """(image, the scene, which knows the places in it)"""
+def staged(run, frame, box, scale, size):
+    """All that is to be seen, and from where."""
     scene, eye = Scene(size), eye_of(run)
     if scale.levels is None:
         scene.add_body(frame.body, eye)
@@ -103,14 +103,22 @@ def picture(run, frame, box, scale, size=(1100, 900)):
     top = (frame.body.points @ run.up).max() + TRACK * side
     for places in ways_of(run, frame):
         scene.add_track(places + np.outer(top - places @ run.up, run.up), TRACK * side)
-    return scene.image(eye, run.up, box), scene
+    scene.look(eye, run.up, box)
+    return scene
 
 
-def show(axes, image, window):
-    """window: rows and columns of the image; y of the axes is upward."""
-    (top, bottom), (left, right) = window
-    axes.imshow(image, extent=(0, image.shape[1], 0, image.shape[0]), interpolation="antialiased")
-    axes.set(xlim=(left, right), ylim=(image.shape[0] - bottom, image.shape[0] - top))
+def picture(run, frame, box, scale, size=(1100, 900)):
+    """(image, the scene, which knows the places in it)"""
+    scene = staged(run, frame, box, scale, size)
+    return scene.image(), scene
+
+
+def show(axes, image, window=None):
+    """window: columns and rows of the image, None: all; y of the axes and rows are upward."""
+    height, width = image.shape[:2]
+    axes.imshow(image, extent=(0, width, 0, height), interpolation="antialiased")
+    columns, rows = window or ((0, width), (0, height))
+    axes.set(xlim=columns, ylim=rows)
     axes.set_axis_off()
 
 
@@ -153,10 +161,10 @@ def key_of(run, frame, more=()):
 
 
 def window_of(images, room=45):
-    """What of the images is not white, in all of them: slices."""
-    drawn = np.logical_or.reduce([(image < 250).any(axis=2) for image in images])
+    """What of the images is not white, in all of them: columns and rows (first, last), rows upward."""
+    drawn = np.logical_or.reduce([(image[::-1] < 250).any(axis=2) for image in images])
     spans = []
-    for axis in (1, 0):
+    for axis in (0, 1):
         some = drawn.any(axis=axis)
         found = np.flatnonzero(some)
         spans.append((max(0, found[0] - room), min(len(some), found[-1] + room)))
@@ -175,9 +183,9 @@ def row_figure(run, frames, titles, driven=False, columns=2, width=12.5):
     """Images of the frames with one scale. driven: the first one with the arrows of what drives the tools"""
     scale, box = scale_of(run, frames), box_of(frames)
     drawn = [picture(run, frame, box, scale) for frame in frames]
-    (top, bottom), (left, right) = window = window_of([image for image, _ in drawn])
+    (left, right), (bottom, top) = window = window_of([image for image, _ in drawn])
     rows = -(-len(frames) // columns)
-    height = rows * ((width - 1.3) / columns * (bottom - top) / (right - left) + 0.3) + 0.5
+    height = rows * ((width - 1.3) / columns * (top - bottom) / (right - left) + 0.3) + 0.5
     figure, panels = new_figure(width, height, nrows=rows, ncols=columns, squeeze=False)
     for axes, frame, title, (image, placed) in zip(panels.flat, frames, titles, drawn):
         show(axes, image, window)

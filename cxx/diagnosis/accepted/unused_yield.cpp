@@ -9,15 +9,6 @@ namespace {
 
 constexpr double PLAUSIBLE = 1e-2; // von Mises over yield stress: below, the workpiece is meant to be elastic
 
-constexpr double MISTAKEN = 1,
-                 ON_PURPOSE = 1e5; // yield stress over Young's modulus: a unit that is another one
-
-template <int Dim> double young_modulus(const MaterialLaw<Dim>& law) {
-  const auto moduli = law.moduli();
-  const double K = moduli.at("K"), G = moduli.at("G");
-  return 9 * K * G / (3 * K + G);
-}
-
 template <int Dim> class UnusedYield final : public ObserverOf<UnusedYield<Dim>, Dim> {
 public:
   BURNISH_REMEMBERS(m_largest)
@@ -35,12 +26,6 @@ public:
   void end(const EndedRun<Dim>& run, std::vector<Statement>& list) const override {
     const MaterialLaw<Dim>* law = known_law(run.step.workpiece);
     if (!law || flowed(*run.step.workpiece)) return;
-    const double ratio = law->yield_stress(0).value / young_modulus(*law);
-    if (ratio > MISTAKEN && ratio < ON_PURPOSE)
-      list.push_back(
-          {StatementKind::NOT_NEEDED, "yield stress", ratio, 35,
-           "the yield stress is " + short_number(ratio) +
-               " times Young's modulus: is its unit another one? An elastic workpiece has sigY=1e30"});
     if (!(m_largest > PLAUSIBLE)) return;
     list.push_back({StatementKind::NOT_NEEDED, "yield", m_largest, 35,
                     "nothing yielded, the von Mises stress reaches " + short_number(m_largest) +
