@@ -37,7 +37,7 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
     const ContactState<Dim> before = trial;
     solution.left = solver.test(solution, trial, severity);
     if (solution.left == 0) break;
-    if (solution.passes == 1 || solution.left < best.left) best = solution;
+    if (best.F.size() == 0 || solution.left < best.left) best = solution;
     if (solution.passes >= problem.max_passes) break;
     choice.choose(before, severity, trial);
     for (std::size_t i = 0; i < refused.size(); ++i)
