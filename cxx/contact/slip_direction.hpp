@@ -11,7 +11,8 @@ template <int Dim> double slip_stiffness(const ContactModel<Dim>& model, const N
 
 /// Refers to what begin_turn looks at.
 template <int Dim> struct BeginningSlips {
-  const std::vector<char>& by_friction; ///< tools, of held_by_friction, all of a body between tools; empty: none
+  const std::vector<char>&
+      by_friction; ///< tools, of held_by_friction, all of a body between tools; empty: none
   const ContactState<Dim>& state;
   const std::vector<Pose<Dim>>& poses;             ///< of its tools
   const std::vector<DecidingForce<Dim>>& deciding; ///< of its candidates
