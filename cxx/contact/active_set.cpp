@@ -16,7 +16,8 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   const WindowSolver<Dim> solver(problem);
   ContactState<Dim> trial = state;
   std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
-  int trials = 0, supports = solver.held_by_turning() ? MAX_SUPPORTS : 0;
+  const bool turns = solver.held_by_turning();
+  int trials = turns ? MAX_NEUTRAL_TRIALS : 0, supports = turns ? MAX_SUPPORTS : 0;
   PassChoice<Dim> choice(model, *problem.window);
   std::vector<double> severity(state.nodes.size());
   WindowSolution<Dim> best;

@@ -70,7 +70,7 @@ template <int Nodes> struct BoundNodes {
   }
   /// It slid before the step at an angle of 0.8 to this slip, and remembers it by 0.7.
   void remember(int i) {
-    const Param<3> slip = slip_of(model, state.nodes[i]).normalized();
+    const Param<3> slip = slip_of(model, state.nodes[i], 1).normalized();
     const double c = 0.7 * std::cos(0.8), s = 0.7 * std::sin(0.8);
     state.nodes[i].slip_memory =
         tangent_vector(i, Param<3>(c * slip[0] - s * slip[1], s * slip[0] + c * slip[1]));
