@@ -45,7 +45,10 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
       refused[i] =
           refused[i] || (sticks(before.nodes[i].state) && trial.nodes[i].state == NodeState::SLIDING);
   }
-  if (solution.left > 0 && !solution.singular) { // the one that contradicts itself least
+  // The one that contradicts itself least; in space also where a body between tools has none that sticks left, since what has not
+  // pressed yet does not turn (METHOD.md 3.12): the next iteration knows forces.
+  const bool loose = Dim == 3 && solution.singular && problem.first && problem.added_stiffness.size() > 0;
+  if (loose ? best.F.size() > 0 : solution.left > 0 && !solution.singular) {
     best.passes = solution.passes;
     solution = std::move(best);
   }
