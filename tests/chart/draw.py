@@ -3,7 +3,8 @@ import os
 import sys
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 2, "cases"))
-from plotting.figure import plt, save
+from matplotlib.lines import Line2D
+from plotting.figure import new_figure, save
 from plotting.labels import log_ticks, place_labels
 from plotting.maps import WHITE_EDGE
 from report import MEANING, front
@@ -61,17 +62,17 @@ def panel(ax, rows, quantity, size):
 
 
 def keys(rows):
-    handles = [plt.Line2D([], [], color=COLORS.get(m, "k"), lw=3, label=m) for m in COLORS if any(r["method"] == m for r in rows)]
-    handles += [plt.Line2D([], [], color="0.5", marker=MARKERS[e], ls=s, mfc="w" if e == "P1" else "0.5", label=e)
+    handles = [Line2D([], [], color=COLORS.get(m, "k"), lw=3, label=m) for m in COLORS if any(r["method"] == m for r in rows)]
+    handles += [Line2D([], [], color="0.5", marker=MARKERS[e], ls=s, mfc="w" if e == "P1" else "0.5", label=e)
                 for e, s in (("P1", ":"), ("P2", "-"))]
     if len({(r["method"], r["dtsteps"]) for r in rows}) > len({r["method"] for r in rows}):
-        handles.append(plt.Line2D([], [], color="k", alpha=0.45, label="pale: fewer steps"))
-    return handles + [plt.Line2D([], [], color="0.8", lw=8, label="Pareto front")]
+        handles.append(Line2D([], [], color="k", alpha=0.45, label="pale: fewer steps"))
+    return handles + [Line2D([], [], color="0.8", lw=8, label="Pareto front")]
 
 
 def single(rows, quantity, path):
     """One panel; the front below it."""
-    fig, ax = plt.subplots(figsize=(WIDE, 0.9 * WIDE))
+    fig, ax = new_figure(WIDE, 0.9 * WIDE)
     best, labels = panel(ax, rows, quantity, 16)
     words = key(best)
     lines = (len(words) + 1) // 2
@@ -92,7 +93,7 @@ def several(rows, quantities, path):
     """One panel for each quantity, the front beside it."""
     columns = 2
     lines = (len(quantities) + 1) // columns
-    fig, axes = plt.subplots(lines, columns, figsize=(13, 4.3 * lines + 0.7), squeeze=False)
+    fig, axes = new_figure(13, 4.3 * lines + 0.7, nrows=lines, ncols=columns, squeeze=False)
     steps = ", steps" if any(r["dtsteps"] for r in rows) else ""
     found = []
     for ax, quantity in zip(axes.flat, quantities):

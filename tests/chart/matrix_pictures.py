@@ -3,8 +3,9 @@ import os
 import sys
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 2, "cases"))
+from matplotlib.lines import Line2D
 from matplotlib.ticker import NullFormatter
-from plotting.figure import plt, save
+from plotting.figure import new_figure, save
 
 COLORS = {"K": "k", "condensed": "#238b45", "condensed, coordinates scaled": "#74c476", "penalty 10": "#fdbe85", "penalty 1000": "#d94701",
           "multipliers": "#6a3d9a", "augmented 10": "#c51b8a"}
@@ -13,7 +14,7 @@ SCENES = ("hertz", "rolling", "indentation")
 
 def conditions(rows, path):
     """As handed to a solver: full lines; rows and columns over the root of the diagonal: dashed. Quadratic elements, last state."""
-    fig, axes = plt.subplots(2, 3, figsize=(13.5, 8), sharey="col", squeeze=False)
+    fig, axes = new_figure(13.5, 8, nrows=2, ncols=3, sharey="col", squeeze=False)
     for column, scene in enumerate(SCENES):
         mine = [r for r in rows if r["scene"] == scene and r["element"] == "P2" and r["state"] == max(s["state"] for s in rows if s["scene"] == scene)]
         top, bottom = axes[0][column], axes[1][column]
@@ -42,7 +43,7 @@ def conditions(rows, path):
     for row in axes:
         row[0].set_ylabel("condition number")
     handles = axes[0][0].get_legend_handles_labels()[0]
-    handles += [plt.Line2D([], [], color="k", label="as it is"), plt.Line2D([], [], color="k", ls="--", label="scaled by its diagonal")]
+    handles += [Line2D([], [], color="k", label="as it is"), Line2D([], [], color="k", ls="--", label="scaled by its diagonal")]
     fig.legend(handles=handles, frameon=False, loc="upper center", bbox_to_anchor=(0.5, 0.01), ncol=5)
     fig.tight_layout()
     save(fig, os.path.dirname(path), os.path.splitext(os.path.basename(path))[0])

@@ -4,8 +4,9 @@ import re
 import sys
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), *[os.pardir] * 2, "cases"))
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
-from plotting.figure import plt, save
+from plotting.figure import new_figure, save
 
 # from the best outcome to the worst
 COLORS = {"right": "#3a9b5c", "detected": "#f2c14e", "slow": "#b0b0b0", "unnamed": "#e07b28", "silent": "#9b1c16", "failed": "#000000"}
@@ -70,7 +71,7 @@ def draw_map(dangers, ours, rivals, rows, path):
     by = {(r["danger"], r["scheme"], r["element"], r["x"]): r["outcome"] for r in rows}
     methods = [*ours, *rivals]
     wide = LEFT + CELL * len(methods) + RIGHT
-    fig, ax = plt.subplots(figsize=(wide, 2.1 + LINE * len(dangers)))
+    fig, ax = new_figure(wide, 2.1 + LINE * len(dangers))
     for i, d in enumerate(dangers):
         for j, method in enumerate(methods):
             draw_cells(ax, j, i, [by.get((d["name"], *method, x)) for x in d["values"]])
@@ -98,7 +99,7 @@ def draw_map(dangers, ours, rivals, rows, path):
 
 def draw_danger(danger, methods, rows, path):
     """Error over its tolerance against the danger; runs without a number stand on top."""
-    fig, ax = plt.subplots(figsize=(8.2, 4.6))
+    fig, ax = new_figure(8.2, 4.6)
     values = danger["values"]
     top, bottom = 1e4, 1e-4
     for j, method in enumerate(methods):
@@ -123,7 +124,7 @@ def draw_danger(danger, methods, rows, path):
     ax.set_xlabel(danger["meaning"])
     ax.set_ylabel("error / allowed error [-]")
     ax.set_title(f"{danger['name']}\nallowed: {tolerances([r for r in rows if r['danger'] == danger['name']])}")
-    marks = [plt.Line2D([], [], ls="", marker=MARKERS[n], color=COLORS[n], label=n) for n in COLORS]
+    marks = [Line2D([], [], ls="", marker=MARKERS[n], color=COLORS[n], label=n) for n in COLORS]
     handles = ax.get_legend_handles_labels()[0] + marks
     ax.legend(handles=handles, fontsize=10, loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     fig.tight_layout()
