@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Causes that the map of dangers counts as named are names and words of the program; wrong ones are found.
+# Causes that the map of dangers counts as named are names and words of the program; wrong ones are found. What draws the chart loads.
 set -u
 wrong=0
 fail() { echo "FAILED: $1"; wrong=1; }
 "$PYTHON" tests/stability/run.py --names || fail "names of dangers.csv and causes.csv"
+(cd tests/chart && "$PYTHON" -c "import draw, matrix_pictures") || fail "what draws the chart"
 cp -r cxx plugins "$SCRATCH/"
 mkdir "$SCRATCH/tests"
 cp -r tests/stability cases "$SCRATCH/tests/"
