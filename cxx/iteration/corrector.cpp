@@ -2,7 +2,6 @@
 #include "base/cpu_time.hpp"
 #include "base/error.hpp"
 #include "contact/slip_direction.hpp"
-#include "contact/vertex_states.hpp"
 #include "iteration/contact_window.hpp"
 #include "solver/cholmod_solver.hpp"
 #include "solver/column_factor.hpp"
@@ -17,7 +16,6 @@ namespace {
 constexpr double WINDOW_COVER = 0.3; // part of the window's margin that must be left, else it is chosen anew
 // Nodes of the body per node of the window: with fewer, the window's dense block is most of the factor.
 constexpr int FEW_NODES = 12;
-constexpr int MAX_SETTLED = 2; // times in a step that vertices go back to what they did at its start
 
 // What rounding leaves of the nodal forces in balance: that of places, times the stiffness [force]. Residuals of
 // a light load on a large body come no lower.
@@ -41,7 +39,6 @@ Corrector<Dim>::Corrector(Iteration<Dim>& iteration)
 template <int Dim> void Corrector<Dim>::begin(bool keep_factor) {
   m_keep_factor = keep_factor;
   m_indefinite = false;
-  m_settled = 0;
   m_mixer = AndersonMixer(m_iteration.options().anderson_memory);
   if (m_has_factor) take_flexibility(); // nothing of the last step but its state
   if (m_has_factor && keep_factor) m_iteration.state().slip_stiffness = m_tangent->slip_stiffness;
@@ -246,16 +243,6 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
   state.q += step.tail(nq);
   m_iteration.arrive(u);
   return StepStatus::ITERATE;
-}
-
-template <int Dim> bool Corrector<Dim>::settle_vertices(const Eigen::VectorXd& u, const Eigen::VectorXd& R) {
-  if (Dim == 2 || m_settled >= MAX_SETTLED || m_iteration.options().tied || !serves(u)) return false;
-  WindowProblem<Dim> problem = window_problem(u, R, sweep(-R));
-  if (!problem.adapt || !return_vertices(problem, m_iteration.state())) return false;
-  ++m_settled;
-  forget_mixing();
-  m_iteration.policy().begin(); // a residual that grows now is that of other states
-  return true;
 }
 
 template class Corrector<2>;

@@ -28,9 +28,6 @@ public:
   FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
   /// One iteration: two back-substitutions and the dense contact block; moves u and the state.
   StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R);
-  /// A step has converged: vertices that may hold or not do what they did at its start (return_vertices), twice in a step at most.
-  /// @returns whether one does now, and the iteration goes on
-  bool settle_vertices(const Eigen::VectorXd& u, const Eigen::VectorXd& R);
   void drop_factor() { m_has_factor = false; }
   /// From now on factors serve steps to come: their matrices are kept, so that a run can go on from a file.
   void keep_matrices() { m_keeps_matrices = true; }
@@ -65,7 +62,7 @@ private:
   bool m_has_factor = false, m_keep_factor = false, m_keeps_matrices = false;
   bool m_indefinite =
       false; // a factor of this step has turned out so by its flexibility; the solver did not tell
-  int m_age = 0, m_settled = 0;
+  int m_age = 0;
   std::vector<int> m_window;
   AndersonMixer m_mixer;
 };

@@ -236,12 +236,7 @@ template <int Dim> StepStatus ContactRun<Dim>::checked(Eigen::VectorXd& u, const
   if (m_condensed.again()) return StepStatus::ITERATE; // states have changed, nothing has moved
   if (m_condensed.gave_up()) return StepStatus::FAILED;
   StepStatus status = StepStatus::CONVERGED;
-  if (m_step.stepping != Stepping::RATES) {
-    const Eigen::VectorXd residual = m_loads.residual(u, m_step.end(), R);
-    status = m_iteration.check(u, residual);
-    if (status == StepStatus::CONVERGED && m_corrector.settle_vertices(u, residual))
-      return StepStatus::ITERATE;
-  }
+  if (m_step.stepping != Stepping::RATES) status = m_iteration.check(u, m_loads.residual(u, m_step.end(), R));
   if (status == StepStatus::BACKTRACKED) m_corrector.forget_mixing();
   if (status == StepStatus::ITERATE && !m_corrector.serves(u)) return StepStatus::REFACTORIZE;
   if (status != StepStatus::CONVERGED || m_loads.viscosity.stiffness > 0) return status; // a march may leap

@@ -16,7 +16,8 @@ older=(final.vtu report.txt surface.csv fields-3.vtu tools-3.vtp surface-3.vtp m
 # 1. an older run, with pictures and a movie; files that are not of a run
 "${run[@]}" -out "$folder" -steps 20 -series 3 >"$SCRATCH/older.log" 2>&1 || { report "older: exit status $?"; tail -n 5 "$SCRATCH/older.log"; }
 PYTHONPATH=cases "$PYTHON" -B -c "
-from plotting.figure import new_figure, plt, save
+from matplotlib import pyplot as plt
+from plotting.figure import new_figure, save
 save(new_figure()[0], '$folder', 'drawn')
 plt.figure().savefig('$folder/own.png')"
 touch "$folder/movie.html" "$folder/model.csv" "$folder/notes.txt" "$folder/fields-a.vtu"
