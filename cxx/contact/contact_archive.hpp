@@ -30,8 +30,8 @@ template <class Archive, int Dim> void serialize(Archive& archive, SurfacePlace<
   BURNISH_MEMBERS(value, y, hint);
 }
 template <class Archive, int Dim> void serialize(Archive& archive, ContactNode<Dim>& value) {
-  BURNISH_MEMBERS(value, state, tool, place, slip_origin, slip_part, slip_direction, slip_memory, tied, bears,
-                  has_ties, slip_rate, tributary_area);
+  BURNISH_MEMBERS(value, state, tool, place, slip_origin, slip_direction, slip_memory, tied, bears, has_ties,
+                  slip_rate, tributary_area);
 }
 template <class Archive, int Dim> void serialize(Archive& archive, ContactState<Dim>& value) {
   BURNISH_MEMBERS(value, nodes, q, slip_stiffness, fixed);

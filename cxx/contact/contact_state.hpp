@@ -22,8 +22,6 @@ template <int Dim> struct ContactNode {
   int tool = -1;                 ///< tool in contact, or the nearest one: index into ContactModel::tools
   SurfacePlace<Dim> place;       ///< contact point on the tool
   SurfacePlace<Dim> slip_origin; ///< where it sticks; the slip of the step is counted from here
-  double slip_part =
-      1; ///< part of its way along the tool in the step that is slip: less where it touched within the step, with ties in space [-]
   Vector<Dim> slip_direction =
       Vector<Dim>::Zero(); ///< of a node that slides against friction: unit tangent; else zero
   Vector<Dim> slip_memory =
@@ -39,7 +37,6 @@ template <int Dim> struct ContactNode {
 /// Contact point, and the slip counts from there anew.
 template <int Dim> void place_at(ContactNode<Dim>& node, const SurfacePlace<Dim>& place) {
   node.place = node.slip_origin = place;
-  node.slip_part = 1;
 }
 /// From here on the node sticks where its slip was counted from.
 template <int Dim> void make_stick(ContactNode<Dim>& node) {

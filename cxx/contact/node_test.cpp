@@ -39,12 +39,9 @@ bool NodeTest<Dim>::test_contact(int candidate, const ContactNode<Dim>& solved, 
 // A free node that would penetrate comes into contact.
 template <int Dim>
 bool NodeTest<Dim>::test_free(int candidate, const Vector<Dim>& x, ContactNode<Dim>& node) const {
-  const auto nearest = nearest_tool(m_model, m_poses, x, m_entry.nodes[candidate], candidate);
-  return nearest.foot.gap < -m_tolerances.gap && touch(candidate, nearest, node);
-}
-
-template <int Dim>
-bool NodeTest<Dim>::touch(int candidate, const NearestTool<Dim>& nearest, ContactNode<Dim>& node) const {
+  const ContactNode<Dim>& entry = m_entry.nodes[candidate];
+  const auto nearest = nearest_tool(m_model, m_poses, x, entry, candidate);
+  if (!(nearest.foot.gap < -m_tolerances.gap)) return false;
   const auto foot = m_model.tools[nearest.tool]->point(m_poses[nearest.tool], nearest.foot.place);
   if (admissible_normal(m_model, candidate, foot.n).isZero()) return false; // the supports block it
   node.tool = nearest.tool;
@@ -52,15 +49,13 @@ bool NodeTest<Dim>::touch(int candidate, const NearestTool<Dim>& nearest, Contac
   return true;
 }
 
-// In space with ties slip begins with touching, a free node's gap closes linearly; else at the start of the step, ALGORITHMS.md 4.
-// @param gap at its place, negative [length]
-template <int Dim> void NodeTest<Dim>::begin_slip(int candidate, double gap, ContactNode<Dim>& node) const {
+// In space with ties that of touching, a free node's gap closes linearly; else that at the start of the step, ALGORITHMS.md 4.
+template <int Dim>
+SurfacePlace<Dim> NodeTest<Dim>::touching_place(int candidate, const SurfaceFoot<Dim>& foot) const {
   const ContactNode<Dim>& entry = m_entry.nodes[candidate];
-  const double before = m_entry.records[candidate].gap;
-  node.slip_origin = entry.slip_origin;
-  if (Dim == 2 || in_contact(entry.state) || !(before > 0) || !(gap < 0)) return;
-  node.slip_part = gap / (gap - before);
-  node.slip_origin = touching_place(m_model, entry, node);
+  const double gap = m_entry.records[candidate].gap;
+  if (Dim == 2 || in_contact(entry.state) || !(gap > 0)) return entry.slip_origin;
+  return m_model.tools[entry.tool]->surface().between(entry.slip_origin, foot.place, gap / (gap - foot.gap));
 }
 
 // Where it would have touched, sticking; or, if it has moved along the tool since then, at its foot, sliding on (METHOD.md 5.4).
@@ -71,8 +66,8 @@ void NodeTest<Dim>::enter(int candidate, const SurfaceFoot<Dim>& foot, ContactNo
   const int releases = m_entry.records[candidate].releases;
   const TangentialLaw<Dim>& law = m_model.law(candidate, node);
   const bool sticks_always = law.friction().sticks_always(), known = entry.tool == node.tool;
-  place_at(node, foot.place);
-  if (known && !(releases > 1 && sticks_always)) begin_slip(candidate, foot.gap, node);
+  node.slip_origin = known && !(releases > 1 && sticks_always) ? touching_place(candidate, foot) : foot.place;
+  node.place = foot.place;
   if (law.frictionless()) return make_slide<Dim>(node, Vector<Dim>::Zero());
   if (!sticks_always && releases > 0 && !entry.slip_direction.isZero())
     return make_slide(node, entry.slip_direction);
@@ -97,17 +92,7 @@ bool NodeTest<Dim>::operator()(int candidate, const ContactNode<Dim>& solved, co
   return changed;
 }
 
-template <int Dim>
-SurfacePlace<Dim> touching_place(const ContactModel<Dim>& model, const ContactNode<Dim>& entry,
-                                 const ContactNode<Dim>& node) {
-  return model.tools[node.tool]->surface().between(entry.slip_origin, node.place, 1 - node.slip_part);
-}
-
 template class NodeTest<2>;
 template class NodeTest<3>;
-template SurfacePlace<2> touching_place<2>(const ContactModel<2>&, const ContactNode<2>&,
-                                           const ContactNode<2>&);
-template SurfacePlace<3> touching_place<3>(const ContactModel<3>&, const ContactNode<3>&,
-                                           const ContactNode<3>&);
 
 } // namespace burnish

@@ -17,12 +17,6 @@ template <int Dim> struct EntryPlaces {
   std::vector<EntryRecord> records;    ///< per candidate
 };
 
-/// Where a node that touched within the step did so, by the way along its tool that it has come to: METHOD.md 5.4.
-/// @param entry where it was when the step began; @param node its place now, and slip_part
-template <int Dim>
-SurfacePlace<Dim> touching_place(const ContactModel<Dim>& model, const ContactNode<Dim>& entry,
-                                 const ContactNode<Dim>& node);
-
 /// Refers to what belongs to the iteration.
 template <int Dim> class NodeTest {
 public:
@@ -39,15 +33,13 @@ public:
   /// @returns whether it changed
   bool operator()(int candidate, const ContactNode<Dim>& solved, const Vector<Dim>& F,
                   const DecidingForce<Dim>& deciding, const Vector<Dim>& x, ContactNode<Dim>& node) const;
-  /// A free node comes into contact, unless its supports block it. @param nearest its tool and foot @returns whether it did
-  bool touch(int candidate, const NearestTool<Dim>& nearest, ContactNode<Dim>& node) const;
 
 private:
   bool test_contact(int candidate, const ContactNode<Dim>& solved, const Vector<Dim>& F,
                     const DecidingForce<Dim>& deciding, ContactNode<Dim>& node) const;
   bool test_free(int candidate, const Vector<Dim>& x, ContactNode<Dim>& node) const;
   void enter(int candidate, const SurfaceFoot<Dim>& foot, ContactNode<Dim>& node) const;
-  void begin_slip(int candidate, double gap, ContactNode<Dim>& node) const;
+  SurfacePlace<Dim> touching_place(int candidate, const SurfaceFoot<Dim>& foot) const;
 
   const ContactModel<Dim>& m_model;
   const std::vector<Pose<Dim>>& m_poses;

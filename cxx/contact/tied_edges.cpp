@@ -118,7 +118,7 @@ SlipTurn<Dim> turn_of(const ContactModel<Dim>& model, const ContactState<Dim>& s
   const Surface<Dim>& surface = model.tools[node.tool]->surface();
   const SurfaceFrame<Dim> frame = surface.frame(node.place);
   const double lift = frame.n.dot(node.place.y - node.slip_origin.y);
-  const Curvature<Dim> by_eta = node.slip_part * Curvature<Dim>::Identity() - lift * frame.B;
+  const Curvature<Dim> by_eta = Curvature<Dim>::Identity() - lift * frame.B;
   const TangentialLaw<Dim>& law = model.law(i, node);
   const MeanSlip<Dim> mean = mean_slip_of(model, node, at.surface.size);
   return law.turn(deciding, at.m, mean.way, mean.by_slip * by_eta,

@@ -154,12 +154,9 @@ bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim
   out.F = out.load = Eigen::VectorXd::Zero(Dim * static_cast<Eigen::Index>(m_window.size()));
   for (std::size_t a = 0; a < active.size(); ++a) {
     ContactNode<Dim>& node = out.state.nodes[m_window[active[a]]];
-    if (nodes[a].sliding) {
+    if (nodes[a].sliding)
       node.place = m_model.tools[node.tool]->surface().moved(
           node.place, block.slip.col(static_cast<Eigen::Index>(a)) / nodes[a].point.size);
-      if (node.slip_part < 1)
-        node.slip_origin = touching_place(m_model, m_problem.entry->nodes[m_window[active[a]]], node);
-    }
     out.F.template segment<Dim>(Dim * active[a]) = block.F.template segment<Dim>(Dim * a);
     out.load.template segment<Dim>(Dim * active[a]) = block.load.template segment<Dim>(Dim * a);
   }

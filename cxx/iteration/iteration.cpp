@@ -135,8 +135,6 @@ template <int Dim> void Iteration<Dim>::find_places(const Eigen::VectorXd& u) {
     const auto& tool = *m_model.tools[node.tool];
     node.place =
         sticks(node.state) ? node.slip_origin : tool.foot(poses[node.tool], x, node.place.hint).place;
-    if (node.slip_part < 1 && !sticks(node.state))
-      node.slip_origin = touching_place(m_model, m_entry.nodes[i], node);
   }
   follow_ends(m_model, m_state);
 }

@@ -283,7 +283,7 @@ Prediction<Dim> Predictor<Dim>::rest(const ContactState<Dim>& state, const Eigen
   for (auto& node : start.state.nodes) {
     if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
     node.tied = node.has_ties = false;
-    place_at(node, node.place);
+    node.slip_origin = node.place;
   }
   start.entry = {start.state.nodes, std::vector<EntryRecord>(start.state.nodes.size())};
   return start;

@@ -2,7 +2,6 @@
 // Nodes in space, all bound to one another by a potential, on a tool that is turned and shifted: what the condensed tangent is
 // compared on with differences of its residual.
 #include "contact/condensation.hpp"
-#include "contact/mean_slip.hpp"
 #include "contact/slip_direction.hpp"
 #include "geometry/plane_surface.hpp"
 #include "geometry/simple_surfaces.hpp"
@@ -67,13 +66,6 @@ template <int Nodes> struct BoundNodes {
     ContactNode<3>& node = state.nodes[i];
     node.slip_origin = surface().foot(node.place.y - way, node.place.hint).place;
     make_slide(node, Vector<3>(model.laws[0].frictionless() ? Vector<3>::Zero() : way.normalized()));
-  }
-  /// It slid before the step at an angle of 0.8 to this slip, and remembers it by 0.7.
-  void remember(int i) {
-    const Param<3> slip = slip_of(model, state.nodes[i], 1).normalized();
-    const double c = 0.7 * std::cos(0.8), s = 0.7 * std::sin(0.8);
-    state.nodes[i].slip_memory =
-        tangent_vector(i, Param<3>(c * slip[0] - s * slip[1], s * slip[0] + c * slip[1]));
   }
   Vector<3> tangent_vector(int i, const Param<3>& along_tangents) const {
     return surface().frame(state.nodes[i].place).E * along_tangents;

@@ -43,16 +43,6 @@ TEST(EnteringNode, SlidesFromThePlaceOfTouching) {
   EXPECT_LE((s.node.place.y - Vector<3>(0.4, 0, 0)).norm(), 1e-14);
   EXPECT_EQ(s.node.state, NodeState::SLIDING);
   EXPECT_LE((s.node.slip_direction - Vector<3>::UnitX()).norm(), 1e-14);
-  EXPECT_NEAR(s.node.slip_part, 0.25, 1e-15);
-}
-
-// Where it has touched is a part of the way that it has come in the end, not of that of the pass in which it entered: one that is
-// carried across by a tool that nothing held yet comes back with it.
-TEST(EnteringNode, TouchesOnTheWayThatItHasComeInTheEnd) {
-  EnteringNode s(0.3);
-  ASSERT_TRUE(s.at({0.4, 0.8, -0.1}));
-  s.node.place.y = Vector<3>(0.4, 0, 0);
-  EXPECT_LE((touching_place(s.model, s.entry.nodes[0], s.node).y - Vector<3>(0.3, 0, 0)).norm(), 1e-14);
 }
 
 TEST(EnteringNode, SticksWhereItComesStraightDown) {

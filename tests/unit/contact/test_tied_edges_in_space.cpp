@@ -12,7 +12,7 @@ struct TiedFace : BoundNodes<8> {
   static constexpr int CORNERS = 3, TOUCHING = 6;
   static constexpr double MU = 0.3;
 
-  /// @param sliding per corner, 's' or 'k', or 'm': it slides and slid before the step in another direction
+  /// @param sliding per corner, 's' or 'k'
   TiedFace(std::shared_ptr<const Surface<3>> shape, const std::string& sliding, double mu)
       : BoundNodes(std::move(shape), mu, 11) {
     model.edge_ends.assign(NODES, {-1, -1});
@@ -22,8 +22,7 @@ struct TiedFace : BoundNodes<8> {
     for (int i = 0; i < CORNERS; ++i) {
       touch(i, above[i]);
       const Param<3> slip(0.05 * any(), 0.05 * any());
-      if (sliding[i] != 'k') slide(i, tangent_vector(i, slip));
-      if (sliding[i] == 'm') remember(i);
+      if (sliding[i] == 's') slide(i, tangent_vector(i, slip));
     }
     for (int m = CORNERS; m < TOUCHING; ++m) {
       const auto& [a, b] = model.edge_ends[m];
@@ -84,8 +83,7 @@ struct TiedFace : BoundNodes<8> {
           N += 0.5 * f[m].dot(surface.frame(nodes[m].place).n);
         }
       if (!slides(c)) continue;
-      const Param<3> T = at.E.transpose() * sum,
-                     tau = T - state.slip_stiffness * mean_slip_of(model, nodes[c], 1).way;
+      const Param<3> T = at.E.transpose() * sum, tau = T - state.slip_stiffness * slip_of(model, nodes[c], 1);
       const Param<3> row = T - MU * N * tau.normalized();
       r.segment<2>(3 * c) = surface.frame(state.nodes[c].place).E.transpose() * (at.E * row);
     }
@@ -110,7 +108,7 @@ std::vector<Part> parts() {
 
 TEST(TiedEdgesInSpace, TangentAgainstFiniteDifferences) {
   for (const Part& part : parts())
-    for (const char* sliding : {"sss", "kss", "skk", "mmm", "kms"}) {
+    for (const char* sliding : {"sss", "kss", "skk"}) {
       SCOPED_TRACE(std::string(part.name) + " " + sliding);
       TiedFace s(part.surface, sliding, TiedFace::MU);
       const Eigen::MatrixXd K = s.tangent();
@@ -120,7 +118,7 @@ TEST(TiedEdgesInSpace, TangentAgainstFiniteDifferences) {
       for (const auto& columns : {slips, nodes, q})
         for (const int j : columns)
           expected.col(j) = finite_difference(
-              [&](double t) { return s.residual(t * Eigen::VectorXd::Unit(30, j)); }, 0, 3e-4);
+              [&](double t) { return s.residual(t * Eigen::VectorXd::Unit(30, j)); }, 0, 1e-3);
       for (const auto& rows : {slips, nodes, q})
         for (const auto& columns : {slips, nodes, q}) {
           const bool ss = rows[0] == slips[0] && columns[0] == slips[0];
