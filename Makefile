@@ -36,9 +36,9 @@ MPI_LIBRARIES   ?= -ldmumps -lmpi -l:liblapack.so.3 -l:libblas.so.3
 # BLAS and LAPACK by their run-time names: whatever the system's alternatives select counts
 LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3 -lginac -lcln $(OCC_LIBRARIES) -lz -ldl
 # (from OpenCASCADE 7.8 on: -lTKDESTEP for the first two)
-OCC_LIBRARIES ?= -lTKSTEP -lTKXSBase -lTKMesh -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
+OCC_LIBRARIES ?= -lTKSTEP -lTKXSBase -lTKFillet -lTKMesh -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
 # what makes CAD bodies for the tests
-OCC_MODELING ?= -lTKFillet -lTKBool -lTKBO -lTKPrim -lTKShHealing
+OCC_MODELING ?= -lTKBool -lTKBO -lTKPrim -lTKShHealing
 
 SUITES   := unit plugin verification regression long labs viewers manual mpi
 PROGRAMS := unit verification long benchmark

@@ -41,19 +41,21 @@ bool is_closed(const TopoDS_Shape& shell) {
 /// All faces of a file, in the order of their numbers.
 struct AllFaces {
   std::vector<TopoDS_Face> faces;
-  std::vector<char> sided; ///< in a closed shell, oriented out of it
+  std::vector<char> sided;          ///< in a closed shell, oriented out of it
+  std::vector<TopoDS_Shape> bodies; ///< solid or shell that has it, or null
 
-  void add(const TopoDS_Shape& part, bool has_side) {
+  void add(const TopoDS_Shape& part, bool has_side, const TopoDS_Shape& body) {
     for (TopExp_Explorer face(part, TopAbs_FACE); face.More(); face.Next()) {
       if (known.Contains(face.Current())) continue;
       known.Add(face.Current());
       faces.push_back(TopoDS::Face(face.Current()));
       sided.push_back(has_side);
+      bodies.push_back(body);
     }
   }
   void add_solid(TopoDS_Solid solid) {
     const bool has_side = is_closed(solid) && BRepLib::OrientClosedSolid(solid);
-    add(solid, has_side);
+    add(solid, has_side, solid);
   }
   void add_shell(const TopoDS_Shape& shell) {
     TopoDS_Solid solid;
@@ -82,6 +84,7 @@ void sew(AllFaces& all) {
     if (at == 0) continue;
     all.faces[i] = found.faces[static_cast<std::size_t>(at - 1)];
     all.sided[i] = found.sided[static_cast<std::size_t>(at - 1)];
+    all.bodies[i] = found.bodies[static_cast<std::size_t>(at - 1)];
   }
 }
 
@@ -92,7 +95,7 @@ AllFaces faces_of(const TopoDS_Shape& shape) {
     all.add_solid(TopoDS::Solid(solid.Current()));
   for (TopExp_Explorer shell(shape, TopAbs_SHELL, TopAbs_SOLID); shell.More(); shell.Next())
     all.add_shell(shell.Current());
-  all.add(shape, false);
+  all.add(shape, false, {});
   if (std::count(all.sided.begin(), all.sided.end(), 0) > 1) sew(all);
   return all;
 }
@@ -146,7 +149,7 @@ std::vector<CadFaceSource> read_faces(const CadSelection& selection) {
   for (const int tag : checked_tags(selection, all)) {
     const auto i = static_cast<std::size_t>(tag - 1);
     if (!all.sided[i] && !selection.side_given) refuse_side(selection, tag, all.faces[i]);
-    sources.push_back({tag, all.faces[i], selection.inside});
+    sources.push_back({tag, all.faces[i], all.bodies[i], selection.inside});
   }
   return sources;
 }

@@ -1,6 +1,7 @@
 #include "cad/occ/cad_surface.hpp"
 #include "base/error.hpp"
 #include "base/sentence.hpp"
+#include "cad/occ/edge_fillet.hpp"
 #include "cad/occ/occ_guard.hpp"
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,10 @@ std::vector<TrimmedFace> trimmed_faces(const std::vector<CadFaceSource>& sources
   std::vector<TrimmedFace> faces;
   for (const CadFaceSource& source : sources) faces.emplace_back(source.tag, source.face, source.turned);
   return faces;
+}
+
+bool is_sharp(const FaceEdge& edge) {
+  return edge.kind == EdgeKind::CONVEX || edge.kind == EdgeKind::CONCAVE;
 }
 
 } // namespace
@@ -53,7 +58,7 @@ CadSurface::CadSurface(const CadSelection& selection) : m_scale(selection.scale)
     try {
       m_faces = trimmed_faces(sources);
       m_edges = face_edges(m_faces, m_scale);
-      check_edges(!selection.faces.empty());
+      if (!selection.faces.empty()) check_edges(sources);
       divide_edges();
       join_pieces();
       m_tightest = tightest();
@@ -66,24 +71,52 @@ CadSurface::CadSurface(const CadSelection& selection) : m_scale(selection.scale)
     fail(CAD_SURFACE, "\"" + selection.file + "\" has faces that OpenCASCADE cannot evaluate: " + thrown);
 }
 
-void CadSurface::check_edges(bool named) const {
+// What a fillet at all sharp edges between named faces may be, beginning with ":"; "" if that is not known.
+std::string CadSurface::fillet_text(const FaceEdge& first, const std::vector<CadFaceSource>& named) const {
+  const auto source = [&](const FaceEdge& edge, int k) {
+    return named[static_cast<std::size_t>(edge.faces[static_cast<std::size_t>(k)])];
+  };
+  const TopoDS_Shape body = source(first, 0).body;
+  if (body.IsNull()) return "";
+  std::vector<TopoDS_Edge> edges;
+  std::vector<TopoDS_Face> beside;
+  Eigen::AlignedBox3d box;
+  for (const FaceEdge& edge : m_edges) {
+    if (!is_sharp(edge) || edge.faces[0] == edge.faces[1] || !source(edge, 0).body.IsSame(body)) continue;
+    edges.push_back(edge.seen[0]);
+    for (int k = 0; k < 2; ++k) {
+      beside.push_back(source(edge, k).face);
+      box.extend(m_faces[static_cast<std::size_t>(edge.faces[static_cast<std::size_t>(k)])].box());
+    }
+  }
+  const FilletRadii radii = radii_that_fit(body, edges, beside, box.diagonal().norm());
+  const std::string all = edges.size() > 1 ? sentence(" at all ", edges.size(), " edges of named faces") : "";
+  if (!radii.known) return "";
+  if (radii.most == 0) return ": none fits" + all + " as the body is";
+  return sentence(": radius ", m_scale * radii.proposed, ", at most ", m_scale * radii.most, all);
+}
+
+void CadSurface::refuse_edge(const FaceEdge& edge, const std::vector<CadFaceSource>& named,
+                             double size) const {
+  const auto face_of = [&](int f) { return std::to_string(m_faces[static_cast<std::size_t>(f)].tag()); };
+  const bool alone = edge.faces[0] == edge.faces[1];
+  fail(CAD_SURFACE, (alone ? "face " + face_of(edge.faces[0]) + " closes with a sharp edge"
+                           : "faces " + face_of(edge.faces[0]) + " and " + face_of(edge.faces[1]) +
+                                 " meet at a sharp edge") +
+                        sentence(" of ", edge.angle * 180 / M_PI, " degrees at ") +
+                        space_place_text(edge.sharpest, m_scale, size) +
+                        "; round it with a fillet in the CAD system" +
+                        (alone ? "" : fillet_text(edge, named) + "; or name only one of them"));
+}
+
+void CadSurface::check_edges(const std::vector<CadFaceSource>& named) const {
   Eigen::AlignedBox3d all;
   for (const TrimmedFace& face : m_faces) all.extend(face.box());
   const double size = all.diagonal().norm();
-  const auto face_of = [&](int f) { return std::to_string(m_faces[static_cast<std::size_t>(f)].tag()); };
-  for (const FaceEdge& edge : m_edges) {
-    if (!named || edge.kind == EdgeKind::JOINT || edge.kind == EdgeKind::FREE) continue;
-    const bool alone = edge.faces[0] == edge.faces[1];
-    fail(CAD_SURFACE, (alone ? "face " + face_of(edge.faces[0]) + " closes with a sharp edge"
-                             : "faces " + face_of(edge.faces[0]) + " and " + face_of(edge.faces[1]) +
-                                   " meet at a sharp edge") +
-                          sentence(" of ", edge.angle * 180 / M_PI, " degrees at ") +
-                          space_place_text(edge.sharpest, m_scale, size) +
-                          "; round it with a fillet in the CAD system" +
-                          (alone ? "" : ", or name only one of them"));
-  }
+  for (const FaceEdge& edge : m_edges)
+    if (is_sharp(edge)) refuse_edge(edge, named, size);
   for (const TrimmedFace& face : m_faces)
-    if (named && face.support().tip())
+    if (face.support().tip())
       fail(CAD_SURFACE, face.data().name + " has a tip without normal at " +
                             space_place_text(*face.support().tip(), m_scale, size) +
                             "; round it in the CAD system");

@@ -9,8 +9,9 @@ namespace burnish {
 /// A face of a file with its side.
 struct CadFaceSource {
   int tag;
-  TopoDS_Face face; ///< oriented as in its solid
-  bool turned;      ///< the body is on the side opposite to the face's normal
+  TopoDS_Face face;  ///< oriented as in its solid
+  TopoDS_Shape body; ///< the solid or shell that has it, or null
+  bool turned;       ///< the body is on the side opposite to the face's normal
 };
 
 /// Faces of .step, .stp and .brep files, trimmed, from exact surfaces, no facets. Planes, balls, cylinders, cones and rings have
@@ -22,8 +23,8 @@ struct CadFaceSource {
 class CadSurface final : public Surface<3> {
 public:
   /// @throws std::invalid_argument with file, face and place: see CadFile; no faces, an unknown one (tells those that exist), one
-  /// given twice, a side that is missing, a named face that meets another one at a sharp edge or has a tip, more than two
-  /// faces at an edge, a scale that is not positive
+  /// given twice, a side that is missing, a named face that meets another one at a sharp edge (with the fillet that fits, FilletRadii)
+  /// or has a tip, more than two faces at an edge, a scale that is not positive
   explicit CadSurface(const CadSelection& selection);
 
   SurfaceFoot<3> foot(const Vector<3>& p, const Param<3>& hint) const override;
@@ -58,7 +59,10 @@ private:
   /// The best foot so far. Lengths in the unit of the file.
   struct Best;
   std::size_t face_at(const Param<3>& hint) const;
-  void check_edges(bool named) const;
+  void check_edges(const std::vector<CadFaceSource>& named) const;
+  std::string fillet_text(const FaceEdge& first, const std::vector<CadFaceSource>& named) const;
+  [[noreturn]] void refuse_edge(const FaceEdge& edge, const std::vector<CadFaceSource>& named,
+                                double size) const;
   void divide_edges();
   void join_pieces();
   double tightest() const;

@@ -34,7 +34,8 @@ TEST(CadSurfaceErrors, SharpEdges) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(2, 3, 4).Shape();
   refuses(box, named_faces({1, 3}),
           "CadSurface: faces 1 and 3 meet at a sharp edge of 90 degrees at (0, 0, ");
-  refuses(box, named_faces({1, 3}), "; round it with a fillet in the CAD system, or name only one of them");
+  refuses(box, named_faces({1, 3}),
+          "; round it with a fillet in the CAD system: radius 0.4, at most 1.99; or name only one of them");
   EXPECT_NO_THROW(from_step(box, named_faces({1, 2}))) << "opposite faces";
   refuses(BRepPrimAPI_MakeCone(4, 0, 6).Shape(), named_faces({1}),
           "face 1 has a tip without normal at (0, 0, 6)");
