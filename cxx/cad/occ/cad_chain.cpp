@@ -1,5 +1,6 @@
 #include "cad/occ/cad_chain.hpp"
 #include "base/error.hpp"
+#include "cad/occ/corner_fillet.hpp"
 #include "geometry/plane.hpp"
 #include <algorithm>
 
@@ -100,7 +101,8 @@ void check_joint(const CadPiece& before, const CadPiece& after) {
          which + (alone ? " turns back on itself where it closes, at " : " turn back on each other at ") +
              place + ": a cusp, or a curve drawn twice");
   fail(CAD_CHAIN, which + (alone ? " closes with" : " make") + " a corner of " + number(angle * 180 / M_PI) +
-                      " degrees at " + place + "; round it with a fillet in the CAD system");
+                      " degrees at " + place + "; round it with a fillet in the CAD system" +
+                      fillet_text(radii_that_fit(before, after), 1));
 }
 
 } // namespace

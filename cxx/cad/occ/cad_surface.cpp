@@ -89,11 +89,9 @@ std::string CadSurface::fillet_text(const FaceEdge& first, const std::vector<Cad
       box.extend(m_faces[static_cast<std::size_t>(edge.faces[static_cast<std::size_t>(k)])].box());
     }
   }
-  const FilletRadii radii = radii_that_fit(body, edges, beside, box.diagonal().norm());
-  const std::string all = edges.size() > 1 ? sentence(" at all ", edges.size(), " edges of named faces") : "";
-  if (!radii.known) return "";
-  if (radii.most == 0) return ": none fits" + all + " as the body is";
-  return sentence(": radius ", m_scale * radii.proposed, ", at most ", m_scale * radii.most, all);
+  return burnish::fillet_text(radii_that_fit(body, edges, beside, box.diagonal().norm()), m_scale,
+                              edges.size() > 1 ? sentence(" at all ", edges.size(), " edges of named faces")
+                                               : "");
 }
 
 void CadSurface::refuse_edge(const FaceEdge& edge, const std::vector<CadFaceSource>& named,

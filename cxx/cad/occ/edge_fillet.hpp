@@ -1,19 +1,12 @@
 #pragma once
 // Radii that sharp edges of a CAD body can be rounded with, found by OpenCASCADE's own fillets.
+#include "cad/occ/fillet_radii.hpp"
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
 namespace burnish {
-
-/// In the unit of the file.
-struct FilletRadii {
-  bool known = false; ///< false: OpenCASCADE crashed, or took longer than 20 s
-  double most = 0;    ///< the largest that fits, three digits, rounded down; 0: none that was tried
-  double proposed =
-      0; ///< a quarter of it, one digit, rounded down: with the same at the opposite edges half of the face stays
-};
 
 /// One radius for all of the edges. It fits if OpenCASCADE makes a valid body of it on which the faces beside the edges are left.
 /// Tried from `size` down, halved until one fits, then between that and the last that did not; in a process of its own.

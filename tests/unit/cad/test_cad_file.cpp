@@ -218,7 +218,8 @@ TEST(CadFileErrors, Tags) {
 
 TEST(CadFileErrors, Chains) {
   refuses(square(), {},
-          "curves 1 and 2 make a corner of 90 degrees at (4, 0); round it with a fillet in the CAD system");
+          "curves 1 and 2 make a corner of 90 degrees at (4, 0); round it with a fillet in the CAD system: "
+          "radius ");
   refuses(on_a_line(1.5, "Line(1) = {2, 1}; Line(2) = {3, 4};"), {},
           "the curves do not join into one chain: 1 and apart from them 2; their nearest ends are those of "
           "curve 1 at (1, 0) and of curve 2 at (1.5, 0)");

@@ -1,6 +1,8 @@
 // Sharp edges between named faces of CAD bodies: the refusal tells the fillet that fits. Known: the widths of the faces.
+#include "cad/occ/corner_fillet.hpp"
 #include "cad/occ/edge_fillet.hpp"
 #include "unit/cad/cad_bodies.hpp"
+#include "unit/cad/cad_samples.hpp"
 #include "unit/finite_difference.hpp"
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <numeric>
@@ -29,6 +31,14 @@ FilletRadii radii(const TopoDS_Shape& body, int a, int b) {
 TopoDS_Shape boss_on_a_plate() {
   const TopoDS_Shape plate = BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, -4), 20, 20, 4).Shape();
   return BRepAlgoAPI_Fuse(plate, BRepPrimAPI_MakeCylinder(3, 6).Shape()).Shape();
+}
+
+double corner(const std::string& points, const std::string& curves) {
+  const TemporaryFile file(points + curves + "\n", ".geo");
+  CadSelection selection;
+  selection.file = file.path();
+  const auto pieces = read_curves(selection);
+  return radii_that_fit(pieces[0], pieces.back()).most;
 }
 
 } // namespace
@@ -79,4 +89,27 @@ TEST(EdgeFillet, RoundedBodiesAreTools) {
   std::vector<int> all(26);
   std::iota(all.begin(), all.end(), 1);
   EXPECT_TRUE(from_step(rounded_box(2, 3, 4, 0.999), named_faces(all)).closed());
+}
+
+// Of the plane, told to three digits. Known: closed forms.
+TEST(EdgeFillet, CornersOfThePlane) {
+  const std::string points = "Point(1) = {-5, 0, 0}; Point(2) = {0, 0, 0}; Point(3) = {-1, Sqrt(3), 0};"
+                             "Point(4) = {-3, 0, 0}; Point(5) = {-3, 3, 0}; Point(6) = {-3, -3, 0};"
+                             "Point(7) = {3, 0, 0}; Point(8) = {3, 3, 0};";
+  // a turn of 120 degrees, sides of 5 and 2: the tangents of the fillet are as long as the shorter one
+  const double sides = corner(points, "Line(1) = {1, 2}; Line(2) = {2, 3};");
+  EXPECT_LE(sides, 2 / std::sqrt(3.) + 1e-9);
+  EXPECT_GE(sides, 2 / std::sqrt(3.) - 0.0101);
+  // into a quarter of a circle of the radius 3 that comes back over the line: until it touches its end, as drawn or mirrored
+  for (const char* end : {"5", "6"}) {
+    const double within = corner(points, std::string("Line(1) = {1, 2}; Circle(2) = {2, 4, ") + end + "};");
+    EXPECT_LE(within, 1.5 + 1e-9);
+    EXPECT_GE(within, 1.4899);
+  }
+  // from outside, a circle that bends away: tangent where (3 - x)^2 + r^2 = (3 + r)^2, the line ends at x = -5
+  const double outside = corner(points, "Line(1) = {1, 2}; Circle(2) = {2, 7, 8};");
+  EXPECT_LE(outside, 55 / 6. + 1e-9);
+  EXPECT_GE(outside, 55 / 6. - 0.0101);
+  // a spline along the same line
+  EXPECT_NEAR(corner(points, "Bezier(1) = {1, 4, 2}; Line(2) = {2, 3};"), sides, 1e-12);
 }
