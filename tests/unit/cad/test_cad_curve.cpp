@@ -111,6 +111,34 @@ TEST(CadCurve, ClosestPointAgainstBruteForce) {
   }
 }
 
+// Against a search that knows no derivatives: 2000 places, then golden section beside the nearest one.
+TEST(CadCurve, GapAgainstAFineSearch) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-15, 15);
+  double worst = 0;
+  for (const auto& [name, curve] : curves()) {
+    SCOPED_TRACE(name);
+    const double step = curve.length() / 2000;
+    for (int trial = 0; trial < 20; ++trial) {
+      const Vector<2> x(uniform(random), uniform(random));
+      const auto distance = [&](double s) { return (curve.evaluate(Param<2>(s)).x - x).norm(); };
+      double best = 0;
+      for (int i = 0; i <= 2000; ++i)
+        if (distance(i * step) < distance(best)) best = i * step;
+      double low = std::max(0., best - step), high = std::min(curve.length(), best + step);
+      for (const double part = (std::sqrt(5.) - 1) / 2; high - low > 1e-9 * step;) {
+        const double a = high - part * (high - low), b = low + part * (high - low);
+        (distance(a) > distance(b) ? low : high) = distance(a) > distance(b) ? a : b;
+      }
+      const double off =
+          std::abs(curve.closest_point(x, ANY).gap) / std::min(distance(low), distance(best)) - 1;
+      EXPECT_NEAR(off, 0, 1e-12) << x.transpose();
+      worst = std::max(worst, std::abs(off));
+    }
+  }
+  std::cout << "  gaps off by " << worst << " of the distance" << std::endl;
+}
+
 // Where several points of the same short part of a curve are almost equally near.
 TEST(CadCurve, ClosestPointNearCentersOfCurvature) {
   const CadCurve curve = drawn("Point(1) = {-7.26401, 20.4627, 0}; Point(2) = {32.4234, 21.945, 0};"
