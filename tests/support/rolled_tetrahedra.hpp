@@ -138,19 +138,28 @@ private:
 };
 
 /// The slab: two cells thick, in plane strain, under a roller about y. @param h size of the cells; @param P per thickness
+struct Slab {
+  double h, fine_depth, distance, mu = 0.2;
+  int nodes_per_element = 10;
+  double P = 0.4;
+  bool mirrored = true; ///< see block_of_tetrahedra
+  std::unique_ptr<RolledTetrahedra> scene(const IterationOptions& options = {}) const {
+    const double a = 0.08, from = -1.6 * a, to = from + h * std::ceil((distance + 3.2 * a) / h - 1e-9);
+    std::vector<double> z = divisions(0, fine_depth, h, 1.6, NAN, 0.5);
+    std::reverse(z.begin(), z.end());
+    for (double& c : z) c = -c;
+    Mesh<3> mesh = block_of_tetrahedra(divisions(from, to, h, 1.6, from - 0.45, to + 0.45), {0, h, 2 * h}, z,
+                                       nodes_per_element, mirrored);
+    AxisFrame axis;
+    axis.point = Vector<3>(0, -1, 0);
+    axis.base << 0, 1, 0, 0, 0, 1, 1, 0, 0; // third direction y
+    return std::make_unique<RolledTetrahedra>(std::move(mesh), cylinder(1, 3, axis), mu, 2 * h * P, options);
+  }
+};
 inline std::unique_ptr<RolledTetrahedra> slab(double h, double fine_depth, double distance, double mu = 0.2,
                                               int nodes_per_element = 10, double P = 0.4,
                                               const IterationOptions& options = {}) {
-  const double a = 0.08, from = -1.6 * a, to = from + h * std::ceil((distance + 3.2 * a) / h - 1e-9);
-  std::vector<double> z = divisions(0, fine_depth, h, 1.6, NAN, 0.5);
-  std::reverse(z.begin(), z.end());
-  for (double& c : z) c = -c;
-  Mesh<3> mesh = block_of_tetrahedra(divisions(from, to, h, 1.6, from - 0.45, to + 0.45), {0, h, 2 * h}, z,
-                                     nodes_per_element);
-  AxisFrame axis;
-  axis.point = Vector<3>(0, -1, 0);
-  axis.base << 0, 1, 0, 0, 0, 1, 1, 0, 0; // third direction y
-  return std::make_unique<RolledTetrahedra>(std::move(mesh), cylinder(1, 3, axis), mu, 2 * h * P, options);
+  return Slab{h, fine_depth, distance, mu, nodes_per_element, P}.scene(options);
 }
 
 /// A ball on a block, the half y > 0 of both or the whole. @param P load of the whole ball; @param fine size of the part of

@@ -67,10 +67,12 @@ inline std::vector<double> divisions(double a, double b, double h, double ratio 
   return at;
 }
 
-/// Block of cells of six tetrahedra each, mirrored from cell to cell (Kuhn), with its top facets (largest z), label 1.
-/// @param x, y, z ascending divisions; @param nodes_per_element 4 or 10
+/// Block of cells of six tetrahedra each (Kuhn), with its top facets (largest z), label 1.
+/// @param x, y, z ascending divisions; @param nodes_per_element 4 or 10; @param mirrored from cell to cell: inner vertices of
+/// the top have 4 and 8 facets in turn, else 6
 inline Mesh<3> block_of_tetrahedra(const std::vector<double>& x, const std::vector<double>& y,
-                                   const std::vector<double>& z, int nodes_per_element) {
+                                   const std::vector<double>& z, int nodes_per_element,
+                                   bool mirrored = true) {
   const int nx = static_cast<int>(x.size()), ny = static_cast<int>(y.size()), nz = static_cast<int>(z.size());
   std::vector<double> X;
   for (const double c : z)
@@ -87,7 +89,7 @@ inline Mesh<3> block_of_tetrahedra(const std::vector<double>& x, const std::vect
           std::array<int, 4> corner;
           for (int c = 0; c < 4; ++c) {
             std::array<int, 3> at;
-            for (int d = 0; d < 3; ++d) at[d] = cell[d] + (cell[d] % 2 ? 1 - way[d] : way[d]);
+            for (int d = 0; d < 3; ++d) at[d] = cell[d] + (mirrored && cell[d] % 2 ? 1 - way[d] : way[d]);
             corner[c] = at[0] + nx * (at[1] + ny * at[2]);
             if (c < 3) way[order[c]] = 1;
           }
