@@ -24,6 +24,9 @@ class Study:
         self.request = request
         first = {n: v[0] if isinstance(v, list) else f"{0.5 * (v[1] + v[2]):.10g}" for n, v in request.vary.items()}
         has = options_of(request, first)
+        if "out" not in has:
+            raise SweepError(f"{request.script} has no option -out, by which each variant gets a folder of its own, expected rcCaseOptions(\"{request.name}\");"
+                             " before rcOptionsEnd();")
         self.options = {**{n: v for n, v in DEFAULTS.items() if n in has}, **request.options}
         self.resume = {"resume": "1"} if "resume" in has else {}
         self.parameters = parameters_of(request)

@@ -74,6 +74,16 @@ for word in '"status": "finished, not to be trusted"' '{"check":"overlap","sever
 done
 "$PYTHON" -m json.tool "$SCRATCH/overlap.json" >/dev/null || report "overlap: the summary is no JSON"
 
+# the end of a case without its run; results without a case are printed at once; a sweep whose variants would share one folder
+made ending '$s/$/\nrcResult("depth", 15e-3 - roller.value("y"), "m");\nrcCaseEnd(C, M, S);/; s/dtmax=0.05/dtmax=0.5/'
+(cd "$SCRATCH" && exec "$BURNISH" ending.edp >ending.log 2>&1 </dev/null)
+status=$?
+judge ending 20 "  depth   |burnish: rcCaseEnd: no rcCase was run, which writes the files; expected rcCase("
+printf 'include "burnish.idp"\nreal R = rcReal("-R", 1);\nrcOptionsEnd();\n// rcCaseEnd(C, M, S)\n' >"$SCRATCH/shared.edp"
+(cd "$SCRATCH" && exec "$BURNISH" sweep shared.edp R=1,2 >shared.log 2>&1 </dev/null)
+status=$?
+judge shared 20 'shared.edp has no option -out, by which each variant gets a folder of its own, expected rcCaseOptions("shared");'
+
 # warnings come with rcQuiet too, and into the summary: a roller tighter than the mesh
 made quiet 's/circle=15e-3/circle=1e-4/; s/"y", 16e-3/"y", 1e-3/; s/force("y", -4e5\*t)/move("y", 1e-4 - 1e-6*t)/
   s/-1e-3 + 2e-3\*t/-1e-3/; s/force("angle", 0)/move("angle", 0)/; s/^rcRun(/rcQuiet = true;\n&/; s/dtmax=0.05/dtmax=0.5/'
