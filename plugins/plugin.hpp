@@ -2,6 +2,7 @@
 // What every entry of the plugin shares: handles for script variables, the error frame, argument checks.
 #include "base/error.hpp"
 #include "base/file_error.hpp"
+#include "base/memory_limit.hpp"
 #include <Eigen/Dense>
 
 #include "ff++.hpp"
@@ -44,6 +45,8 @@ template <class F> auto guarded(F&& f) -> decltype(f()) {
     throw;
   } catch (const FileError& e) {
     throw PluginError(e.what(), NOT_WRITTEN);
+  } catch (const std::bad_alloc&) {
+    throw PluginError("out of memory: " + memory_left_in_words());
   } catch (const std::exception& e) {
     throw PluginError(e.what());
   }

@@ -2,7 +2,10 @@
 // How much memory there is for this process: a damaged file, or a fine mesh, may ask for more.
 #include <algorithm>
 #include <fstream>
+#include <iomanip>
 #include <limits>
+#include <sstream>
+#include <string>
 #include <sys/resource.h>
 #include <sys/sysinfo.h>
 #include <unistd.h>
@@ -25,6 +28,14 @@ inline double memory_left() {
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
     left = std::min(left, static_cast<double>(limit.rlim_cur) - size * page);
   return std::max(left, 0.);
+}
+
+/// The end of an error: how much that is, and what to do.
+inline std::string memory_left_in_words() {
+  std::ostringstream what;
+  what << "this process can have " << std::fixed << std::setprecision(2) << memory_left() / 1e9
+       << " GB more at most; take a coarser mesh or a larger machine";
+  return what.str();
 }
 
 /// While one lives this process may take so many bytes more than it has now (std::bad_alloc beyond).

@@ -1,10 +1,9 @@
 #include "solver/cholmod_factor.hpp"
 #include "base/error.hpp"
-#include "base/memory_limit.hpp"
 #include "solver/cholmod_common.hpp"
 #include "solver/openmp_guard.hpp"
+#include "solver/required_memory.hpp"
 #include <algorithm>
-#include <iomanip>
 #include <utility>
 
 namespace burnish {
@@ -20,17 +19,6 @@ void check_lower_triangle(const std::vector<int>& col_start, const std::vector<i
     for (int k = col_start[j]; ok && k < col_start[j + 1]; ++k) ok = row[k] >= j && row[k] < n;
   }
   if (!ok) throw std::logic_error("CholmodFactor::analyze: not the columns of a lower triangle");
-}
-
-/// Said before the numerical factor is begun, not by the system's end of the process.
-void require_memory(int unknowns, double bytes) {
-  const double left = memory_left();
-  if (bytes <= left) return;
-  std::ostringstream what;
-  what << std::fixed << std::setprecision(2) << "the factor of " << unknowns << " unknowns takes "
-       << bytes / 1e9 << " GB, and this process can have " << left / 1e9
-       << " GB more at most; take a coarser mesh or a larger machine";
-  fail("CholmodFactor::analyze", what.str());
 }
 
 } // namespace
@@ -109,7 +97,9 @@ void CholmodFactor::analyze(std::vector<int> col_start, std::vector<int> row, in
     impl.factor = cholmod_analyze(&matrix, impl.common.get());
     if (!impl.factor) impl.common.check("CholmodFactor::analyze");
     cholmod_free_work(impl.common.get()); // more than the numerical factor needs
-    require_memory(impl.size(), sizeof(double) * static_cast<double>(factor_entries()));
+    require_memory("CholmodFactor::analyze",
+                   "the factor of " + std::to_string(impl.size()) + " unknowns takes",
+                   sizeof(double) * static_cast<double>(factor_entries()));
   }
   impl.analyzed = true;
 }

@@ -1,6 +1,7 @@
 #include "solver/permuted_triangle.hpp"
 #include "base/error.hpp"
 #include "solver/fill_ordering.hpp"
+#include "solver/required_memory.hpp"
 #include <limits>
 #include <utility>
 
@@ -46,6 +47,18 @@ template <int Dim> void check_size(const NodeBlockMatrix<Dim>& pattern) {
   const std::size_t values = pattern.col.size() * Dim * Dim;
   require(values <= std::numeric_limits<std::uint32_t>::max(), "SchurFactor::analyze", "number of values",
           values, "less than 2^32");
+}
+
+/// Rows, places, values and a factor without fill take more than that of every entry of the triangle. FreeFem++ has an operator new
+/// that returns nothing when there is no memory, and throws nothing: what is sure not to fit is refused before.
+constexpr double BYTES_PER_ENTRY = 32;
+
+template <int Dim> void check_memory(const NodeBlockMatrix<Dim>& pattern) {
+  const double entries = 0.5 * Dim * Dim * static_cast<double>(pattern.col.size());
+  require_memory("SchurFactor::analyze",
+                 "the matrix of " + std::to_string(pattern.size()) +
+                     " unknowns and its factor take more than",
+                 BYTES_PER_ENTRY * entries);
 }
 
 /// Nodes with a free dof that are not candidates are ordered as a graph of nodes: their dofs share a pattern.
@@ -139,6 +152,7 @@ template <int Dim>
 PermutedTriangle permute_candidates_last(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
                                          const std::vector<int>& candidates) {
   check_arguments(pattern, fixed, candidates);
+  check_memory(pattern);
   PermutedTriangle triangle;
   order_dofs(pattern, fixed, candidates, triangle);
   build_lower_triangle(pattern, triangle);

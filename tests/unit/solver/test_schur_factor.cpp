@@ -1,3 +1,5 @@
+#include "base/error.hpp"
+#include "base/memory_limit.hpp"
 #include "solver/schur_factor.hpp"
 #include "unit/solver/elastic_sample.hpp"
 #include <gtest/gtest.h>
@@ -316,5 +318,26 @@ TEST(SchurFactor, RefusesNumbersThatAreNotFinite) {
   } catch (const std::invalid_argument& error) {
     EXPECT_EQ(std::string(error.what()),
               "SchurFactor::factorize: value of entry (row " + place + ") = nan, expected a finite number");
+  }
+}
+
+// A chain of 500 000 nodes: 5 996 000 values, half of them 32 bytes each, where 80 MB are left.
+TEST(SchurFactor, AMatrixThatCannotFitIsRefusedBeforeItIsOrdered) {
+  const int n = 500000;
+  NodeBlockMatrix<2> chain{n, {0}, {}, {}};
+  for (int i = 0; i < n; ++i) {
+    for (int j = std::max(0, i - 1); j <= std::min(n - 1, i + 1); ++j) chain.col.push_back(j);
+    chain.row_start.push_back(static_cast<int>(chain.col.size()));
+  }
+  const std::vector<char> fixed(static_cast<std::size_t>(2 * n), 0);
+  SchurFactor<2> factor;
+  try {
+    const MemoryLimit limit(80e6);
+    factor.analyze(chain, fixed, {});
+    FAIL() << "analyzed";
+  } catch (const ArgumentError& e) {
+    EXPECT_NE(e.said().find("the matrix of 1000000 unknowns and its factor take more than 0.10 GB"),
+              std::string::npos)
+        << e.what();
   }
 }
