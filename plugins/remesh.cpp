@@ -57,8 +57,10 @@ void go_on(const std::shared_ptr<ControlObject>& control, ContactOf<Dim>& contac
            RunState<Dim> state) {
   state.body = material.body->state();
   state.contact = contact.run().state();
+  Stepper<Dim>& stepper = begin_stepper<Dim>(control, contact, material);
+  state.diagnosis = contact.diagnosis; // begins anew
   Eigen::VectorXd R;
-  begin_stepper<Dim>(control, contact, material).set_state(state, control->u, R);
+  stepper.set_state(state, control->u, R);
   control->statements_at = -1;
 }
 
