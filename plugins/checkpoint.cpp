@@ -21,8 +21,7 @@
 //     u         displacement array, u[], out | length
 //     file      path
 //     ! expected one before its first step
-//   S.checkpointdue   the time of option -checkpoint is over since the last one, Ctrl-C came, or the run is at its end and has had one;
-//       not after a remeshing
+//   S.checkpointdue   the time of option -checkpoint is over since the last one, Ctrl-C came, or the run is at its end and has had one
 //   internal: rcResumeOption rcResumable rcNoteVariables rcOutdated rcRunFile
 #include "checkpoint.hpp"
 #include "base/error.hpp"
@@ -30,6 +29,8 @@
 #include "checkpoint/stage.hpp"
 #include "named.hpp"
 #include "parallel/first_rank.hpp"
+#include "remesh.hpp"
+#include "remesh/stored_mesh.hpp"
 #include "run/run_archive.hpp"
 #include "script/words.hpp"
 #include "script_options.hpp"
@@ -88,10 +89,8 @@ const std::vector<IdentityPart>& script_identity() {
   return parts;
 }
 
-template <int Dim> std::vector<IdentityPart> identity_of_run(ControlObject& object, ContactOf<Dim>& contact) {
-  auto& material = of_dimension<Dim>(*object.material, "stepcontrol.checkpoint");
-  std::vector<IdentityPart> parts =
-      identity_of(contact.run(), material.workpiece(), object.now().options(), object.options.forms_only);
+std::vector<IdentityPart> identity_of_run(const ControlObject& object) {
+  std::vector<IdentityPart> parts = object.scene;
   parts.insert(parts.end(), script_identity().begin(), script_identity().end());
   return parts;
 }
@@ -100,7 +99,35 @@ template <int Dim> Stepper<Dim>& stepper_of(ControlObject& object) {
   return static_cast<Stepper<Dim>&>(*object.stepper);
 }
 
-void write_run(ControlObject& object, const std::string& path, std::vector<KeptValue> values) {
+RunMesh run_mesh(const MaterialOf<2>& material) { return {material.mesh.get(), nullptr}; }
+RunMesh run_mesh(const MaterialOf<3>& material) { return {nullptr, material.mesh.get()}; }
+
+// A mesh that the run has gone over to.
+template <int Dim>
+void keep_mesh(const ControlObject& object, ContactOf<Dim>& contact, Checkpoint& checkpoint) {
+  if (!object.remeshed) return;
+  const ContactSetup<Dim>& setup = *contact.setup;
+  checkpoint.mesh = packed(StoredMesh<Dim>{setup.mesh(), setup.body().fixed, object.remeshings});
+  checkpoint.script_mesh = mesh_bytes(*of_dimension<Dim>(*object.material, "stepcontrol.checkpoint").mesh);
+}
+
+// The run that the script has begun goes over to the mesh of the checkpoint.
+template <int Dim>
+void take_kept_mesh(const std::shared_ptr<ControlObject>& object, ContactOf<Dim>& contact,
+                    const Checkpoint& checkpoint) {
+  if (checkpoint.mesh.empty()) return;
+  auto& material = of_dimension<Dim>(*object->material, "stepcontrol.resume");
+  StoredMesh<Dim> kept = unpacked_mesh<Dim>(checkpoint.mesh);
+  using FreefemMesh = const typename Freefem<Dim>::Mesh;
+  const std::shared_ptr<FreefemMesh> mesh(mesh_of_bytes<typename Freefem<Dim>::Mesh>(checkpoint.script_mesh),
+                                          [](FreefemMesh* shared) { shared->destroy(); });
+  take_mesh<Dim>(contact, material, on_stored_mesh(material.workpiece(), contact.run(), kept), mesh);
+  begin_stepper<Dim>(object, contact, material);
+  object->remeshed = true;
+  object->remeshings = std::move(kept.remeshings);
+}
+
+void write_run(ControlObject& object, const std::string& path, Stack stack, const ScriptValues& script) {
   constexpr const char* WHERE = "stepcontrol.checkpoint";
   const StepLoop& loop = object.running(WHERE);
   if (object.task != Task::RECORD && object.task != Task::FINISHED)
@@ -109,9 +136,12 @@ void write_run(ControlObject& object, const std::string& path, std::vector<KeptV
   Checkpoint checkpoint;
   checkpoint.t = loop.control().time();
   checkpoint.t_end = loop.control().options().t_end;
+  checkpoint.identity = identity_of_run(object);
   visit(*object.contact, [&](auto& contact) {
     constexpr int Dim = dim_of<decltype(contact)>;
-    checkpoint.identity = identity_of_run<Dim>(object, contact);
+    auto& material = of_dimension<Dim>(*object.material, WHERE);
+    checkpoint.values = script.changed(stack, run_mesh(material));
+    keep_mesh<Dim>(object, contact, checkpoint);
     checkpoint.state = packed(stepper_of<Dim>(object).state());
     checkpoint.solver = contact.solver;
   });
@@ -120,21 +150,31 @@ void write_run(ControlObject& object, const std::string& path, std::vector<KeptV
   if (!folder.empty()) fs::create_directories(folder, unmade);
   const std::vector<std::string> files(growing_paths().begin(), growing_paths().end());
   checkpoint.files = growing_files(files, folder.empty() ? "." : folder);
-  checkpoint.values = std::move(values);
   on_first_rank([&] { write_checkpoint(path, checkpoint); });
   object.checkpointed = true;
   last_written() = RunClock::now();
 }
 
-void resume_run(ControlObject& object, const std::string& path, KN_<double> u, KN_<double> R, Stack stack,
-                const ScriptValues& script) {
+/// Arrays of a script; asked for when its variables are as they were, for they may be on another mesh then.
+struct RunArrays {
+  Expression u, R;
+  void take(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force, Stack stack) const {
+    to_array(displacement, GetAny<KN_<double>>((*u)(stack)), "stepcontrol.resume");
+    to_array(force, GetAny<KN_<double>>((*R)(stack)), "stepcontrol.resume");
+  }
+};
+
+void resume_run(const std::shared_ptr<ControlObject>& shared, const std::string& path,
+                const RunArrays& arrays, Stack stack, const ScriptValues& script) {
   constexpr const char* WHERE = "stepcontrol.resume";
+  ControlObject& object = *shared;
   object.running(WHERE);
   const std::string from = resume_option() == 2 ? path + OLDER : path;
   const Checkpoint checkpoint = read_checkpoint(from);
+  require_same(from, checkpoint.identity, identity_of_run(object));
   visit(*object.contact, [&](auto& contact) {
     constexpr int Dim = dim_of<decltype(contact)>;
-    require_same(from, checkpoint.identity, identity_of_run<Dim>(object, contact));
+    take_kept_mesh<Dim>(shared, contact, checkpoint);
     contact.take_solver(checkpoint.solver, stack, WHERE);
     const RunState<Dim> state = unpacked<Dim>(checkpoint.state);
     Eigen::VectorXd v, force;
@@ -142,9 +182,8 @@ void resume_run(ControlObject& object, const std::string& path, KN_<double> u, K
     const std::string folder = fs::path(path).parent_path().string();
     for (const std::string& file : cut_files(checkpoint.files, folder.empty() ? "." : folder))
       growing_paths().insert(file);
-    script.restore(stack, checkpoint.values);
-    to_array(v, u, WHERE);
-    to_array(force, R, WHERE);
+    script.restore(stack, checkpoint.values, run_mesh(of_dimension<Dim>(*object.material, WHERE)));
+    arrays.take(v, force, stack);
     object.u = std::move(v);
   });
   *object.control = object.stepper->control();
@@ -174,7 +213,7 @@ private:
     AnyType operator()(Stack stack) const override {
       guarded([&] {
         const auto object = GetAny<Checkpointing>((*m_object)(stack));
-        write_run(object->get(), *GetAny<string*>((*m_file)(stack)), m_values.changed(stack));
+        write_run(object->get(), *GetAny<string*>((*m_file)(stack)), stack, m_values);
       });
       return SetAny<bool>(true);
     }
@@ -199,9 +238,8 @@ private:
     AnyType operator()(Stack stack) const override {
       guarded([&] {
         const auto object = GetAny<Resuming>((*m_arguments[0])(stack));
-        resume_run(object->get(), *GetAny<string*>((*m_arguments[1])(stack)),
-                   GetAny<KN_<double>>((*m_arguments[2])(stack)),
-                   GetAny<KN_<double>>((*m_arguments[3])(stack)), stack, m_values);
+        resume_run(object->share(), *GetAny<string*>((*m_arguments[1])(stack)),
+                   {m_arguments[2], m_arguments[3]}, stack, m_values);
       });
       return SetAny<bool>(true);
     }
@@ -229,7 +267,7 @@ bool checkpoint_due(StepControlHandle* const& h) {
   return guarded([&] {
     const ControlObject& object = h->get();
     const double minutes = minutes_option();
-    if (minutes == 0 || !object.remeshings.empty()) return false; // resumed, a script has its first mesh
+    if (minutes == 0) return false;
     if (interrupt_came() || (object.checkpointed && object.now().finished())) return true;
     const std::chrono::duration<double, std::ratio<60>> since = RunClock::now() - last_written();
     return first_rank_says(since.count() >= minutes);

@@ -25,7 +25,7 @@
 //     ! expected supports at rest
 //     ! whose springs are on the old mesh
 //     ! in the middle of a step
-#include "remesh/remesh.hpp"
+#include "remesh.hpp"
 #include "mesh/mesh_match.hpp"
 #include "named.hpp"
 #include "remesh/deformed_boundary.hpp"
@@ -51,19 +51,17 @@ void tell(const Remeshing& report) {
     cout << "equilibrium is left to the next step" << endl;
 }
 
-// The stepper of the run anew, on what has taken the place of its contact and body.
+// What has taken the place of its contact and body begins the run anew, at the accepted state.
 template <int Dim>
-void go_on(ControlObject& control, ContactOf<Dim>& contact, MaterialOf<Dim>& material, RunState<Dim> state) {
-  auto stepper = std::make_unique<Stepper<Dim>>(contact.run(), *material.body, contact.diagnosis,
-                                                control.now(), control.options);
-  contact.diagnosis.set_checks(control.checks);
+void go_on(const std::shared_ptr<ControlObject>& control, ContactOf<Dim>& contact, MaterialOf<Dim>& material,
+           RunState<Dim> state) {
   state.body = material.body->state();
   state.contact = contact.run().state();
-  state.diagnosis = contact.diagnosis;
+  Stepper<Dim>& stepper = begin_stepper<Dim>(control, contact, material);
+  state.diagnosis = contact.diagnosis; // begins anew
   Eigen::VectorXd R;
-  stepper->set_state(state, control.u, R);
-  control.statements_at = -1;
-  control.stepper = std::move(stepper);
+  stepper.set_state(state, control->u, R);
+  control->statements_at = -1;
 }
 
 template <int Dim> struct OnNewMesh {
@@ -72,7 +70,8 @@ template <int Dim> struct OnNewMesh {
   static double call(const Named&, S* s, ContactHandle* c, M* m, typename Freefem<Dim>::Fespace* space,
                      KN_<double> u, KN_<double> held) {
     constexpr const char* WHERE = "rcOnNewMesh";
-    ControlObject& control = s->get();
+    const std::shared_ptr<ControlObject> shared = s->share();
+    ControlObject& control = *shared;
     auto& contact = of_dimension<Dim>(c->get(), WHERE);
     auto& material = contact.with_material(m->get(), WHERE);
     const bool known = control.stepper && control.contact.get() == &contact;
@@ -89,16 +88,14 @@ template <int Dim> struct OnNewMesh {
       return remeshed(material.workpiece(), contact.run(), control.now().time(),
                       discretized(mesh_of<Dim>(space, WHERE, ring)), std::move(fixed));
     });
-    contact.end_runs();
-    contact.replace(result.setup, std::move(result.contact));
-    material.changed().replace(std::move(result.workpiece), result.origin);
-    material.mesh = shared_mesh<Dim>(space, WHERE);
-    material.fingerprint = mesh_fingerprint<Dim>(material.workpiece().discretization());
-    if (running) go_on<Dim>(control, contact, material, std::move(*running));
+    const Remeshing report = result.report;
+    take_mesh<Dim>(contact, material, std::move(result), shared_mesh<Dim>(space, WHERE));
+    if (running) go_on<Dim>(shared, contact, material, std::move(*running));
+    control.remeshed = control.remeshed || running;
     to_array(material.workpiece().state_old().displacement, u, WHERE);
-    control.remeshings.push_back(result.report);
-    tell(result.report);
-    return result.report.force();
+    control.remeshings.push_back(report);
+    tell(report);
+    return report.force();
   }
 };
 
@@ -145,6 +142,18 @@ KN_<double> outline_of(Stack stack, const Method<M, OutlineTag>& m, const double
 }
 
 } // namespace
+
+template <int Dim>
+void take_mesh(ContactOf<Dim>& contact, MaterialOf<Dim>& material, RemeshedRun<Dim> there,
+               std::shared_ptr<const typename Freefem<Dim>::Mesh> mesh) {
+  contact.end_runs();
+  contact.replace(std::move(there.setup), std::move(there.contact));
+  material.changed().replace(std::move(there.workpiece), there.origin);
+  material.mesh = std::move(mesh);
+  material.fingerprint = mesh_fingerprint<Dim>(material.workpiece().discretization());
+}
+template void take_mesh<2>(ContactOf<2>&, MaterialOf<2>&, RemeshedRun<2>, std::shared_ptr<const ::Mesh>);
+template void take_mesh<3>(ContactOf<3>&, MaterialOf<3>&, RemeshedRun<3>, std::shared_ptr<const ::Mesh3>);
 
 void register_remesh() {
   Add<S*>("remeshdue", ".", new OneOperator1_<bool, S*>(due));

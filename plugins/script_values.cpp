@@ -52,38 +52,103 @@ template <class T> void read_value(Reader& archive, KNM<T>& matrix) {
   for (long i = 0; i < matrix.N(); ++i)
     for (long j = 0; j < matrix.M(); ++j) archive(matrix(i, j));
 }
-// A function of a space: its array, or nothing yet. That of several components goes with the first of them.
-template <class Base> void write_function(Writer& archive, const std::pair<Base*, int>& function) {
-  KN<double> none(0);
-  const bool given = function.second == 0 && function.first->x();
-  write_value(archive, given ? *function.first->x() : none);
+// A mesh: none, that of the run, or another one with its bytes.
+enum class MeshKind : char { NONE, OF_THE_RUN, OTHER };
+template <class Mesh> void write_mesh(Writer& archive, const Mesh* mesh, const RunMesh& run) {
+  const MeshKind kind = !mesh                  ? MeshKind::NONE
+                        : mesh == run.of(mesh) ? MeshKind::OF_THE_RUN
+                                               : MeshKind::OTHER;
+  archive(kind);
+  if (kind == MeshKind::OTHER) archive(mesh_bytes(*mesh));
 }
-template <class Base> void read_function(Reader& archive, const std::pair<Base*, int>& function) {
+template <class Mesh> void read_mesh(Reader& archive, const Mesh*& mesh, const RunMesh& run) {
+  MeshKind kind = MeshKind::NONE;
+  archive(kind);
+  const Mesh* read = nullptr;
+  if (kind == MeshKind::OF_THE_RUN && (read = run.of(mesh))) read->increment();
+  if (kind == MeshKind::OTHER) {
+    std::string bytes;
+    archive(bytes);
+    read = mesh_of_bytes<Mesh>(bytes);
+  }
+  if (mesh) mesh->destroy();
+  mesh = read;
+}
+
+// A function of a space: nothing yet; its array; or that on a mesh from which its space has gone on, with that mesh. A function of
+// several components goes with the first of them.
+enum class FunctionKind : char { NONE, PRESENT, EARLIER };
+double measure_of(const ::Mesh& mesh) { return mesh.mesure(); }
+double measure_of(const ::Mesh3& mesh) { return const_cast<::Mesh3&>(mesh).mesure(); }
+template <class Base> const auto& mesh_of_space(const Base& function) { return (**function.pVh).ppTh; }
+template <class Base> bool is_present(const Base& function) {
+  return function.Vh && &function.Vh->Th == *mesh_of_space(function);
+}
+template <class Base>
+void write_function(Writer& archive, const std::pair<Base*, int>& function, const RunMesh& run) {
+  Base& base = *function.first;
+  const bool given = function.second == 0 && base.x() && base.Vh;
+  const FunctionKind kind = !given             ? FunctionKind::NONE
+                            : is_present(base) ? FunctionKind::PRESENT
+                                               : FunctionKind::EARLIER;
+  archive(kind);
+  if (!given) return;
+  archive(base.Vh->Th.nt, base.Vh->Th.nv, measure_of(base.Vh->Th)); // another mesh, another function
+  if (kind == FunctionKind::EARLIER) write_mesh(archive, &base.Vh->Th, run);
+  write_value(archive, *base.x());
+}
+template <class Base>
+void read_function(Reader& archive, const std::pair<Base*, int>& function, const RunMesh& run) {
+  Base& base = *function.first;
+  FunctionKind kind = FunctionKind::NONE;
+  archive(kind);
+  if (kind == FunctionKind::NONE) return;
+  int triangles = 0, vertices = 0;
+  double measure = 0;
+  archive(triangles, vertices, measure);
+  using Mesh = std::decay_t<decltype(base.Vh->Th)>;
+  const Mesh* earlier = nullptr;
+  if (kind == FunctionKind::EARLIER) read_mesh(archive, earlier, run);
   auto array = std::make_unique<KN<double>>(0);
   read_value(archive, *array);
-  KN<double>* const present = function.first->x();
-  if (array->N() == 0) return;
-  if (present && present->N() == array->N())
+  KN<double>* const present = base.x();
+  if (!earlier && present && present->N() == array->N() && is_present(base)) {
     *present = *array; // in its place, where others look at it
-  else
-    *function.first = array.release();
+    return;
+  }
+  auto& place = const_cast<const Mesh*&>(*mesh_of_space(base));
+  const Mesh* const later = place;
+  if (earlier) place = earlier;
+  base = array.release();
+  place = later;
+  if (earlier) earlier->destroy();
 }
 
 /// How the values of a type go: the expression of a variable gives a pointer to it.
 struct Way {
   const char* name;
-  void (*write)(Writer&, AnyType);
-  void (*read)(Reader&, AnyType);
+  void (*write)(Writer&, AnyType, const RunMesh&);
+  void (*read)(Reader&, AnyType, const RunMesh&);
 };
 template <class T> Way way_of_pointer(const char* name) {
-  return {name, [](Writer& archive, AnyType at) { write_value(archive, *GetAny<T*>(at)); },
-          [](Reader& archive, AnyType at) { read_value(archive, *GetAny<T*>(at)); }};
+  return {name, [](Writer& archive, AnyType at, const RunMesh&) { write_value(archive, *GetAny<T*>(at)); },
+          [](Reader& archive, AnyType at, const RunMesh&) { read_value(archive, *GetAny<T*>(at)); }};
+}
+template <class Mesh> Way way_of_mesh(const char* name) {
+  return {
+      name,
+      [](Writer& archive, AnyType at, const RunMesh& run) { write_mesh(archive, *GetAny<Mesh*>(at), run); },
+      [](Reader& archive, AnyType at, const RunMesh& run) { read_mesh(archive, *GetAny<Mesh*>(at), run); }};
 }
 template <class Base> Way way_of_function(const char* name) {
   using Pair = std::pair<Base*, int>;
-  return {name, [](Writer& archive, AnyType at) { write_function(archive, GetAny<Pair>(at)); },
-          [](Reader& archive, AnyType at) { read_function(archive, GetAny<Pair>(at)); }};
+  return {
+      name,
+      [](Writer& archive, AnyType at, const RunMesh& run) { write_function(archive, GetAny<Pair>(at), run); },
+      [](Reader& archive, AnyType at, const RunMesh& run) { read_function(archive, GetAny<Pair>(at), run); }};
 }
+constexpr const char *MESH = "mesh", *MESH_IN_SPACE = "mesh in space", *FUNCTION = "function",
+                     *FUNCTION_IN_SPACE = "function in space";
 
 const std::map<std::string, Way>& ways() {
   static const std::map<std::string, Way> all{
@@ -96,13 +161,23 @@ const std::map<std::string, Way>& ways() {
       {typeid(KN<String>*).name(), way_of_pointer<KN<String>>("string[int]")},
       {typeid(KNM<double>*).name(), way_of_pointer<KNM<double>>("real[int,int]")},
       {typeid(KNM<long>*).name(), way_of_pointer<KNM<long>>("int[int,int]")},
-      {typeid(std::pair<Base2*, int>).name(), way_of_function<Base2>("function")},
-      {typeid(std::pair<Base3*, int>).name(), way_of_function<Base3>("function in space")}};
+      {typeid(pmesh*).name(), way_of_mesh<pmesh>(MESH)},
+      {typeid(pmesh3*).name(), way_of_mesh<pmesh3>(MESH_IN_SPACE)},
+      {typeid(std::pair<Base2*, int>).name(), way_of_function<Base2>(FUNCTION)},
+      {typeid(std::pair<Base3*, int>).name(), way_of_function<Base3>(FUNCTION_IN_SPACE)}};
   return all;
 }
 const Way* way_of(aType type) {
   const auto found = ways().find(type->name());
   return found == ways().end() ? nullptr : &found->second;
+}
+
+// Functions of earlier meshes, then meshes, then functions on these and all others.
+constexpr int TURNS = 3;
+int turn_of(const KeptValue& value) {
+  if (value.type == MESH || value.type == MESH_IN_SPACE) return 1;
+  const bool function = value.type == FUNCTION || value.type == FUNCTION_IN_SPACE;
+  return function && static_cast<FunctionKind>(value.bytes[0]) == FunctionKind::EARLIER ? 0 : 2;
 }
 
 uLong mark_of_value(const std::string& bytes) {
@@ -135,11 +210,11 @@ ScriptValues::ScriptValues() {
 
 namespace {
 
-std::string value_bytes(aType type, Expression place, Stack stack) {
+std::string value_bytes(aType type, Expression place, Stack stack, const RunMesh& mesh = {}) {
   std::ostringstream stream(std::ios::binary);
   {
     Writer archive(stream);
-    way_of(type)->write(archive, (*place)(stack));
+    way_of(type)->write(archive, (*place)(stack), mesh);
   }
   return stream.str();
 }
@@ -152,18 +227,18 @@ void ScriptValues::note(Stack stack) const {
       noted_values()[one.place] = mark_of_value(value_bytes(one.type, one.place, stack));
 }
 
-std::vector<KeptValue> ScriptValues::changed(Stack stack) const {
+std::vector<KeptValue> ScriptValues::changed(Stack stack, const RunMesh& mesh) const {
   std::vector<KeptValue> values;
   for (const Variable& one : m_variables) {
-    std::string bytes = value_bytes(one.type, one.place, stack);
+    const uLong mark = mark_of_value(value_bytes(one.type, one.place, stack));
     const auto before = noted_values().find(one.place);
-    if (before == noted_values().end() || before->second != mark_of_value(bytes))
-      values.push_back({one.name, way_of(one.type)->name, std::move(bytes)});
+    if (before == noted_values().end() || before->second != mark)
+      values.push_back({one.name, way_of(one.type)->name, value_bytes(one.type, one.place, stack, mesh)});
   }
   return values;
 }
 
-void ScriptValues::restore(Stack stack, const std::vector<KeptValue>& values) const {
+void ScriptValues::restore(Stack stack, const std::vector<KeptValue>& values, const RunMesh& mesh) const {
   const auto find = [&](const KeptValue& value) {
     return std::find_if(m_variables.begin(), m_variables.end(), [&](const Variable& one) {
       return one.name == value.name && way_of(one.type)->name == value.type;
@@ -173,12 +248,14 @@ void ScriptValues::restore(Stack stack, const std::vector<KeptValue>& values) co
     if (find(value) == m_variables.end())
       fail("stepcontrol.resume", "the checkpoint holds " + value.type + " " + value.name +
                                      " of the script, expected a variable of that name and type here");
-  for (const KeptValue& value : values) {
-    std::istringstream stream(value.bytes, std::ios::binary);
-    Reader archive(stream);
-    const auto one = find(value);
-    way_of(one->type)->read(archive, (*one->place)(stack));
-  }
+  for (int turn = 0; turn < TURNS; ++turn)
+    for (const KeptValue& value : values) {
+      if (turn_of(value) != turn) continue;
+      std::istringstream stream(value.bytes, std::ios::binary);
+      Reader archive(stream);
+      const auto one = find(value);
+      way_of(one->type)->read(archive, (*one->place)(stack), mesh);
+    }
 }
 
 } // namespace burnish

@@ -2,20 +2,22 @@
 // The variables of a script where it calls: what a run has changed of them goes into its checkpoint.
 #include "checkpoint/checkpoint.hpp"
 #include "plugin.hpp"
+#include "script_meshes.hpp"
 
 namespace burnish {
 
-/// Numbers, texts, arrays and functions of a finite element space that are visible where FreeFEM compiles a call. Made
+/// Numbers, texts, arrays, meshes and functions of a finite element space that are visible where FreeFEM compiles a call. Made
 /// then; asked when the call is executed.
 class ScriptValues {
 public:
   ScriptValues();
   /// Notes what each is, the first time that it is seen.
   void note(Stack stack) const;
-  /// Those that are not what was noted of them, or were never noted.
-  std::vector<KeptValue> changed(Stack stack) const;
-  /// Puts these in place of the present ones. @throws std::invalid_argument naming one that is not visible
-  void restore(Stack stack, const std::vector<KeptValue>& values) const;
+  /// Those that are not what was noted of them, or were never noted. @param mesh of the run: a variable that is it goes without
+  std::vector<KeptValue> changed(Stack stack, const RunMesh& mesh) const;
+  /// Puts these in place of the present ones, meshes before what is on them.
+  /// @param mesh of the run now @throws std::invalid_argument naming one that is not visible
+  void restore(Stack stack, const std::vector<KeptValue>& values, const RunMesh& mesh) const;
 
 private:
   struct Variable {

@@ -26,6 +26,7 @@
 //     on        true or false | | true
 #include "step_control.hpp"
 #include "base/error.hpp"
+#include "checkpoint/identity.hpp"
 #include "material/user_law.hpp"
 #include "mesh/mesh_match.hpp"
 #include "named.hpp"
@@ -80,7 +81,7 @@ void start_run(const std::shared_ptr<ControlObject>& started, ContactHandle* con
   ControlObject& object = *started;
   object.stepper.reset();
   object.task = Task::STOPPED;
-  object.stopping = object.checkpointed = false;
+  object.stopping = object.checkpointed = object.remeshed = false;
   if (object.contact) object.contact->under_way = false;
   visit(contact->get(), [&](auto& run) {
     constexpr int Dim = dim_of<decltype(run)>;
@@ -91,12 +92,9 @@ void start_run(const std::shared_ptr<ControlObject>& started, ContactHandle* con
     object.material = std::move(material);
     if (!forms_only) run.material = object.material;
     object.options.forms_only = forms_only;
-    object.stepper =
-        std::make_unique<Stepper<Dim>>(run.run(), *body.body, run.diagnosis, *object.control, object.options);
-    run.diagnosis.set_checks(object.checks);
-    run.runs.push_back([weak = std::weak_ptr<ControlObject>(started)] {
-      if (const auto control = weak.lock()) control->stepper.reset();
-    });
+    begin_stepper<Dim>(started, run, body);
+    object.scene =
+        identity_of(run.run(), body.workpiece(), object.now().options(), object.options.forms_only);
   });
 }
 bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, MaterialHandle* const& material) {
@@ -200,6 +198,22 @@ bool set_checks(const Method<H, ChecksTag>& m, const bool& on) {
   });
 }
 } // namespace
+
+template <int Dim>
+Stepper<Dim>& begin_stepper(const std::shared_ptr<ControlObject>& control, ContactOf<Dim>& contact,
+                            MaterialOf<Dim>& material) {
+  auto stepper = std::make_unique<Stepper<Dim>>(contact.run(), *material.body, contact.diagnosis,
+                                                control->now(), control->options);
+  contact.diagnosis.set_checks(control->checks);
+  Stepper<Dim>& begun = *stepper;
+  control->stepper = std::move(stepper);
+  contact.runs.push_back([weak = std::weak_ptr<ControlObject>(control)] {
+    if (const auto shared = weak.lock()) shared->stepper.reset();
+  });
+  return begun;
+}
+template Stepper<2>& begin_stepper<2>(const std::shared_ptr<ControlObject>&, ContactOf<2>&, MaterialOf<2>&);
+template Stepper<3>& begin_stepper<3>(const std::shared_ptr<ControlObject>&, ContactOf<3>&, MaterialOf<3>&);
 
 void register_step_control() {
   Dcl_Type<H*>(InitP<H>, Destroy<H>);

@@ -1,6 +1,7 @@
 #pragma once
 // The object behind the script type `stepcontrol`, for the files that register its members.
 #include "base/error.hpp"
+#include "checkpoint/checkpoint.hpp"
 #include "remesh/settle.hpp"
 #include "run/stepper.hpp"
 #include "types.hpp"
@@ -21,6 +22,8 @@ struct ControlObject {
   Task task = Task::STOPPED;
   std::vector<Remeshing> remeshings; // of the run
   bool stopping = false;             // the script has ended the run
+  bool remeshed = false;             // the run is no more on the mesh that it began on
+  std::vector<IdentityPart> scene;   // what the run began with, for its checkpoints
   bool checkpointed = false;         // the run has been written to a checkpoint, or goes on from one
   bool under_way() const { return stepper && task != Task::FINISHED && task != Task::STOPPED; }
   ControlObject() = default;
@@ -41,6 +44,11 @@ using StepControlHandle = Handle<ControlObject>;
 /// Called by register_step_control, after the type.
 void register_step_data();
 void register_scene_report();
+
+/// A stepper of a run of this stepcontrol, at its start; in its place from here on.
+template <int Dim>
+Stepper<Dim>& begin_stepper(const std::shared_ptr<ControlObject>& control, ContactOf<Dim>& contact,
+                            MaterialOf<Dim>& material);
 
 /// The report, made when it is read for the first time after a step.
 const std::vector<Statement>& statements_of(StepControlHandle* h);

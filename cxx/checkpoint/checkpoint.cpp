@@ -26,7 +26,7 @@ template <class Archive> void serialize(Archive& archive, KeptValue& value) {
   BURNISH_MEMBERS(value, name, type, bytes);
 }
 template <class Archive> void serialize(Archive& archive, Checkpoint& value) {
-  BURNISH_MEMBERS(value, t, t_end, identity, state, solver, files, values);
+  BURNISH_MEMBERS(value, t, t_end, identity, state, mesh, script_mesh, solver, files, values);
 }
 
 namespace {
@@ -34,7 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char MAGIC[8] = {'B', 'u', 'r', 'n', 'i', 's', 'h', '\n'};
-constexpr std::uint32_t FORMAT = 1, BYTE_ORDER_MARK = 0x01020304, TURNED_MARK = 0x04030201;
+constexpr std::uint32_t FORMAT = 2, BYTE_ORDER_MARK = 0x01020304, TURNED_MARK = 0x04030201;
 
 // Before the archive; plain numbers, so that another program can tell what it reads.
 struct Head {

@@ -26,8 +26,10 @@ struct KeptValue {
 struct Checkpoint {
   double t = 0, t_end = 0; ///< instant of the state, end of the program [time]
   std::vector<IdentityPart> identity;
-  std::string state;  ///< RunState, packed
-  std::string solver; ///< the script's that keeps the factors; "": the core's
+  std::string state;       ///< RunState, packed
+  std::string mesh;        ///< StoredMesh, packed; "": that which the run began on
+  std::string script_mesh; ///< the same as the script's program keeps meshes; "": as mesh
+  std::string solver;      ///< the script's that keeps the factors; "": the core's
   std::vector<GrowingFile> files;
   std::vector<KeptValue> values;
 };

@@ -1,8 +1,10 @@
 #include "checkpoint/identity.hpp"
 #include "base/error.hpp"
+#include "contact/formula_friction.hpp"
 #include "mesh/mesh_match.hpp"
 #include "script/words.hpp"
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <zlib.h>
@@ -10,6 +12,9 @@
 namespace burnish {
 namespace {
 
+constexpr int POSES =
+    5; // of a tool, and yield stresses from 0 to 1 of the law: what tells formulas from others
+constexpr int YIELDS = 101;
 constexpr int SAMPLES = 64; // places on a tool's surface that tell it from others
 // Options that only decide what becomes of the results.
 const char* const OF_THE_OUTPUT[] = {"-out",   "-pictures",   "-movie",  "-check",
@@ -29,23 +34,65 @@ template <class Number> std::string mark_of(const std::vector<Number>& numbers) 
   return text.str();
 }
 
+// A law by formula goes by its text, too: its values may agree where they are taken.
 template <int Dim> std::string friction_words(const TangentialLaw<Dim>& law) {
-  try {
-    return words(law.friction().limit(1, 1), " ", law.friction().limit(2, 1));
-  } catch (const std::exception&) { // a formula without a value there
-    return "of a formula";
+  const auto* formula = dynamic_cast<const FormulaFriction*>(&law.friction());
+  std::string text = formula ? " by \"" + formula->text() + "\"" : "";
+  for (const double N : {1., 2.}) {
+    try {
+      text += words(" ", law.friction().limit(N, 1));
+    } catch (const std::exception&) { // a formula without a value there
+      text += " none";
+    }
   }
+  return text;
 }
 
-template <int Dim> std::string tool_words(const ContactModel<Dim>& model, std::size_t t) {
+// Places and turns of the tool for a row of values of its coordinates, which formulas of them change.
+template <int Dim> std::string pose_mark(const Coordinates<Dim>& coordinates) {
+  std::vector<double> numbers;
+  for (int k = 0; k < POSES; ++k) {
+    Eigen::VectorXd q(coordinates.size());
+    for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = std::sin(1. + k + 0.7 * static_cast<double>(i));
+    try {
+      const Pose<Dim> pose = coordinates.pose(q);
+      numbers.insert(numbers.end(), pose.origin.data(), pose.origin.data() + Dim);
+      numbers.insert(numbers.end(), pose.R.data(), pose.R.data() + Dim * Dim);
+      numbers.push_back(pose.size);
+    } catch (const std::exception&) { // a formula without a value there
+      numbers.push_back(k);
+    }
+  }
+  return mark_of(numbers);
+}
+
+// Motions and forces by formula that the script has given before the run.
+template <int Dim> std::string drive_words(DrivenTool<Dim>& tool) {
+  std::string text;
+  const Prescription& given = tool.prescription();
+  for (std::size_t k = 0; k < given.entries().size(); ++k) {
+    const Prescription::Entry& entry = given.entries()[k];
+    if (!entry.formula && entry.relation.empty()) continue;
+    text +=
+        ", " + given.names()[k] + " by \"" + (entry.formula ? entry.formula->text() : entry.relation) + "\"";
+    if (!entry.formula) continue;
+    for (const auto& [name, value] : entry.formula->source().names.parameters)
+      text += words(" ", name, " ", value);
+  }
+  return text;
+}
+
+template <int Dim> std::string tool_words(const ContactSetup<Dim>& setup, std::size_t t) {
+  const ContactModel<Dim>& model = setup.model();
   std::vector<double> places;
   for (const auto& place : model.tools[t]->surface().samples(SAMPLES))
     places.insert(places.end(), place.y.data(), place.y.data() + Dim);
   std::string names;
   for (const std::string& name : model.tools[t]->coordinates().names()) names += " " + name;
   return words("coordinates", names, ", surface of mark ", mark_of(places), " and size ",
-               model.tools[t]->surface().length_scale(), ", largest friction of unit forces ",
-               friction_words(model.laws[t]));
+               model.tools[t]->surface().length_scale(), ", poses of mark ",
+               pose_mark(model.tools[t]->coordinates()), ", largest friction of unit forces",
+               friction_words(model.laws[t]), drive_words(*setup.tools()[t]));
 }
 
 // First line in which two texts differ.
@@ -76,6 +123,9 @@ template <int Dim> std::string material_words(const Workpiece<Dim>& workpiece) {
   for (const auto& [name, value] : law.moduli()) text += words(", ", name, " ", value);
   for (const double strain : {0., 0.01, 0.1, 1.})
     text += words(", ", law.yield_stress(strain).value, " at ", strain);
+  std::vector<double> yields;
+  for (int k = 0; k < YIELDS; ++k) yields.push_back(law.yield_stress(k / (YIELDS - 1.)).value);
+  text += ", hardening of mark " + mark_of(yields);
   return text + words(", keeps ", law.internal_variables().names(), ", update ",
                       static_cast<int>(options.update), " ", static_cast<int>(options.strain_frame), " ",
                       options.path_limit, " ", options.min_substeps, " ", options.max_substeps,
@@ -91,7 +141,7 @@ std::vector<IdentityPart> identity_of(const ContactRun<Dim>& run, const Workpiec
       {"contact surface", words(model.candidates.size(), " nodes, mark ", mark_of(model.candidates),
                                 ", supports of mark ", mark_of(run.setup().body().fixed))});
   for (std::size_t t = 0; t < model.tools.size(); ++t)
-    parts.push_back({"tool \"" + run.setup().tools()[t]->name() + "\"", tool_words(model, t)});
+    parts.push_back({"tool \"" + run.setup().tools()[t]->name() + "\"", tool_words(run.setup(), t)});
   parts.push_back({"material", forms_only ? "of the script" : material_words(workpiece)});
   parts.push_back({"steps", words("to t = ", steps.t_end, ", at most ", steps.dt_max, ", at least ",
                                   steps.dt_min, ", first ", steps.dt_first, ", accuracy ", steps.accuracy)});

@@ -1,5 +1,6 @@
 #include "checkpoint/stage.hpp"
 #include "checkpoint/identity.hpp"
+#include "remesh/stored_mesh.hpp"
 #include "run/run_archive.hpp"
 
 namespace burnish {
@@ -13,7 +14,9 @@ StageStart start_stage(const std::string& path, const std::vector<char>& fixed, 
       if (part.name == name) parts.push_back(part);
     return parts;
   };
-  require_same(path, then("mesh"), {{"mesh", mesh_words<Dim>(workpiece.discretization())}});
+  std::vector<IdentityPart> mesh = then("mesh");
+  if (!checkpoint.mesh.empty()) mesh = {{"mesh", mesh_words(unpacked_mesh<Dim>(checkpoint.mesh).mesh)}};
+  require_same(path, mesh, {{"mesh", mesh_words<Dim>(workpiece.discretization())}});
   StageStart start;
   start.t = checkpoint.t;
   const auto material = then("material");

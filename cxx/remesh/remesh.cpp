@@ -13,6 +13,17 @@ constexpr double ANY_WORSE = 0.8; // where steps crawl
 } // namespace
 
 template <int Dim>
+RemeshedRun<Dim> run_on(const Workpiece<Dim>& body, const ContactRun<Dim>& contact, Discretization<Dim> mesh,
+                        std::vector<char> fixed) {
+  RemeshedRun<Dim> result;
+  result.workpiece = std::make_unique<Workpiece<Dim>>(std::move(mesh), body.shared_law(), body.options());
+  if (body.user_defined()) result.workpiece->set_user_defined(true);
+  result.setup = setup_on<Dim>(contact.setup(), result.workpiece->discretization(), std::move(fixed));
+  result.contact = std::make_unique<ContactRun<Dim>>(result.setup, contact.iteration().options());
+  return result;
+}
+
+template <int Dim>
 RemeshedRun<Dim> remeshed(const Workpiece<Dim>& body, const ContactRun<Dim>& contact, double t,
                           Discretization<Dim> mesh, std::vector<char> fixed) {
   const Discretization<Dim>& old = body.discretization();
@@ -20,17 +31,13 @@ RemeshedRun<Dim> remeshed(const Workpiece<Dim>& body, const ContactRun<Dim>& con
           mesh.nodes_per_element, std::to_string(old.nodes_per_element).c_str());
   require(static_cast<int>(fixed.size()) == mesh.num_dofs(), "remesh", "number of fixed flags", fixed.size(),
           "one per degree of freedom of the new mesh");
-  RemeshedRun<Dim> result;
+  const Eigen::VectorXd start = boundary_displacement<Dim>(old, body.state_old().displacement, mesh, fixed);
+  RemeshedRun<Dim> result = run_on(body, contact, std::move(mesh), std::move(fixed));
   result.report.t = t;
   result.report.before = mesh_state(body, contact);
-  const Eigen::VectorXd start = boundary_displacement<Dim>(old, body.state_old().displacement, mesh, fixed);
-  result.workpiece = std::make_unique<Workpiece<Dim>>(std::move(mesh), body.shared_law(), body.options());
-  if (body.user_defined()) result.workpiece->set_user_defined(true);
   TransferredState<Dim> state = transferred(body, *result.workpiece, start, contact.accepted().history.du);
   result.workpiece->set_state(state.workpiece);
   result.report.meshed = deformed_volume(*result.workpiece);
-  result.setup = setup_on<Dim>(contact.setup(), result.workpiece->discretization(), std::move(fixed));
-  result.contact = std::make_unique<ContactRun<Dim>>(result.setup, contact.iteration().options());
   result.contact->set_state(contact_state_on(contact, *result.contact, start, state.du));
   const bool loaded =
       contact.loads().external.act() || body.user_defined(); // equilibrium is the next step's matter
@@ -50,6 +57,8 @@ template <int Dim> bool remesh_due(const Workpiece<Dim>& body, const StepLoop& l
 }
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
+  template RemeshedRun<Dim> run_on<Dim>(const Workpiece<Dim>&, const ContactRun<Dim>&, Discretization<Dim>,  \
+                                        std::vector<char>);                                                  \
   template RemeshedRun<Dim> remeshed<Dim>(const Workpiece<Dim>&, const ContactRun<Dim>&, double,             \
                                           Discretization<Dim>, std::vector<char>);                           \
   template bool remesh_due<Dim>(const Workpiece<Dim>&, const StepLoop&);

@@ -14,6 +14,13 @@ template <int Dim> struct RemeshedRun {
   Remeshing report;
 };
 
+/// Body and contact of a run on another mesh of the same body, undeformed, nothing in contact; origin and report are empty.
+/// @param fixed num_dofs flags of the mesh: displacement is given
+/// @throws std::invalid_argument as setup_on
+template <int Dim>
+RemeshedRun<Dim> run_on(const Workpiece<Dim>& body, const ContactRun<Dim>& contact, Discretization<Dim> mesh,
+                        std::vector<char> fixed);
+
 /// The accepted state on a new mesh, in equilibrium with the tools where they are. What is handed over stays as it is.
 /// @param t     instant of the accepted state [time]
 /// @param mesh  of the deformed workpiece, with the labels of the contact

@@ -22,6 +22,9 @@ func int record(real t) {\
 kills own 2 "$SCRATCH/scripts/own.edp"
 # a tool of which a number follows a formula of t
 kills mandrel 1 edp/manual/examples/mandrel.edp -series 5
+# a run on new meshes of its body: its mesh goes with the checkpoint
+kills remeshed 3 cases/upsetting/upsetting.edp -n 4 -steps 20 -reduction 0.7 -remesh 1 -series 1 -check 0
+grep -q 'burnish: new mesh at t = ' "$SCRATCH/remeshed/whole/log" || report "no new mesh in the run that is killed"
 
 # 2. a run of which the last checkpoint is the one before its end
 folder="$SCRATCH/refused"

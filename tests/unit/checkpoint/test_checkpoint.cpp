@@ -25,6 +25,8 @@ protected:
     checkpoint.t_end = 1;
     checkpoint.identity = {{"mesh", "4 nodes"}, {"script \"a.edp\"", "real a = 1;\nreal b = 2;\n"}};
     checkpoint.state = std::string("a\0b\n", 4) + std::string(5000, 'x');
+    checkpoint.mesh = "nodes";
+    checkpoint.script_mesh = std::string("\0vertices", 9);
     checkpoint.solver = "UMFPACK";
     checkpoint.files = {{"history.csv", 12}};
     checkpoint.values = {{"n", "int", "12345678"}};
@@ -57,6 +59,8 @@ TEST_F(Checkpoints, WhatGoesInComesOut) {
   EXPECT_EQ(read.t, 0.5);
   EXPECT_EQ(read.t_end, 1);
   EXPECT_EQ(read.state, wrote.state);
+  EXPECT_EQ(read.mesh, wrote.mesh);
+  EXPECT_EQ(read.script_mesh, wrote.script_mesh);
   EXPECT_EQ(read.solver, wrote.solver);
   EXPECT_EQ(read.identity[1].value, wrote.identity[1].value);
   EXPECT_EQ(read.files[0].size, 12u);
@@ -114,7 +118,7 @@ TEST_F(Checkpoints, OfAnotherMachineFormatOrVersionIsRefused) {
   other = whole;
   other[12] = 99;
   put(other);
-  expect_refused("format = 99, expected 1");
+  expect_refused("format = 99, expected 2");
   other = whole;
   other[16] = '7';
   put(other);
