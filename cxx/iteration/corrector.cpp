@@ -98,8 +98,7 @@ template <int Dim> bool Corrector<Dim>::serves(const Eigen::VectorXd& u) const {
   return std::includes(m_window.begin(), m_window.end(), needed.begin(), needed.end());
 }
 
-template <int Dim>
-FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
+template <int Dim> FactorStatus Corrector<Dim>::factorize(NodeBlockMatrix<Dim> K, const Eigen::VectorXd& u) {
   Iteration<Dim>& it = m_iteration;
   require(K.size() == it.body().X.size(), "contact.factorize", "size of K", K.size(), "number of dofs");
   const std::vector<int> needed =
@@ -118,11 +117,12 @@ FactorStatus Corrector<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eige
   {
     const CpuTimer timer(counts.factorization_seconds);
     const int analyses = m_tangent->solver->analyses();
-    status = m_tangent->factorize(it.model(), it.body(), it.state(), K, m_floating);
+    const bool held = !m_floating && it.policy().desperate(); // K may be needed again
+    status = m_tangent->factorize(it.model(), it.body(), it.state(),
+                                  held ? NodeBlockMatrix<Dim>(K) : std::move(K), m_floating);
     if (m_indefinite && status == FactorStatus::OK) status = FactorStatus::NOT_POSITIVE_DEFINITE;
     m_has_factor = status == FactorStatus::OK;
-    if (!m_has_factor && !m_floating && it.policy().desperate())
-      m_has_factor = factorize_held(K, u) == FactorStatus::OK;
+    if (!m_has_factor && held) m_has_factor = factorize_held(K, u) == FactorStatus::OK;
     counts.analyses += m_tangent->solver->analyses() - analyses;
   }
   ++counts.factorizations;

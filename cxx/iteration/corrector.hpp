@@ -25,7 +25,8 @@ public:
   /// Whether there is a factor for the iterate, whose window covers the contact.
   bool serves(const Eigen::VectorXd& u) const;
   /// Factor of the tangent for the iterations to come. NOT_POSITIVE_DEFINITE leaves no factor.
-  FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
+  /// @param K what is moved here is freed before the factor is made
+  FactorStatus factorize(NodeBlockMatrix<Dim> K, const Eigen::VectorXd& u);
   /// One iteration: two back-substitutions and the dense contact block; moves u and the state.
   StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   void drop_factor() { m_has_factor = false; }

@@ -27,14 +27,14 @@ Eigen::VectorXd stiffness_of_contact(const ContactModel<Dim>& model, const BodyV
 
 template <int Dim>
 FactorStatus FactoredTangent<Dim>::factorize(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                                             const ContactState<Dim>& state, const NodeBlockMatrix<Dim>& K,
+                                             const ContactState<Dim>& state, NodeBlockMatrix<Dim> K,
                                              bool stiffen) {
   std::vector<int> nodes;
   for (const int i : window) nodes.push_back(model.candidates[i]);
   solver->analyze(K, body.fixed, nodes);
   added_stiffness.resize(0);
   if (stiffen) added_stiffness = stiffness_of_contact(model, body, state, window, K);
-  return solver->factorize(K, added_stiffness);
+  return solver->factorize(std::move(K), added_stiffness);
 }
 
 template <int Dim>

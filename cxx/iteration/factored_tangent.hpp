@@ -19,12 +19,12 @@ template <int Dim> struct FactoredTangent {
       matrix; ///< that was factored, where steps to come may use the factor; else of no nodes
   std::vector<std::vector<int>> solved; ///< of a factor to be made again: BodySolver::solved_columns
 
-  /// Factor of K for this window.
+  /// Factor of K for this window, see BodySolver::factorize.
   /// @param stiffen the supports leave a rigid motion free, or the body is not stable without its tools: stiffness is
   ///        added to the diagonal of the contact nodes and of both ends of the window, which the dense block takes off
   ///        again
   FactorStatus factorize(const ContactModel<Dim>& model, const BodyView<Dim>& body,
-                         const ContactState<Dim>& state, const NodeBlockMatrix<Dim>& K, bool stiffen);
+                         const ContactState<Dim>& state, NodeBlockMatrix<Dim> K, bool stiffen);
   /// Factor of `matrix` again by a new solver, with all that was known of it.
   void factorize_again(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                        std::unique_ptr<BodySolver<Dim>> by);

@@ -40,9 +40,13 @@ template <int Dim> struct BodyLoads {
   const NodeBlockMatrix<Dim>& with_springs(const NodeBlockMatrix<Dim>& K, double t) {
     if (!hold.acts(t) && viscosity.stiffness == 0) return K;
     m_sprung = K;
-    hold.add_stiffness(t, m_sprung);
-    if (viscosity.stiffness > 0) m_springs.add_stiffness(viscosity.stiffness, m_sprung);
+    add_springs(t, m_sprung);
     return m_sprung;
+  }
+  /// Adds that stiffness to K.
+  void add_springs(double t, NodeBlockMatrix<Dim>& K) const {
+    hold.add_stiffness(t, K);
+    if (viscosity.stiffness > 0) m_springs.add_stiffness(viscosity.stiffness, K);
   }
 
 private:

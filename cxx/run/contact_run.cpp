@@ -269,11 +269,11 @@ template <int Dim> StepStatus ContactRun<Dim>::correct(Eigen::VectorXd& u, const
   }
 }
 
-template <int Dim>
-FactorStatus ContactRun<Dim>::factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u) {
+template <int Dim> FactorStatus ContactRun<Dim>::factorize(NodeBlockMatrix<Dim> K, const Eigen::VectorXd& u) {
   m_step.require_begun("contact.factorize");
   const bool fits = K.size() == m_setup->body().X.size(); // else refused by who asks
-  return m_corrector.factorize(fits ? m_loads.with_springs(K, m_step.end()) : K, u);
+  if (fits) m_loads.add_springs(m_step.end(), K);
+  return m_corrector.factorize(std::move(K), u);
 }
 
 template class ContactRun<2>;

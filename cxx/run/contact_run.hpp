@@ -63,7 +63,8 @@ public:
   void begin(Eigen::VectorXd& u, double t, double dt, Stepping stepping);
   /// The convergence test; of a step of pure rates only whether there is a way to its end.
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
-  FactorStatus factorize(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
+  /// @param K what is moved here is freed before the factor is made
+  FactorStatus factorize(NodeBlockMatrix<Dim> K, const Eigen::VectorXd& u);
   StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   /// Earliest contact events between the accepted state and (u, R); see earliest_events.
   /// @param tolerance events this close to the earliest one are taken with it [fraction of the step]

@@ -13,10 +13,10 @@ bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece
     fail("contact.factorize",
          "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
   contact.corrector().forget_mixing();
-  NodeBlockMatrix<Dim> K = workpiece.pattern();
   do {
+    NodeBlockMatrix<Dim> K = workpiece.pattern();
     workpiece.tangent(K, TangentKind::CONSISTENT, contact.iteration().policy().elastic_blend());
-    if (contact.factorize(K, u) == FactorStatus::OK) return true;
+    if (contact.factorize(std::move(K), u) == FactorStatus::OK) return true;
   } while (!contact.iteration().policy().blend_exhausted());
   return false;
 }

@@ -21,8 +21,9 @@ public:
   virtual void analyze(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fixed,
                        const std::vector<int>& candidates) = 0;
   /// NOT_POSITIVE_DEFINITE and SINGULAR are results, not exceptions; they leave no factor.
+  /// @param matrix what is moved here is freed before the factor is made: large bodies do not hold both
   /// @param added  put onto the diagonal at the candidates, Dim*candidates [force/length]; empty: none. Not at fixed dofs
-  virtual FactorStatus factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added = {}) = 0;
+  virtual FactorStatus factorize(NodeBlockMatrix<Dim> matrix, const Eigen::VectorXd& added = {}) = 0;
   /// x = K^-1 b, Dim*num_nodes; zero at fixed dofs. [length for b in force]
   virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
   /// First half of a solve, L y = b: what a load on the candidates adds comes later (METHOD.md 5.3).

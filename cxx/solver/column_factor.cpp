@@ -204,7 +204,7 @@ void ColumnFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::
 }
 
 template <int Dim>
-FactorStatus ColumnFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added) {
+FactorStatus ColumnFactor<Dim>::factorize(NodeBlockMatrix<Dim> matrix, const Eigen::VectorXd& added) {
   const char* where = "ColumnFactor::factorize";
   Impl& impl = *m_impl;
   impl.has_factor = false;
@@ -213,6 +213,7 @@ FactorStatus ColumnFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, co
   require(added.size() == 0 || static_cast<std::size_t>(added.size()) == Dim * impl.candidates.size(), where,
           "added.size()", added.size(), "Dim*candidates or 0");
   impl.take_values(matrix, added);
+  matrix = {};
   impl.symmetric = impl.is_symmetric();
   impl.known.assign(impl.fixed.size(), -1);
   impl.num_known = 0;

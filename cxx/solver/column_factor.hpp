@@ -22,7 +22,7 @@ public:
   /// which an indefinite K need not show, or a solver of symmetric matrices that has not solved it; SINGULAR: another
   /// solver has not solved it.
   /// @throws std::invalid_argument if the pattern is not the one analyzed, added has another size, or a value is not finite
-  FactorStatus factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added = {}) override;
+  FactorStatus factorize(NodeBlockMatrix<Dim> matrix, const Eigen::VectorXd& added = {}) override;
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const override;
   /// The whole solution: y = K^-1 b.
   SweptLoad sweep(const Eigen::VectorXd& b) const override;

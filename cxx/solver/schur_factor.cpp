@@ -126,7 +126,7 @@ void SchurFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::v
 }
 
 template <int Dim>
-FactorStatus SchurFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added) {
+FactorStatus SchurFactor<Dim>::factorize(NodeBlockMatrix<Dim> matrix, const Eigen::VectorXd& added) {
   const char* where = "SchurFactor::factorize";
   if (!m_impl->is_analyzed(matrix))
     fail(where, "the matrix has not the pattern analyzed, call analyze first");
@@ -135,6 +135,7 @@ FactorStatus SchurFactor<Dim>::factorize(const NodeBlockMatrix<Dim>& matrix, con
   require(added.size() == 0 || static_cast<std::size_t>(added.size()) == Dim * m_impl->candidates.size(),
           where, "added.size()", added.size(), "Dim*candidates or 0");
   std::vector<double> values = m_impl->values_of(matrix);
+  matrix = {};
   if (added.size() > 0) {
     const std::vector<int> free = m_impl->free_candidate_dofs();
     for (std::size_t i = 0; i < free.size(); ++i) values[m_impl->triangle.diagonal[i]] += added[free[i]];

@@ -29,7 +29,7 @@ public:
   /// Numerical LL' of the lower triangle. NOT_POSITIVE_DEFINITE is a result, not an exception.
   /// @throws std::invalid_argument if the pattern is not the one analyzed, added has another size, or a value used is not finite
   /// (named by row, column and value)
-  FactorStatus factorize(const NodeBlockMatrix<Dim>& matrix, const Eigen::VectorXd& added = {}) override;
+  FactorStatus factorize(NodeBlockMatrix<Dim> matrix, const Eigen::VectorXd& added = {}) override;
   /// x = K^-1 b; entries of b at fixed dofs are taken as zero, x is zero there.
   /// @param b  Dim*num_nodes
   /// @throws std::invalid_argument if b has another size or is not finite at a free dof

@@ -44,10 +44,10 @@ private:
     const SmoothShare& most = m_most[tool];
     Finding* finding = findings.beyond("smooth vertices", step.tool_name(tool), most.share, SMOOTH, most.t);
     if (!finding) return;
-    finding->text = sentence("vertices of the surface, which have no friction, take ", most.share,
-                             " of the normal force of tool \"", step.tool_name(tool),
-                             "\" where it carries most, t = ", most.t,
-                             ": its friction is less by that; refine the surface there");
+    finding->text = sentence(
+        "vertices of the surface, which have no friction, take ", most.share,
+        " of the normal force of tool \"", step.tool_name(tool), "\" where it carries most, t = ", most.t,
+        ": its friction is less by that; refine the surface there, or tie edges (tied=true of rcContact)");
   }
   std::vector<SmoothShare> m_most; // per tool
 };
