@@ -58,7 +58,6 @@ string* new_string(Stack stack, const std::string& text) {
 }
 
 static void init() {
-  return_large_blocks();
   join_ranks();
   register_end();
   note_names_before();

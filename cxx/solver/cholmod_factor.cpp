@@ -1,5 +1,6 @@
 #include "solver/cholmod_factor.hpp"
 #include "base/error.hpp"
+#include "base/memory_limit.hpp"
 #include "solver/cholmod_common.hpp"
 #include "solver/openmp_guard.hpp"
 #include "solver/required_memory.hpp"
@@ -9,6 +10,8 @@
 namespace burnish {
 
 namespace {
+
+constexpr std::size_t LARGE = 2'000'000; // entries of the triangle, from which a factor is worth the care
 
 /// CHOLMOD itself does not look.
 void check_lower_triangle(const std::vector<int>& col_start, const std::vector<int>& row) {
@@ -92,6 +95,7 @@ void CholmodFactor::analyze(std::vector<int> col_start, std::vector<int> row, in
   impl.analyzed = false;
   impl.col_start = std::move(col_start);
   impl.row = std::move(row);
+  if (impl.row.size() > LARGE) return_large_blocks();
   if (impl.size() > 0) {
     cholmod_sparse matrix = impl.pattern();
     impl.factor = cholmod_analyze(&matrix, impl.common.get());
