@@ -142,6 +142,10 @@ long next(Stack, const Method<H, NextTag>& m, const KN_<double>& u, const KN_<do
   return guarded([&] {
     ControlObject& object = m->get();
     StepLoop& stepper = object.running("stepcontrol.next");
+    if (object.task == Task::RECORD) { // what it printed, into a file or pipe, too
+      std::cout.flush();
+      std::fflush(stdout);
+    }
     return visit(*object.contact, [&](auto& contact) {
       const CpuTimer timer(contact.event_seconds);
       const long n = contact.setup->mesh().num_dofs();

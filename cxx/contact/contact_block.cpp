@@ -1,5 +1,6 @@
 #include "contact/contact_block.hpp"
 #include "base/decompositions.hpp"
+#include "base/dense_kernels.hpp"
 #include "contact/coupling.hpp"
 #include "contact/driving_force.hpp"
 #include <cmath>
@@ -157,13 +158,12 @@ bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eig
     }
   }
   const Eigen::MatrixXd scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(scaled);
-  const bool pivots = lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0; // rcond takes them for granted
-  if (!pivots || !(lu.rcond() > least_rcond)) {
+  z = scale.asDiagonal() * rhs;
+  if (!solve_regular(scaled, least_rcond, z)) {
     weakest = weakest_coordinate(scaled, first);
     return false;
   }
-  z = scale.asDiagonal() * lu.solve(Eigen::VectorXd(scale.asDiagonal() * rhs));
+  z = (scale.asDiagonal() * z).eval();
   return z.allFinite();
 }
 
@@ -202,7 +202,7 @@ template <int Dim>
 void assemble_block(const std::vector<NodeLinearization<Dim>>& nodes, const Columns<Dim>& c,
                     const Eigen::MatrixXd& SA, const Eigen::VectorXd& F0, Eigen::MatrixXd& matrix,
                     Eigen::VectorXd& rhs) {
-  matrix = c.W.transpose() * SA;
+  matrix = transposed_product(c.W, SA);
   rhs = -c.W.transpose() * F0;
   add_geometric_terms(nodes, c, matrix);
   for (std::size_t a = 0; a < nodes.size(); ++a)

@@ -1,8 +1,16 @@
 #include "solver/active_part.hpp"
+#include "base/dense_kernels.hpp"
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 
 namespace burnish {
+namespace {
+
+constexpr Eigen::Index INVERSE_FROM =
+    4; // columns to be solved for, a quarter of the rows: the inverse costs no more
+
+} // namespace
 
 void ActivePart::set(std::shared_ptr<const Eigen::MatrixXd> matrix, bool symmetric, Complete complete) {
   m_matrix = std::move(matrix);
@@ -11,6 +19,7 @@ void ActivePart::set(std::shared_ptr<const Eigen::MatrixXd> matrix, bool symmetr
   m_order.clear();
   m_selected.clear();
   m_place.clear();
+  m_inverse.resize(0, 0);
 }
 
 bool ActivePart::factorize() {
@@ -23,8 +32,7 @@ bool ActivePart::factorize() {
   m_lower.resize(n, n);
   for (Eigen::Index j = 0; j < n; ++j)
     for (Eigen::Index i = j; i < n; ++i) m_lower(i, j) = (*m_matrix)(m_order[i], m_order[j]);
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(m_lower); // in place
-  return factor.info() == Eigen::Success;
+  return cholesky(m_lower);
 }
 
 // A row at the end: L y = c, diagonal sqrt(C_jj - y.y).
@@ -82,6 +90,7 @@ bool ActivePart::update(const std::vector<int>& indices) {
 bool ActivePart::select(const std::vector<int>& indices) {
   if (indices == m_selected && !m_order.empty()) return true;
   m_selected = indices;
+  m_inverse.resize(0, 0);
   if (m_complete) m_complete(indices);
   if (!update(indices)) {
     m_order = indices;
@@ -102,12 +111,18 @@ Eigen::MatrixXd ActivePart::solve(const Eigen::MatrixXd& B) const {
   if (!m_symmetric) return m_order.empty() ? Eigen::MatrixXd(0, B.cols()) : Eigen::MatrixXd(m_lu.solve(B));
   const auto n = static_cast<Eigen::Index>(m_order.size());
   Eigen::MatrixXd X(n, B.cols());
-  for (Eigen::Index i = 0; i < n; ++i) X.row(m_place[i]) = B.row(i);
-  const auto lower = m_lower.topLeftCorner(n, n).triangularView<Eigen::Lower>();
-  lower.solveInPlace(X);
-  lower.transpose().solveInPlace(X);
+  for (Eigen::Index j = 0; j < B.cols(); ++j)
+    for (Eigen::Index i = 0; i < n; ++i) X(m_place[i], j) = B(i, j);
+  if (n >= LARGE_BLOCK && INVERSE_FROM * B.cols() > n) {
+    if (m_inverse.rows() == 0) m_inverse = inverse_from_cholesky(m_lower, n);
+    X = (m_inverse * X.sparseView()).eval();
+  } else {
+    solve_lower(m_lower, false, X);
+    solve_lower(m_lower, true, X);
+  }
   Eigen::MatrixXd result(n, B.cols());
-  for (Eigen::Index i = 0; i < n; ++i) result.row(i) = X.row(m_place[i]);
+  for (Eigen::Index j = 0; j < B.cols(); ++j)
+    for (Eigen::Index i = 0; i < n; ++i) result(i, j) = X(m_place[i], j);
   return result;
 }
 

@@ -24,7 +24,8 @@ public:
   /// Makes the part over these indices (each once) current.
   /// @returns false if it is not positive definite, or is singular; then there is no factor
   bool select(const std::vector<int>& indices);
-  /// C_aa^-1 B for the current part. @param B rows in the order of the last selection
+  /// C_aa^-1 B for the current part; with many columns by the inverse, which is kept with the factor: B is mostly zeros then, three entries
+  /// a column. @param B rows in the order of the last selection
   Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
   long factorizations() const { return m_factorizations; }
   long updates() const { return m_updates; } ///< rows taken out or appended
@@ -41,6 +42,7 @@ private:
   Eigen::PartialPivLU<Eigen::MatrixXd> m_lu; // unless symmetric
   std::shared_ptr<const Eigen::MatrixXd> m_matrix;
   Eigen::MatrixXd m_lower;           // the leading m_order.size() rows count
+  mutable Eigen::MatrixXd m_inverse; // of m_lower's matrix, empty: not asked for yet
   std::vector<int> m_order;          // indices in the order of the factor
   std::vector<int> m_selected;       // as asked for
   std::vector<Eigen::Index> m_place; // per selected index: its row in the factor

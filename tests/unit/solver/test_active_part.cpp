@@ -57,6 +57,27 @@ Indices changed(Indices selected, std::mt19937& random) {
   return selected;
 }
 
+TEST(ActivePart, ManyColumnsComeByTheInverseWhichFollowsTheSelection) {
+  constexpr int n = 700;
+  auto matrix = std::make_shared<Eigen::MatrixXd>(
+      Eigen::MatrixXd::NullaryExpr(n, n, [](Eigen::Index i, Eigen::Index j) {
+        return std::exp(-0.05 * static_cast<double>(std::abs(i - j))) + (i == j ? 1 : 0);
+      }));
+  ActivePart part;
+  part.set(matrix);
+  Indices selected = first(n);
+  for (const int gone : {0, 2, 300}) { // anew, by updates, anew
+    selected.erase(selected.begin(), selected.begin() + gone);
+    std::reverse(selected.begin(), selected.end()); // the order of the factor is another one
+    ASSERT_TRUE(part.select(selected));
+    const auto size = static_cast<Eigen::Index>(selected.size());
+    const Eigen::MatrixXd B = Eigen::MatrixXd::Identity(size, size / 2);
+    EXPECT_LT(((*matrix)(selected, selected) * part.solve(B) - B).norm(), 1e-11 * B.norm());
+    EXPECT_LT((part.solve(B).leftCols(3) - part.solve(B.leftCols(3))).norm(), 1e-12);
+  }
+  EXPECT_GT(part.updates(), 0);
+}
+
 TEST(ActivePart, PartsOfAnUnsymmetricMatrixAndColumnsThatComeWhenTheyAreNeeded) {
   const Eigen::MatrixXd whole = Eigen::MatrixXd::Random(9, 9) + 9 * Eigen::MatrixXd::Identity(9, 9);
   auto matrix = std::make_shared<Eigen::MatrixXd>(Eigen::MatrixXd::Zero(9, 9));

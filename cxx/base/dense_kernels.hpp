@@ -1,0 +1,28 @@
+#pragma once
+// The products and factors of the contact block: Eigen's where it is small, those of BLAS and LAPACK where it is large.
+#include <Eigen/Core>
+
+namespace burnish {
+
+/// Rows from which on BLAS is faster than Eigen, compiled for any machine of its kind: 2 times at 256, 8 times at 2000.
+constexpr Eigen::Index LARGE_BLOCK = 256;
+
+/// A = L L' in place; only the lower triangle is read and written. @returns false if A is not positive definite
+/// @param A [n x n] symmetric
+bool cholesky(Eigen::MatrixXd& A);
+
+/// X = L^-1 X or L'^-1 X. @param L its leading lower triangle counts, as many rows as X has @param X [n x columns]
+void solve_lower(const Eigen::MatrixXd& L, bool transposed, Eigen::MatrixXd& X);
+
+/// (L L')^-1. @param L its leading lower triangle of n rows counts @param n no smaller than LARGE_BLOCK
+Eigen::MatrixXd inverse_from_cholesky(const Eigen::MatrixXd& L, Eigen::Index n);
+
+/// A' B; where A is large it is taken for mostly zeros. @param A [n x rows] @param B [n x columns]
+Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+
+/// x = A^-1 x, by rows' pivots. @returns false if a pivot is 0 or the reciprocal of A's condition number (estimated, in the norm of
+/// column sums) is no more than `least` [-]; x is as it was then
+/// @param A [n x n] @param x [n]
+bool solve_regular(const Eigen::MatrixXd& A, double least, Eigen::VectorXd& x);
+
+} // namespace burnish
