@@ -9,7 +9,8 @@ import csv
 import os
 
 import numpy as np
-from goal import answer_of, differences, least_squares
+from goal import answer_of
+from solve import differences, least_squares
 from values import Failed, SweepError
 
 CONFIDENCE = 0.95

@@ -5,8 +5,9 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "cases/sweep"))
-from analysis import scaled, sobol, surface_of  # noqa: E402
+from analysis import elementary_effects, scaled, sobol, surface_of  # noqa: E402
 from identify import intervals  # noqa: E402
+from solve import least_squares  # noqa: E402
 from values import combinations, parse_vary  # noqa: E402
 
 wrong = []
@@ -53,6 +54,41 @@ if surface_of(points, np.full(30, 2.0)) is not None or surface_of(points[:2], [1
     wrong.append("a surface of a constant, or of two points")
 if scaled([{"name": "w", "spacing": ""}], [{"w": "P1"}, {"w": "P2"}]) is not None:
     wrong.append("words taken as numbers")
+
+# elementary effects: of a plane exactly; of x_0 x_1 on trajectories of four levels those of the levels 0, 1/3, 2/3, 1; on a grid
+walks = combinations(parse_vary(["a=2:4:morris", "b=0:1:morris"]), 400, 1)
+walked = scaled([{"name": "a"}, {"name": "b"}], walks)[1]
+if len(walks) != 1200:
+    wrong.append(f"{len(walks)} points of 400 trajectories, expected 1200")
+(mean, deviation, number), (second, *_) = elementary_effects(walked, walked @ [1.0, -2.0])
+near("effect in a plane", mean, 1, 1e-4)
+near("size of the other", second, 2, 1e-4)
+near("scatter in a plane", deviation, 0, 1e-4)
+mean, deviation, _ = elementary_effects(walked, walked[:, 0] * walked[:, 1])[0]
+near("effect in a product", mean, 0.5, 0.05)
+near("scatter in a product", deviation, np.sqrt(14 / 36 - 0.25), 0.05)
+grid = np.array([[i / 2, j] for i in range(3) for j in range(2)])
+if [e[2] for e in elementary_effects(grid, grid[:, 0])] != [4, 3] or elementary_effects(points, quadratic)[0][2] != 0:
+    wrong.append("pairs of a grid, or of points at random")
+
+
+def targets(true, scatter):
+    """Residuals of two results about those at true, with what a mesh would scatter."""
+    def at(z, s):
+        return np.array([(1400 + 700 * z[0] + 250 * z[1] + 150 * z[0] * z[1] - 120 * z[0] ** 2) * (1 + s * np.sin(9e3 * z[0] + 4e3 * z[1])),
+                         (560 + 480 * z[0] + 60 * z[1] + 80 * z[0] * z[1]) * (1 + s * np.sin(3e3 * z[0] - 7e3 * z[1] + 1))])
+    wanted = at(true, 0)
+    return lambda z: (at(np.asarray(z), scatter) - wanted) / wanted
+
+
+# two targets within 1e-3 of results that scatter by 1e-3: differences of neighbors alone reach half of these
+reached = 0
+for true in generator.uniform(0.1, 0.9, (20, 2)):
+    residual = targets(true, 1e-3)
+    found = least_squares(lambda asked: [residual(z) for z in asked], 2, 1e-4, 1e-3)
+    reached += np.abs(residual(found)).max() <= 1e-3
+if reached < 18:
+    wrong.append(f"targets of results that scatter: {reached} of 20 reached, expected 18 or more")
 
 # a straight line by ten points: the intervals of a textbook
 x = np.arange(10.0)
