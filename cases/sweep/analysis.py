@@ -108,6 +108,8 @@ def scaled(parameters, rows):
     or where one is a word with more than one value."""
     names, columns, ends = [], [], []
     for p in parameters:
+        if len({r[p["name"]] for r in rows}) < 2:
+            continue
         try:
             column = np.array([float(r[p["name"]]) for r in rows])
         except ValueError:

@@ -54,6 +54,8 @@ if surface_of(points, np.full(30, 2.0)) is not None or surface_of(points[:2], [1
     wrong.append("a surface of a constant, or of two points")
 if scaled([{"name": "w", "spacing": ""}], [{"w": "P1"}, {"w": "P2"}]) is not None:
     wrong.append("words taken as numbers")
+if scaled([{"name": "w"}, {"name": "R"}], [{"w": "P1", "R": "1"}, {"w": "P1", "R": "3"}])[0] != ["R"]:
+    wrong.append("a word that all variants share hides the numbers")
 
 # elementary effects: of a plane exactly; of x_0 x_1 on trajectories of four levels those of the levels 0, 1/3, 2/3, 1; on a grid
 walks = combinations(parse_vary(["a=2:4:morris", "b=0:1:morris"]), 400, 1)
