@@ -110,6 +110,7 @@ function drawHistories() {
   const vs = data.variants.filter(v => v.curves[x] && v.curves[y]), gray = marked.size > 0 && vs.some(v => marked.has(v));
   const traces = vs.map((v, k) => ({x: v.curves[x], y: v.curves[y], name: labelOf(v) + (v.status === "finished" ? "" : " (failed)"), mode: "lines", hovertemplate: "%{y:.5g}",
     line: {width: gray && marked.has(v) ? 4 : 2, color: gray && !marked.has(v) ? "#ccc" : COLORS[k % COLORS.length], dash: ["solid", "dash", "dot", "dashdot"][Math.floor(k / COLORS.length) % 4]}}));
+  traces.sort((a, b) => a.line.width - b.line.width); // marked ones over the others
   const measured = (data.answer ?? {}).measured;
   if (measured && measured[x] && measured[y]) {
     const factor = n => data.columns.find(c => c.name === n).factor;

@@ -5,6 +5,8 @@ import numpy as np
 from values import Failed
 
 STEP = 0.01       # of a difference, over the range
+WIDE = 0.05       # of one to both sides, which outweighs what runs scatter
+POLISHES = 4
 ROUNDS = 12       # planes
 APART = 1e-3      # points nearer to each other tell one plane nothing more
 NEAR = 0.07       # distance from which the curvature of results counts more than what they scatter
@@ -24,6 +26,29 @@ def differences(many, z, here):
     if here is None or any(r is None for r in rows):
         raise Failed("runs beside the last point failed; expected other ranges")
     return np.column_stack([(r - here) / s for r, s in zip(rows, steps)])
+
+
+def wide_differences(many, z):
+    """The same by differences to both sides."""
+    z = np.asarray(z, float)
+    ends = [np.clip(z + side * WIDE * unit, 0, 1) for unit in np.eye(len(z)) for side in (-1, 1)]
+    rows = many(ends)
+    if any(r is None for r in rows):
+        raise Failed("runs beside the last point failed; expected other ranges")
+    return np.column_stack([(rows[2 * k + 1] - rows[2 * k]) / (ends[2 * k + 1][k] - ends[2 * k][k]) for k in range(len(z))])
+
+
+def polished(many, z):
+    """Gauss-Newton by wide differences as long as the residual falls. @returns z, residual, Jacobian"""
+    residual = many([z])[0]
+    for _ in range(POLISHES):
+        jacobian = wide_differences(many, z)
+        further = np.clip(z - np.linalg.lstsq(jacobian, residual, rcond=None)[0], 0, 1)
+        row = many([further])[0]
+        if row is None or not np.linalg.norm(row) < np.linalg.norm(residual):
+            break
+        z, residual = further, row
+    return z, residual, jacobian
 
 
 def least_squares(many, dimension, tolerance, enough=0.0):
