@@ -1,10 +1,12 @@
-"""What the variants say of a result: response surface with its cross-validated error, sensitivity by Sobol indices of that surface.
+"""What the variants say of a result: response surface with its cross-validated error, sensitivity by Sobol indices of that surface and by
+elementary effects of the variants themselves.
 
 Points x are n rows of d parameters between 0 and 1 (their ranges, of first:last:number:log their logarithms), y are n results.
 Surface: that of polynomials of degree 1, 2, 3 by least squares and thin-plate splines (scipy.interpolate.RBFInterpolator) whose error is
 the least where each point is left out in turn (PRESS). share = 1 - PRESS/sum (y - mean)^2: of the variance that it predicts.
 Sobol indices of the surface, parameters even between their ends: first order by Saltelli 2010, total by Jansen 1999, on a Sobol sequence
 (scipy.stats.qmc). SciPy of Debian 12 has no sobol_indices, and SALib is no package of it.
+Elementary effects, Morris 1991: change of the result over that of a parameter, over its range, from neighbors that differ in it alone.
 """
 import itertools
 from collections import namedtuple
@@ -88,11 +90,26 @@ def sobol(predict, dimension, power=POWER, seed=1):
     return first, total
 
 
+def elementary_effects(x, y):
+    """[(mean of the sizes, standard deviation, number)] of the effects of each parameter; number 0: no two points differ in it alone."""
+    found = []
+    for k in range(x.shape[1]):
+        lines = {}
+        for others, at, value in zip(np.round(np.delete(x, k, 1), 9), x[:, k], y):
+            lines.setdefault(tuple(others), []).append((at, value))
+        steps = [(a, b) for line in lines.values() for a, b in itertools.pairwise(sorted(line)) if b[0] > a[0]]
+        effects = np.array([(b[1] - a[1]) / (b[0] - a[0]) for a, b in steps])
+        found.append((np.abs(effects).mean(), effects.std(), len(effects)) if len(effects) else (np.nan, np.nan, 0))
+    return found
+
+
 def scaled(parameters, rows):
     """Points between 0 and 1 of the parameters that are numbers and change: (their names, points n x d, low, high); None without any,
     or where one is a word with more than one value."""
     names, columns, ends = [], [], []
     for p in parameters:
+        if len({r[p["name"]] for r in rows}) < 2:
+            continue
         try:
             column = np.array([float(r[p["name"]]) for r in rows])
         except ValueError:

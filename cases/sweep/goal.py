@@ -15,17 +15,14 @@ import re
 
 import numpy as np
 from runner import run
+from solve import least_squares
 from study import finished
 from values import Failed, SweepError, to_number
 
 NUDGES = (0.004, -0.004, 0.02, -0.02)   # over the range of each unknown
-STEP = 0.01                             # of a difference, over the range
 MOST_RUNS = 200
+TOLERANCE = 1e-4                        # of least squares: runs scatter more
 FIRST = 4                               # points drawn first, a number for each unknown
-
-
-class Enough(Exception):
-    """Residuals within what is allowed; z: where."""
 
 
 class Runs:
@@ -160,50 +157,13 @@ def one_target(runs, name, target, within):
     return answer_of(runs, z, [f"{name} = {reached:.8g}, target {target:g}"])
 
 
-def differences(many, z, here):
-    """Jacobian by one-sided differences, all runs side by side; many(points): rows of numbers, None where a run failed."""
-    steps = [STEP if x + STEP <= 1 else -STEP for x in z]
-    points = [np.array(z) + s * np.eye(len(z))[k] for k, s in enumerate(steps)]
-    rows = many(points)
-    if any(r is None for r in rows):
-        raise Failed("runs beside the last point failed; expected other ranges")
-    return np.column_stack([(r - here) / s for r, s in zip(rows, steps)])
-
-
-def least_squares(many, dimension, tolerance, enough=0.0):
-    """Gauss-Newton from the best of some points; many: rows of residuals, None where a run failed; enough: residuals that end it.
-    @returns z"""
-    from scipy import optimize
-    from scipy.stats import qmc
-    points = [np.full(dimension, 0.5), *qmc.LatinHypercube(dimension, seed=1).random(2 * dimension)]
-    rows = [(r, z) for r, z in zip(many(points), points) if r is not None]
-    if not rows:
-        raise Failed("all runs failed")
-    bad = 10 * max(np.linalg.norm(r) for r, _ in rows) + 1
-
-    def residual(z):
-        row = many([z])[0]
-        if row is None:
-            return np.full_like(rows[0][0], bad)
-        if (np.abs(row) <= enough).all():
-            raise Enough(np.array(z))
-        return row
-
-    start = min(rows, key=lambda pair: np.linalg.norm(pair[0]))[1]
-    try:
-        return optimize.least_squares(residual, np.clip(start, 0.02, 0.98), jac=lambda z: differences(many, z, many([z])[0]), bounds=(0, 1),
-                                      ftol=tolerance, xtol=tolerance, gtol=1e-10, max_nfev=25).x
-    except Enough as found:
-        return found.args[0]
-
-
 def several_targets(runs, targets, within):
     results = Results(runs, list(targets))
     wanted = np.array(list(targets.values()))
     first = results.one(np.full(len(runs.names), 0.5))
     size = np.where(wanted != 0, np.abs(wanted), np.abs(first) if first is not None else 1.0)
     many = lambda points: [None if r is None else (r - wanted) / np.where(size > 0, size, 1.0) for r in results.many(points)]  # noqa: E731
-    found = least_squares(many, len(runs.names), 1e-8, within)
+    found = least_squares(many, len(runs.names), TOLERANCE, within)
     reached = results.one(found)
     if reached is None:
         raise Failed("runs about the last point failed; expected other ranges")

@@ -1,7 +1,7 @@
 """Unknowns from a measured curve: burnish sweep press.edp measured=curve.csv sigY=100:300 H=200:2000
 
 The file has columns named as in history.csv; the first one is what the others are read against, t or a column that grows during a run.
-Least squares by Gauss-Newton (scipy.optimize.least_squares); each column counts over its largest measured value. Confidence: the
+Least squares by Gauss-Newton (scipy.optimize.least_squares), at the end by wide differences; each column counts over its largest measured value. Confidence: the
 covariance s^2 (J^T J)^-1 with s^2 the sum of squares over the degrees of freedom, and the 95 % interval of Student's t: of what the
 measured points scatter, not of what the model lacks.
 """
@@ -9,7 +9,8 @@ import csv
 import os
 
 import numpy as np
-from goal import answer_of, differences, least_squares
+from goal import answer_of
+from solve import least_squares, polished
 from values import Failed, SweepError
 
 CONFIDENCE = 0.95
@@ -75,11 +76,8 @@ def identify(runs, measured, within):
             print("  " + ", ".join(f"{n} = {t}" for n, t in runs.texts(z).items()) + f": {told}", flush=True)
         return [seen[tuple(z)] for z in points]
 
-    found = least_squares(many, len(runs.names), 0.1 * within)
-    residual = many([found])[0]
-    if residual is None:
-        raise Failed("runs about the last point failed; expected other ranges")
-    half, correlation = intervals(differences(many, found, residual), residual, runs.high - runs.low)
+    found, residual, jacobian = polished(many, least_squares(many, len(runs.names), 0.1 * within))
+    half, correlation = intervals(jacobian, residual, runs.high - runs.low)
     rms = np.sqrt(np.mean(residual ** 2))
     told = [f"rms of {rms:.3g} of the largest measured value"]
     told += [f"correlation of {a} and {b} {correlation[i, j]:.2f}" for i, a in enumerate(runs.names) for j, b in enumerate(runs.names) if i < j]

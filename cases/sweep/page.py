@@ -12,7 +12,7 @@ import os
 import sys
 
 import numpy as np
-from analysis import TRUSTED, scaled, sobol, surface_of, value_at
+from analysis import TRUSTED, elementary_effects, scaled, sobol, surface_of, value_at
 from curves import curves_of
 from gather import read_summary
 from request import read_text
@@ -84,14 +84,16 @@ def surface_data(surface, names, ends, parameters):
 
 
 def analysis_of(parameters, rows, result):
-    """Surface and Sobol indices of a result, {} where there is none."""
+    """Surface, Sobol indices and elementary effects of a result, {} where there are none."""
     good = [r for r in rows if r["status"] == "finished" and isinstance(r.get(result), (int, float)) and np.isfinite(r[result])]
     found = scaled(parameters, good) if len(good) > 2 else None
     surface = surface_of(found[1], [r[result] for r in good]) if found else None
     if surface is None:
         return {}
     names, _, ends = found
-    made = {"surface": surface_data(surface, names, ends, parameters)}
+    mean, deviation, number = zip(*elementary_effects(found[1], [r[result] for r in good]))
+    made = {"surface": surface_data(surface, names, ends, parameters),
+            "effects": {"names": names, "mean": list_of(mean), "deviation": list_of(deviation), "number": list(number)}}
     if surface.share >= TRUSTED:
         first, total = sobol(surface.predict, len(names))
         made["sobol"] = {"names": names, "first": list_of(np.clip(first, 0, 1)), "total": list_of(np.clip(total, 0, None))}

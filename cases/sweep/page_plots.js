@@ -5,10 +5,11 @@ const CONFIG = {responsive: true, displaylogo: false};
 const MARK = "#E69F00";
 
 function plot(id, traces, x, y, more = {}) {
+  byId(id).hidden = false;
   const axis = title => ({title: {text: title}, gridcolor: "#ddd", zeroline: false, linecolor: "#444", mirror: true, automargin: true, ...(more[title] ?? {})});
   Plotly.react(byId(id), traces, {...LAYOUT, showlegend: false, ...more.layout, xaxis: {...axis(x), ...more.xaxis}, yaxis: {...axis(y), ...more.yaxis}}, CONFIG);
 }
-const empty = (id, words) => { Plotly.purge(byId(id)); byId(id).replaceChildren(); byId(id).textContent = words; };
+const empty = (id, words) => { Plotly.purge(byId(id)); byId(id).replaceChildren(); byId(id).textContent = words; byId(id).hidden = !words; };
 const resultName = () => byId("result").value;
 const axisOf = name => withUnit(name, (data.results.find(r => r.name === name) ?? {}).unit);
 const axisOfParameter = p => withUnit(p.name, p.unit);
@@ -43,6 +44,19 @@ function drawSensitivity() {
   const bar = (kind, values, color) => ({type: "bar", orientation: "h", name: kind, y: sobol.names, x: values, marker: {color}, text: values.map(v => v.toFixed(2)), textposition: "outside", cliponaxis: false});
   plot("sensitivityplot", [bar("total", sobol.total, "#9ecae1"), bar("first order", sobol.first, COLORS[0])], "share of the variance", "",
     {layout: {showlegend: true, legend: {traceorder: "reversed"}}, xaxis: {range: [0, 1.15 * Math.max(1, ...sobol.total)]}, yaxis: {type: "category", autorange: "reversed"}});
+}
+
+function drawMorris() {
+  const name = resultName(), effects = (data.analysis[name] ?? {}).effects, count = effects ? effects.number.reduce((s, n) => s + n, 0) : 0;
+  byId("morriswords").textContent = count ? `Elementary effects (Morris), from ${count} pairs of neighbors that differ in one parameter alone: how much ${name} would change over the whole range. `
+    + "Right: it matters. High up: its effect changes along the range or with the other parameters."
+    : "Elementary effects (Morris): none, as no two finished variants differ in one numeric parameter alone; first:last:morris draws such ones.";
+  if (!count) return empty("morrisplot", "");
+  const used = effects.names.map((n, k) => k).filter(k => effects.number[k] > 0), of = values => used.map(k => values[k]), unit = axisOf(name).replace(name, "").trim();
+  const reach = values => [0, 1.2 * Math.max(...of(values)) || 1];
+  plot("morrisplot", [{x: of(effects.mean), y: of(effects.deviation), text: of(effects.names), mode: "markers+text", textposition: "top center", cliponaxis: false, marker: {size: 13, color: COLORS[0]},
+    customdata: of(effects.number), hovertemplate: "%{text}: mean size %{x:.5g}, standard deviation %{y:.5g}, %{customdata} pairs<extra></extra>"}],
+  `mean size ${unit}`, `standard deviation ${unit}`, {xaxis: {range: reach(effects.mean)}, yaxis: {range: reach(effects.deviation)}});
 }
 const percent = share => `${(100 * share).toFixed(share > 0.995 ? 2 : 0)} %`;
 
@@ -96,6 +110,7 @@ function drawHistories() {
   const vs = data.variants.filter(v => v.curves[x] && v.curves[y]), gray = marked.size > 0 && vs.some(v => marked.has(v));
   const traces = vs.map((v, k) => ({x: v.curves[x], y: v.curves[y], name: labelOf(v) + (v.status === "finished" ? "" : " (failed)"), mode: "lines", hovertemplate: "%{y:.5g}",
     line: {width: gray && marked.has(v) ? 4 : 2, color: gray && !marked.has(v) ? "#ccc" : COLORS[k % COLORS.length], dash: ["solid", "dash", "dot", "dashdot"][Math.floor(k / COLORS.length) % 4]}}));
+  traces.sort((a, b) => a.line.width - b.line.width); // marked ones over the others
   const measured = (data.answer ?? {}).measured;
   if (measured && measured[x] && measured[y]) {
     const factor = n => data.columns.find(c => c.name === n).factor;
@@ -106,7 +121,7 @@ function drawHistories() {
 
 function drawAll() {
   if (!window.Plotly) return;
-  if (data.results.length) { drawEffects(); drawSensitivity(); drawSurface(); drawPareto(); }
+  if (data.results.length) { drawEffects(); drawSensitivity(); drawMorris(); drawSurface(); drawPareto(); }
   if (data.columns.length) drawHistories();
 }
 

@@ -6,7 +6,7 @@
     -study NAME           folder out/sweep/NAME of the current folder; default: the script's name, NAME-2, ... for other requests
     -again 1              variants that failed run once more; -again "-steps 400": with these options besides
     -jobs 4               runs at a time, default one for each core
-    -samples 20 -seed 1   points of first:last:random and first:last:latin
+    -samples 20 -seed 1   points of first:last:random and first:last:latin, trajectories of first:last:morris
     -ssh host1,host2      other machines, ":" is this one: ssh without a password, GNU parallel here, and there the same folders
                           under the same paths (a network folder) with the same system
     -draw "depth;turn"    pictures sweep.png and cost.png of these results, beside the page (plot.py); commas do where no name has one
@@ -107,6 +107,15 @@ def asked(script, options):
         raise SweepError("\n".join(told) or f"{burnish} ends with exit code {done.returncode}") from None
 
 
+def checked_again(again, vary):
+    """ -again takes options of the script that are not varied."""
+    for name in again or {}:
+        if name in (*BY_SWEEP, *SETTINGS, *vary):
+            raise SweepError(f"-again: -{name} is " + ("varied" if name in vary else "none of the script that a variant may have")
+                             + ", expected options of the script, such as \"-steps 400\"")
+    return again
+
+
 def words_of(options):
     return [word for name, value in options.items() for word in ("-" + name, value)]
 
@@ -147,7 +156,7 @@ def read_request(words):
     drawn = any(v[0] in DRAWN for v in vary.values())
     return SimpleNamespace(
         script=script, name=os.path.basename(script)[:-len(".edp")], mark=fingerprint(script), vary=vary, varied=varied, goals=goals,
-        options=options, study=settings["study"], again=again_options(settings["again"]), ssh=settings["ssh"], draw=settings["draw"],
+        options=options, study=settings["study"], again=checked_again(again_options(settings["again"]), vary), ssh=settings["ssh"], draw=settings["draw"],
         jobs=whole(settings["jobs"] or str(os.cpu_count()), "-jobs", 1, 10000),
         samples=whole(settings["samples"], "-samples", 2, 10000) if drawn else 0,
         seed=whole(settings["seed"], "-seed", 0, 2 ** 31) if drawn else 0,

@@ -31,8 +31,7 @@ class Study:
         self.resume = {"resume": "1"} if "resume" in has else {}
         self.parameters = parameters_of(request)
         self.variants = {}
-        self.name = place(request)
-        self.folder = os.path.join(TOP, self.name)
+        self.name, self.folder = "", ""  # by open
 
     def add(self, values):
         """@returns the name of the variant with these values"""
@@ -44,6 +43,14 @@ class Study:
 
     def open(self):
         """Makes or finds the folder, which is this process's from now on, with the variants that are listed; a goal adds its own."""
+        os.makedirs(TOP, exist_ok=True)
+        with open(os.path.join(TOP, ".lock"), "w", encoding="utf-8") as names:  # two sweeps that begin together do not take one name
+            fcntl.flock(names, fcntl.LOCK_EX)
+            self.name = place(self.request)
+            self.folder = os.path.join(TOP, self.name)
+            os.makedirs(self.folder, exist_ok=True)
+            if not asks_of(self.folder):
+                self.write()
         self.hold()
         if not self.request.goals:
             for values in combinations(self.request.vary, self.request.samples, self.request.seed):
@@ -52,7 +59,6 @@ class Study:
 
     def hold(self):
         """The study is this process's until it and its runs have ended; waits for those of another one."""
-        os.makedirs(self.folder, exist_ok=True)
         lock = os.open(os.path.join(self.folder, ".lock"), os.O_RDWR | os.O_CREAT, 0o644)
         os.set_inheritable(lock, True)  # runs of a sweep that was killed hold it on
         try:
@@ -82,13 +88,27 @@ class Study:
     def try_again(self):
         """The failed variants are removed, to be run with the options of -again besides. @returns how many"""
         failed = [n for n in stored(self.folder) if ended(self.place_of(n)) and not finished(self.place_of(n))]
+        options = {n: {**read_again(self.place_of(n)), **self.request.again} for n in failed}
+        if self.request.again:
+            self.require_possible(options)
         for name in failed:
-            again = {**read_again(self.place_of(name)), **self.request.again}
             shutil.rmtree(self.place_of(name))
             os.makedirs(self.place_of(name))
             with open(os.path.join(self.place_of(name), "again.json"), "w", encoding="utf-8") as file:
-                json.dump(again, file)
+                json.dump(options[name], file)
         return len(failed)
+
+    def require_possible(self, options):
+        """Refuses options of -again that the script refuses for every variant that failed, and before one is removed."""
+        told = None
+        for name, again in options.items():
+            try:
+                asked(self.request.script, {**self.options, **again, **values_of(name)})
+                return
+            except SweepError as error:
+                told = told or error
+        if told:
+            raise SweepError(f"-again: {told}")
 
     def adopt(self):
         """Copies missing variants that a study with the same script and options beside it has finished. @returns how many"""
@@ -152,6 +172,11 @@ def parameters_of(request):
         ends = [] if isinstance(values, list) else list(values[1:])
         found.append({"name": name, "unit": unit, "meaning": meaning, "spacing": spacing, "ends": ends})
     return found
+
+
+def values_of(name):
+    """Values of a variant from its folder's name, as add made it."""
+    return dict(pair.split("=", 1) for pair in name.split(","))
 
 
 def stored(folder):

@@ -15,7 +15,7 @@ from study import Study
 from values import Failed, SweepError
 
 USAGE = """usage: burnish sweep SCRIPT.edp NAME=VALUES ... [-option value ...]
-  R=14:20:4  E=1e3:1e6:7:log  mu=0.1,0.2  element=P1,P2    values; R=5:15:latin, R=5:15:random with -samples 20 -seed 1
+  R=14:20:4  E=1e3:1e6:7:log  mu=0.1,0.2  element=P1,P2    values; R=5:15:latin, also random, morris, with -samples 20 -seed 1
   -study NAME    folder out/sweep/NAME       -again 1, -again "-steps 400"    failed variants once more
   -jobs 4        runs at a time              -ssh host1,host2                 other machines
   target="depth=0.1" force=100:2000          the value of an option for a result; also minimize= maximize= where= measured= within=

@@ -2,6 +2,7 @@
   name=a,b,c              numbers or words
   name=first:last:number  equally spaced;  first:last:number:log: equal ratios
   name=first:last:random  -samples points drawn at random;  first:last:latin: a Latin hypercube of -samples points
+  name=first:last:morris  -samples trajectories: from a point at random one option after the other moves by 2/3 of its range
   name=first:last         an unknown between these ends, which a goal finds (goal.py)
 Listed and spaced options are combined, each with each. Those that are drawn form one set of points, which every combination of the
 others gets; -seed makes another set.
@@ -11,7 +12,7 @@ import math
 import re
 
 WORD = re.compile(r"[A-Za-z0-9_.+-]+")
-DRAWN = ("random", "latin")
+DRAWN = ("random", "latin", "morris")
 
 
 class SweepError(Exception):
@@ -43,7 +44,7 @@ def spaced(parts, where):
     """first:last:number[:log] -> the values as texts."""
     if len(parts) not in (3, 4) or len(parts) == 4 and parts[3] != "log":
         raise SweepError(f"{where}: \"{':'.join(parts)}\" has {len(parts)} parts, expected first:last:number, "
-                         "first:last:number:log, first:last:random or first:last:latin")
+                         "first:last:number:log, first:last:random, first:last:latin or first:last:morris")
     first, last = to_number(parts[0], where), to_number(parts[1], where)
     count = whole(parts[2], where, 2, 10000)
     if len(parts) == 3:
@@ -99,24 +100,44 @@ def parse_vary(words, forbidden=()):
         if name in forbidden:
             raise SweepError(f"{name} cannot be varied")
         vary[name] = parse_one(values, name)
+    ways = {v[0]: n for n, v in vary.items() if v[0] in DRAWN}
+    if "morris" in ways and len(ways) > 1:
+        other = next(n for kind, n in ways.items() if kind != "morris")
+        raise SweepError(f"{ways['morris']} is drawn by morris and {other} is not, expected one way for all that are drawn")
     return vary
+
+
+def trajectories(dimension, count, generator):
+    """Points between 0 and 1, dimension + 1 for each trajectory: Morris 1991, four levels."""
+    import numpy as np
+    points = []
+    for _ in range(count):
+        up = generator.integers(0, 2, dimension) == 1
+        at = generator.integers(0, 2, dimension) / 3 + np.where(up, 0, 2 / 3)
+        points.append(at.copy())
+        for k in generator.permutation(dimension):
+            at[k] += 2 / 3 if up[k] else -2 / 3
+            points.append(at.copy())
+    return np.array(points)
 
 
 def drawn_points(drawn, samples, seed):
     """[{name: text}], points of the options that are drawn; one empty point if there are none."""
     if not drawn:
         return [{}]
+    morris = [n for n, (kind, *_) in drawn.items() if kind == "morris"]
     try:
         import numpy as np
         from scipy.stats import qmc
     except ImportError as error:
-        raise SweepError(f"{error}; random and latin need the Debian package python3-scipy") from None
+        raise SweepError(f"{error}; random, latin and morris need the Debian package python3-scipy") from None
     generator = np.random.default_rng(seed)
     latin = [n for n, (kind, *_) in drawn.items() if kind == "latin"]
     hypercube = iter(qmc.LatinHypercube(len(latin), seed=generator).random(samples).T) if latin else None
-    column = {n: next(hypercube) if n in latin else generator.random(samples) for n in drawn}
+    path = iter(trajectories(len(morris), samples, generator).T) if morris else None
+    column = {n: next(path) if morris else next(hypercube) if n in latin else generator.random(samples) for n in drawn}
     return [{n: f"{first + (last - first) * column[n][i]:.6g}" for n, (_, first, last) in drawn.items()}
-            for i in range(samples)]
+            for i in range(len(next(iter(column.values()))))]
 
 
 def combinations(vary, samples, seed):

@@ -74,16 +74,18 @@ private:
 std::string declared_name(const std::string& script, const std::string& names) {
   std::string either;
   for (const std::string& name : split(names, ' ')) either += (either.empty() ? "" : "|") + name;
-  const std::string types =
-      "\\b(?:real|int|bool|complex|string|mesh3?|meshS|meshL|matrix|varf|border|fespace|func)\\b";
-  const std::string name = "[\\s&]\\s*(" + either + ")\\s*[=;,()\\[]",
-                    later = "[^;{}()]*,\\s*(" + either + ")\\s*[=;,\\[]";
-  static const std::regex QUOTED("\"(?:[^\"\\\\\n]|\\\\.)*\"");
+  std::string types = "\\b(?:real|int|bool|complex|string|mesh3?|meshS|meshL|matrix|varf|border|fespace|func";
+  const std::string name = "[\\s&\\[]\\s*(" + either + ")\\s*[=;,()\\[\\]]",
+                    later = "[^;{}()]*,\\s*(" + either + ")\\s*[=;,\\[\\]]";
+  static const std::regex QUOTED("\"(?:[^\"\\\\\n]|\\\\.)*\""), SPACE("\\bfespace\\s+(\\w+)");
   std::string code = read_without_comments(script);
   const std::size_t library = code.find(LIBRARY);
   const auto before = code.begin() + (library == std::string::npos ? 0 : library);
   const long first = 1 + std::count(code.begin(), before, '\n');
   code = std::regex_replace("\"" + std::string(before, code.end()), QUOTED, "\"\"");
+  for (std::sregex_iterator space(code.begin(), code.end(), SPACE), last; space != last; ++space)
+    types += "|" + (*space)[1].str() + "(?=\\s*[\\[\\w<])"; // its functions
+  types += ")\\b";
   std::smatch found;
   for (const std::string& rest : {"(?:\\s+\\w+)?\\s*(?:\\[[^\\]]*\\])?" + name, later})
     if (std::regex_search(code, found, std::regex(types + rest)))

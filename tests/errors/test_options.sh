@@ -36,6 +36,8 @@ printf 'include "burnish.idp"\nreal h = 2,\n  tool = 1;\n' >"$SCRATCH/name.edp"
 refuse 20 'name.edp: tool in line 3 is the name of a type of Burnish|such as tool1' "$BURNISH" "$SCRATCH/name.edp"
 printf 'include "burnish.idp"\nfunc real material(real x) { return x; }\n' >"$SCRATCH/name.edp"
 refuse 20 'name.edp: material in line 2 is the name of a type of Burnish|such as material1' "$BURNISH" "$SCRATCH/name.edp"
+printf 'include "burnish.idp"\nmesh Th = square(2, 2);\nfespace Vh(Th, P1);\nVh u, contact = x;\n' >"$SCRATCH/name.edp"
+refuse 20 'name.edp: contact in line 4 is the name of a type of Burnish|such as contact1' "$BURNISH" "$SCRATCH/name.edp"
 rolling 20 'option -steps is 0|expected 1 to 1e+06' -steps 0
 rolling 20 'option -inner is 1|expected 2 to' -inner 1
 rolling 20 'option -graded is -1|expected 0 to 0.0012' -graded -1

@@ -41,6 +41,15 @@ sweep 0 refused a=1,2 c=0.95,0.5 -study high
 holds refused "a=1,c=0.95: exit code 20: option -c is 0.95, expected at most 0.9"
 ran refused out/sweep/high 2
 
+sweep 0 poor a=-4,1 b=1,2 -study poor
+before=$(cat out/sweep/poor/*/log.txt out/sweep/poor/*/ran.txt | md5sum)
+wrong_again() { local n=$1 w=$2; shift 2; sweep 20 "$n" a=-4,1 b=1,2 -study poor -again "$*"; holds "$n" "$w"; }
+wrong_again misspelt "-again: burnish: unknown option -stepps, expected one of" -stepps 400
+wrong_again refused "-again: burnish: option -c is 0.95" -c 0.95
+wrong_again varied "-again: -a is varied" -a 3
+wrong_again settings "-again: -out is none of the script that a variant may have" -out x
+[ "$before" = "$(cat out/sweep/poor/*/log.txt out/sweep/poor/*/ran.txt | md5sum)" ] || fail "again: refused, and a variant was touched"
+
 # 3. Another request gets a study of its own, and takes what is there; a name that is taken is refused
 sweep 0 wider a=-4,1,2,3 b=1,2 c=0.5
 holds wider "press-2: 8 variants, 4 ended before (4 of them in another study)"
@@ -56,6 +65,15 @@ holds text "press-4: 6 variants; "
 mv before.edp press.edp
 sweep 0 back a=-4,1,2 b=1:2:2 c=0.5
 holds back "press: 6 variants, 6 ended before"
+
+# ... also where two begin together
+cp press.edp pair.edp
+for k in 1 2; do
+  for want in 2.5 3.5; do "$REAL" sweep pair.edp target=sum=$want a=0:4 -steps $k -jobs 1 >"$SCRATCH/log.$want" 2>&1 & done; wait
+  cat "$SCRATCH/log.2.5" "$SCRATCH/log.3.5" >"$SCRATCH/log"
+  holds together "a = 1.5: sum"; holds together "a = 2.5: sum"; lacks together "waits for"
+  [ "$(grep -lF -- "-steps $k" out/sweep/pair*/study.json | wc -l)" = 2 ] || fail "together: two studies took one name"
+done
 
 # 4. Stopped by Ctrl-C and killed: the rest runs, nothing twice, and no run is left
 for signal in INT KILL; do
@@ -104,6 +122,9 @@ sweep 1 far target=sum=30 a=0:5
 holds far "sum = 30 is not between 1 at a = 0 and 6 at 5"
 sweep 20 name target=sun=3 a=0:5
 holds name 'no result "sun"; there are: bowl, product, sum'
+sweep 0 morris a=1:3:morris b=0:1:morris -samples 3 -study walk
+holds morris "walk: "
+[ "$(ls -d out/sweep/walk/a=* | wc -l)" -ge 7 ] || fail "morris: variants"
 "$PYTHON" -c "
 import math
 print('t,curve')
@@ -139,6 +160,8 @@ assert [c["name"] for c in data["columns"]] == ["curve", "strain", "t"]
 surface = data["analysis"]["sum"]["surface"]
 assert surface["kind"] == "polynomial of degree 1" and surface["error"] < 1e-9, surface["kind"]
 assert abs(data["analysis"]["sum"]["sobol"]["first"][0] - 36 / 37) < 5e-3   # a from -4 to 2, b from 1 to 2
+effects = data["analysis"]["sum"]["effects"]
+assert effects["mean"] == [6, 1] and max(effects["deviation"]) < 1e-12 and effects["number"] == [4, 3], effects
 assert not re.search(r'(src|href)="https?:', page) and len(re.search('<script id="plotly"[^>]*>(.*?)</script>', page, re.S).group(1)) > 1e6
 END
 sweep 0 draw a=1,2 b=1,2 -draw "sum;product"
@@ -166,6 +189,7 @@ refused goals "expected one of target=" target=sum=1 minimize=bowl a=1:2
 refused where "where= goes with minimize=" target=sum=1 "where=sum<1" a=1:2
 refused form '"sum" is not name=value' target=sum a=1:2
 refused folder '-study is "../x", expected letters' a=1,2 -study ../x
+refused ways "a is drawn by morris and b is not" a=1:2:morris b=1:2:latin
 refused seed '-again: "steps 4", expected 1 or options' a=1,2 -again "steps 4"
 echo 'cout << 1;' >plain.edp
 "$REAL" sweep plain.edp a=1,2 >"$SCRATCH/log" 2>&1; [ $? = 20 ] || fail "plain: status"

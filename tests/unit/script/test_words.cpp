@@ -38,14 +38,17 @@ TEST(ScriptWords, DeclaredNamesOfTypes) {
   };
   for (const char* code :
        {"real tool = 1;", "int a = 2, tool;", "mesh tool(Th);", "func real[int] tool(real x) { return x; }",
-        "real[int] tool(3);", "func int f(real tool) { return 1; }", "/* of\ntwo lines */ string tool;"})
+        "real[int] tool(3);", "func int f(real tool) { return 1; }", "/* of\ntwo lines */ string tool;",
+        "fespace Vh(Th, P1); Vh tool = x;", "fespace Vh(Th, [P1, P1]);\nVh [u, tool] = [0, 0];",
+        "fespace Vh(Th, P1);\nVh<complex> u, tool;", "fespace Vh(Th, [P1, P1]);\nVh [tool, v];"})
     EXPECT_EQ(declared(code).substr(0, 12), "tool in line") << code;
   EXPECT_EQ(declared("/* of\ntwo lines */ string tool;"), "tool in line 5");
   EXPECT_EQ(declared("real h;\nreal contact = h;"), "contact in line 5");
   for (const char* code :
        {"tool roller(circle=1., name=\"roller\");",
         "func int f(contact & C, material & M, tool & t) { return 1; }", "// real tool = 1;",
-        "string s = \"real tool = 1;\";", "contact C = rcContact(Vh, label=3);", "real tools = 1;"})
+        "string s = \"real tool = 1;\";", "contact C = rcContact(Vh, label=3);",
+        "fespace Vh(Th, P1); Vh u = x; tool t(circle=f(Vh, 2, tool=1));", "real tools = 1;"})
     EXPECT_EQ(declared(code), "") << code;
   EXPECT_EQ(declared_name(script + ".none", "tool"), "");
 }
