@@ -75,7 +75,8 @@ $(PLUGIN): $(call objects,$(PLUGIN_SOURCES)) $(CORE)
 	$(if $(PLUGIN_SOURCES),,$(error no sources in plugins/))
 	@mkdir -p $(@D)
 	@.ci/said $(BUILD) "link    $@"
-	@$(CXX) -shared $(LDFLAGS) $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new && mv $@.new $@
+	@$(CXX) -shared $(LDFLAGS) -Wl,-Bsymbolic-functions $(filter %.o,$^) $(CORE) -Wl,--as-needed $(LIBRARIES) -o $@.new \
+	  && mv $@.new $@
 
 $(CAD): $(call objects,$(CAD_SOURCES)) $(OCC_CORE) $(CORE)
 	@mkdir -p $(@D)

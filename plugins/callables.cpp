@@ -78,10 +78,10 @@ std::string type_name(const char* name) {
 }
 std::string type_name(aType type) { return type_name(type->name()); }
 
-struct Arguments : OneOperator { // never made: opens what OneOperator protects
+struct OperatorArguments : OneOperator { // never made: opens what OneOperator protects
   static std::vector<aType> of(const OneOperator& op) {
-    aType* const first = op.*(&Arguments::t);
-    return {first, first + op.*(&Arguments::n)};
+    aType* const first = op.*(&OperatorArguments::t);
+    return {first, first + op.*(&OperatorArguments::n)};
   }
 };
 
@@ -99,7 +99,7 @@ std::vector<const OneOperator*> overloads(const Polymorphic& table, const char* 
 void add_call(std::set<std::string>& lines, const std::string& kind, const std::string& name,
               const OneOperator& op, std::size_t hidden) {
   std::string line = kind + " " + name + "(";
-  const std::vector<aType> arguments = Arguments::of(op);
+  const std::vector<aType> arguments = OperatorArguments::of(op);
   for (std::size_t i = hidden; i < arguments.size(); ++i)
     line += (i == hidden ? "" : ", ") + type_name(arguments[i]);
   lines.insert(line + ") -> " + type_name(static_cast<aType>(op)));
@@ -145,7 +145,7 @@ void add_types(std::set<std::string>& lines) {
     if (!type || std::string(type->name()).find("burnish") == std::string::npos) continue;
     lines.insert(std::string("type ") + word);
     for (const OneOperator* op : overloads(*TheOperators, "<-"))
-      if (Arguments::of(*op)[0] == type) add_call(lines, "constructor", word, *op, 1);
+      if (OperatorArguments::of(*op)[0] == type) add_call(lines, "constructor", word, *op, 1);
     for (const auto& [name, value] : (type->*reveal(Members{})).m)
       if (const auto* table = dynamic_cast<const Polymorphic*>(value.second))
         add_member(lines, std::string(word) + "." + name, *table);

@@ -1,6 +1,7 @@
 #include "run/approach.hpp"
 #include "base/error.hpp"
 #include "base/sentence.hpp"
+#include "diagnosis/before/wrong_side.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -93,9 +94,8 @@ void check_from_outside(const ContactSetup<Dim>& setup, const ContactState<Dim>&
     std::ostringstream text;
     text << "tool \"" << setup.tools()[tool]->name()
          << "\" comes to the surface from inside the workpiece, at node " << node << " at "
-         << place_text(setup.body().position(u, node))
-         << "; place it outside first, or, if its profile has the body on the wrong side, turn it: "
-         << "inside=true, or the points in the other order";
+         << place_text(setup.body().position(u, node)) << "; place it outside first, or, "
+         << turned_to_the_body<Dim>();
     fail("contact.approach", text.str());
   }
 }
@@ -120,11 +120,10 @@ template <int Dim> [[noreturn]] void fail_approach(const ContactSetup<Dim>& setu
   if (radius < h)
     small << " (its tightest radius, " << radius << ", is smaller than the distance of the contact nodes, "
           << h << ": it may pass between them)";
-  fail("contact.approach",
-       setup.model().coordinate(setup.model().first[tool] + k) + " alone does not bring it to the body" +
-           small.str() +
-           "; place the tool opposite the contact surface first (the body lies on the left of an "
-           "open profile: reverse one that faces away)");
+  fail("contact.approach", setup.model().coordinate(setup.model().first[tool] + k) +
+                               " alone does not bring it to the body" + small.str() +
+                               "; place the tool opposite the contact surface first (" +
+                               side_of_the_body<Dim>() + ")");
 }
 
 // Moves the tool to its first touch in a direction; 0: in which its smallest gap closes. @returns the nodes, none: it passes by

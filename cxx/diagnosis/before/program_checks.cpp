@@ -2,6 +2,7 @@
 #include "base/error.hpp"
 #include "base/sentence.hpp"
 #include "contact/tool_support.hpp"
+#include "diagnosis/before/wrong_side.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -91,8 +92,7 @@ void check_not_inside(const ContactSetup<Dim>& setup, const MeshLocator<Dim>& lo
   std::ostringstream text;
   text << "tool \"" << setup.tools()[tool]->name() << "\" starts inside the workpiece: node " << node
        << " at " << place_text(body.position(u, node)) << " penetrates by " << -deepest
-       << "; place the tool outside and call approach, or, if its profile has the body on the wrong "
-       << "side, turn it: inside=true, or the points in the other order";
+       << "; place the tool outside and call approach, or, " << turned_to_the_body<Dim>();
   fail("contact.begin", text.str());
 }
 

@@ -24,7 +24,8 @@ inline std::vector<std::shared_ptr<const Surface<3>>> four_surfaces() {
 }
 
 template <int Nodes> struct BoundNodes {
-  static constexpr int NODES = Nodes, DOFS = 3 * Nodes, Q = 6;
+  static constexpr int NODES = Nodes, DOFS = 3 * Nodes;
+  const int Q; ///< number of coordinates
   ContactModel<3> model;
   BodyView<3> body;
   ContactState<3> state;
@@ -33,15 +34,16 @@ template <int Nodes> struct BoundNodes {
   Eigen::MatrixXd stiffness;
   Eigen::VectorXd along, u = Eigen::VectorXd::Zero(DOFS), load = u;
 
-  BoundNodes(std::shared_ptr<const Surface<3>> surface, double mu, unsigned seed) : m_random(seed) {
+  BoundNodes(std::shared_ptr<const Surface<3>> surface, double mu, unsigned seed,
+             std::shared_ptr<const Coordinates<3>> coordinates = std::make_shared<CartesianInSpace>())
+      : Q(static_cast<int>(coordinates->names().size())), m_random(seed) {
     model.candidates.resize(NODES);
     std::iota(model.candidates.begin(), model.candidates.end(), 0);
     K = pattern_from_elements<3>(NODES, NODES, model.candidates);
     const Eigen::MatrixXd A = Eigen::MatrixXd::NullaryExpr(DOFS, DOFS, [&] { return any(); });
     stiffness = A * A.transpose() / DOFS + 0.5 * Eigen::MatrixXd::Identity(DOFS, DOFS);
     along = Eigen::VectorXd::NullaryExpr(DOFS, [&] { return any(); });
-    model.tools = {
-        std::make_shared<Tool<3>>("tool", std::move(surface), std::make_shared<CartesianInSpace>())};
+    model.tools = {std::make_shared<Tool<3>>("tool", std::move(surface), std::move(coordinates))};
     model.laws.emplace_back(make_coulomb(mu));
     model.first = {0, Q};
     body.X = Eigen::VectorXd::Zero(DOFS);

@@ -1,14 +1,17 @@
 // The condensed tangent of space against finite differences of the cone form: slips that turn, a node on a symmetry plane,
-// every kind of surface.
+// every kind of surface in every kind of coordinates.
+#include "support/script_tool.hpp"
 #include "unit/contact/bound_nodes.hpp"
+#include "unit/geometry/surface_samples.hpp"
 
 using namespace burnish;
 using namespace burnish::test;
 
 namespace {
 
-/// Nodes 0 and 1 slide, 2 sticks, 3 slides on a symmetry plane (u_y given), 4 and 5 are free.
+/// Nodes 0 and 1 slide, 2 sticks, 3 slides on a symmetry plane (u_y given) or is free, 4 and 5 are free.
 struct SpaceSample : BoundNodes<6> {
+  int touching = 4;
   SpaceSample(std::shared_ptr<const Surface<3>> shape, double mu) : BoundNodes(std::move(shape), mu, 7) {
     model.constrained.assign(NODES, {false, false, false});
     model.constrained[3][1] = true;
@@ -23,19 +26,44 @@ struct SpaceSample : BoundNodes<6> {
     settle();
     press(4, [](int i) { return Param<3>(0.4 + 0.1 * i, -0.3); }); // beyond the cone
   }
-  /// Slips of nodes 0 and 1; free nodes; x, z, spiny, which keep the tool in the plane of symmetry.
-  std::vector<int> unknowns() const { return {0, 1, 3, 4, 12, 13, 14, 15, 16, 17, 18, 20, 22}; }
+  /// Without a symmetry plane, anywhere in any coordinates.
+  SpaceSample(const std::shared_ptr<const Surface<3>>& shape, const CoordinatesCall& call, double mu)
+      : BoundNodes(shape, mu, 7, coordinates_of(call)), touching(3) {
+    model.constrained.assign(NODES, {false, false, false});
+    state.q = Eigen::Map<const Eigen::VectorXd>(call.q.data(), Q);
+    const auto places = smooth_places(*shape, 40, 0.15);
+    for (int i = 0; i < touching; ++i) {
+      touch(i, places.at(2 + i * (places.size() - 4) / 2).y);
+      if (i < 2) slide(i, tangent_vector(i, Param<3>(0.05 * any(), 0.05 * any())));
+    }
+    settle();
+    press(touching, [](int i) { return Param<3>(0.4 + 0.1 * i, -0.3); }); // beyond the cone
+  }
+  std::vector<int> slips() const { return {0, 1, 3, 4}; }
+  std::vector<int> free() const { return range(3 * touching, DOFS, 1); }
+  /// With a symmetry plane those that keep the tool in it: x, z, spiny.
+  std::vector<int> coordinates() const { return range(DOFS, DOFS + Q, touching == 4 ? 2 : 1); }
+  std::vector<int> unknowns() const {
+    std::vector<int> all = slips();
+    for (const auto& more : {free(), coordinates()}) all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  static std::vector<int> range(int from, int end, int step) {
+    std::vector<int> list;
+    for (int i = from; i < end; i += step) list.push_back(i);
+    return list;
+  }
   /// Residual after a change z of slips, free nodes and coordinates; rows of slips in the tool's frame, seen in the tangents
   /// before the change.
   Eigen::VectorXd residual(const Eigen::VectorXd& z, double guided) const {
     const Tool<3>& tool = *model.tools[0];
     const Surface<3>& surface = tool.surface();
-    const Eigen::VectorXd q = state.q + z.tail(6);
+    const Eigen::VectorXd q = state.q + z.tail(Q);
     const auto pose = model.poses(q)[0];
     Eigen::VectorXd x = u, r = Eigen::VectorXd::Zero(z.size());
     std::vector<ContactNode<3>> nodes = state.nodes;
-    for (int d = 12; d < DOFS; ++d) x[d] += z[d];
-    for (int i = 0; i < 4; ++i) {
+    for (const int d : free()) x[d] += z[d];
+    for (int i = 0; i < touching; ++i) {
       Param<3> slip = z.segment<2>(3 * i);
       if (i == 3) slip = guided * guide(nodes[3]);
       nodes[i].place = surface.moved(nodes[i].place, slip);
@@ -43,12 +71,12 @@ struct SpaceSample : BoundNodes<6> {
       if (i == 3) x[10] = u[10];
     }
     const Eigen::VectorXd R = force(x);
-    r.segment<6>(12) = R.segment<6>(12);
-    for (int i = 0; i < 4; ++i) {
+    for (const int d : free()) r[d] = R[d];
+    for (int i = 0; i < touching; ++i) {
       const SurfacePoint<3> p = tool.point(pose, nodes[i].place);
       const SurfaceForce<3> part = nodal_force(model, i, p, Vector<3>(R.segment<3>(3 * i))).part;
       const Vector<3> F = nodal_force(model, i, p, Vector<3>(R.segment<3>(3 * i))).F;
-      r.tail(6) += p.x_q.transpose() * F;
+      r.tail(Q) += p.x_q.transpose() * F;
       if (i == 2) continue;
       const Param<3> slip = slip_of(model, nodes[i], 1), tau = part.T - state.slip_stiffness * slip;
       const double g = model.laws[0].friction().limit(part.N, 1);
@@ -67,23 +95,36 @@ struct SpaceSample : BoundNodes<6> {
   }
 };
 
+void check_blocks(SpaceSample s) {
+  const Eigen::MatrixXd K = s.tangent();
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(K.rows(), K.cols());
+  for (const int j : s.unknowns())
+    expected.col(j) = finite_difference(
+        [&](double t) { return s.residual(t * Eigen::VectorXd::Unit(K.cols(), j), 0); }, 0, 1e-3);
+  for (const auto& rows : {s.slips(), s.free(), s.coordinates()})
+    for (const auto& columns : {s.slips(), s.free(), s.coordinates()}) {
+      EXPECT_LE((K(rows, columns) - expected(rows, columns)).norm(), 1e-7 * expected(rows, columns).norm())
+          << "rows " << rows[0] << ", columns " << columns[0];
+    }
+}
+
 } // namespace
 
 TEST(CondensedInSpace, TangentAgainstFiniteDifferences) {
-  for (const auto& surface : four_surfaces()) {
-    SpaceSample s(surface, 0.3);
-    const Eigen::MatrixXd K = s.tangent();
-    const std::vector<int> list = s.unknowns();
-    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(24, 24);
-    for (const int j : list)
-      expected.col(j) = finite_difference(
-          [&](double t) { return s.residual(t * Eigen::VectorXd::Unit(24, j), 0); }, 0, 1e-3);
-    const std::vector<int> slips = {0, 1, 3, 4}, nodes = {12, 13, 14, 15, 16, 17}, q = {18, 20, 22};
-    for (const auto& rows : {slips, nodes, q})
-      for (const auto& columns : {slips, nodes, q})
-        EXPECT_LE((K(rows, columns) - expected(rows, columns)).norm(), 1e-7 * expected(rows, columns).norm())
-            << "rows " << rows[0] << ", columns " << columns[0];
-  }
+  for (const auto& surface : four_surfaces()) check_blocks(SpaceSample(surface, 0.3));
+}
+
+TEST(CondensedInSpace, EverySurfaceInEveryKindOfCoordinates) {
+  const auto every = surfaces(skew_axis());
+  for (const std::string name :
+       {"plane", "sphere", "cylinder", "frustum", "torus", "turned cam", "swept cam"})
+    for (const auto& call : coordinates_calls()) {
+      SCOPED_TRACE(name + " in " + call.name);
+      const auto found =
+          std::find_if(every.begin(), every.end(), [&](const NamedSurface& s) { return s.name == name; });
+      ASSERT_NE(found, every.end());
+      check_blocks(SpaceSample(found->surface, call, 0.3));
+    }
 }
 
 // Slip and row of the node on the symmetry plane along its only free direction.

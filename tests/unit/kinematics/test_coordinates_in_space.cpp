@@ -84,7 +84,7 @@ TEST(CoordinatesInSpace, DerivativesAgainstDifferences) {
   }
 }
 
-// METHOD.md (2.14): the sum over X_k . F of forces anywhere on the tool is origin_k . f + axis_k . M.
+// METHOD.md (2.14): the sum over X_k . F of forces anywhere on the tool is origin_k . f + axis_k . M, to rounding of the terms.
 TEST(CoordinatesInSpace, ForcesConjugateToThem) {
   const Vector<3> places[] = {{1, 0.5, -2}, {-0.3, 2, 1}, {0.7, -1, 0.2}};
   const Vector<3> forces[] = {{3, -1, 2}, {0.5, 2, -1}, {-4, 1, 0.3}};
@@ -93,13 +93,14 @@ TEST(CoordinatesInSpace, ForcesConjugateToThem) {
       const Pose<3> pose = coordinates->pose(vector_of(at));
       for (std::size_t k = 0; k < pose.R_q.size(); ++k) {
         Vector<3> f(0, 0, 0), M(0, 0, 0);
-        double Q = 0;
+        double Q = 0, size = 0;
         for (int i = 0; i < 3; ++i) {
           f += forces[i];
           M += (pose.R * places[i]).cross(forces[i]);
           Q += forces[i].dot(pose.origin_q[k] + pose.R_q[k] * places[i]);
+          size += forces[i].norm() * (pose.origin_q[k].norm() + axis_of(pose, k).norm() * places[i].norm());
         }
-        EXPECT_NEAR(Q, pose.origin_q[k].dot(f) + axis_of(pose, k).dot(M), 1e-14 * 20) << name << " " << k;
+        EXPECT_NEAR(Q, pose.origin_q[k].dot(f) + axis_of(pose, k).dot(M), 1e-14 * size) << name << " " << k;
       }
     }
 }

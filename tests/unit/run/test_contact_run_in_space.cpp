@@ -56,6 +56,12 @@ TEST(ContactInSpace, ApproachTouchesTheFlatTop) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(state_of(scene, i), NodeState::STICKING);
 }
 
+TEST(ContactInSpace, ApproachOfASurfaceThatFacesAway) {
+  PressedPrism scene(0);
+  expect_invalid([&] { scene.contact->approach(0, "x", scene.u); },
+                 "(the normal of its surface points to the body: turn one that faces away)");
+}
+
 // Sticking nodes go where the plane goes: the top's displacement is the tool's, and its forces are their reactions.
 TEST(ContactInSpace, StickingNodesGoWithThePlane) {
   PressedPrism scene(50);
