@@ -66,7 +66,7 @@ void expect_equals_dense(SchurFactor<Dim>& factor, const NodeBlockMatrix<Dim>& m
 } // namespace
 
 TEST(SchurFactor, PlaneEqualsDense) {
-  const sample::Plane plane;
+  const sample::ClampedSector plane;
   SchurFactor<2> factor;
   expect_equals_dense(factor, plane.K, plane.fixed, plane.mesh.outer);
 }
@@ -81,7 +81,7 @@ TEST(SchurFactor, SpaceEqualsDense) {
 
 TEST(SchurFactor, CandidatesInAnyOrderAndPlace) {
   // candidates far apart, in the interior, with and without common neighbors
-  const sample::Plane plane;
+  const sample::ClampedSector plane;
   SchurFactor<2> factor;
   std::vector<int> all(plane.K.num_nodes);
   for (int node = 0; node < plane.K.num_nodes; ++node) all[node] = node;
@@ -95,7 +95,7 @@ TEST(SchurFactor, CandidatesInAnyOrderAndPlace) {
 }
 
 TEST(SchurFactor, FixedDofsAmongCandidates) {
-  const sample::Plane plane;
+  const sample::ClampedSector plane;
   std::vector<char> fixed = plane.fixed;
   std::vector<int> candidates = plane.mesh.outer;
   fixed[2 * candidates[1]] = 1;
@@ -107,7 +107,7 @@ TEST(SchurFactor, FixedDofsAmongCandidates) {
 }
 
 TEST(SchurFactor, OneComponentOfInteriorNodesFixed) {
-  const sample::Plane plane;
+  const sample::ClampedSector plane;
   std::vector<char> fixed = plane.fixed;
   for (int node = 0; node < plane.K.num_nodes; node += 3) fixed[2 * node + node % 2] = 1;
   SchurFactor<2> factor;
@@ -127,7 +127,7 @@ TEST(SchurFactor, BodyWithoutFixedDofsAndSeparateBodies) {
 }
 
 TEST(SchurFactor, EverythingFixedSolvesToZero) {
-  const sample::Plane plane;
+  const sample::ClampedSector plane;
   SchurFactor<2> factor;
   factor.analyze(plane.K, std::vector<char>(plane.K.size(), 1), {3});
   ASSERT_EQ(factor.factorize(plane.K), FactorStatus::OK);
@@ -137,7 +137,7 @@ TEST(SchurFactor, EverythingFixedSolvesToZero) {
 }
 
 TEST(SchurFactor, UsesTheLowerTriangleOnly) {
-  const sample::Plane plane;
+  const sample::ClampedSector plane;
   NodeBlockMatrix<2> lower = plane.K;
   for (int row = 0; row < lower.num_nodes; ++row)
     for (int k = lower.row_start[row]; k < lower.row_start[row + 1]; ++k)
@@ -153,7 +153,7 @@ TEST(SchurFactor, UsesTheLowerTriangleOnly) {
 }
 
 TEST(SchurFactor, AnalysisIsReusedUntilSomethingChanges) {
-  sample::Plane plane;
+  sample::ClampedSector plane;
   SchurFactor<2> factor;
   expect_equals_dense(factor, plane.K, plane.fixed, plane.mesh.outer);
   EXPECT_EQ(factor.analyses(), 1);
@@ -193,7 +193,7 @@ TEST(SchurFactor, PatternsOfEqualRowLengthsAreToldApart) {
 }
 
 TEST(SchurFactor, IndefiniteMatrixIsAStatusAndDoesNotStick) {
-  const sample::Plane plane;
+  const sample::ClampedSector plane;
   SchurFactor<2> factor;
   factor.analyze(plane.K, plane.fixed, plane.mesh.outer);
   EXPECT_EQ(factor.factorize(sample::stiffness(plane.mesh, -1.)), FactorStatus::NOT_POSITIVE_DEFINITE);
@@ -209,7 +209,7 @@ TEST(SchurFactor, IndefiniteMatrixIsAStatusAndDoesNotStick) {
 }
 
 TEST(SchurFactor, AddedOnTheDiagonalOfCandidates) {
-  sample::Plane plane;
+  sample::ClampedSector plane;
   const std::vector<int>& nodes = plane.mesh.outer;
   plane.fixed[2 * nodes[1] + 1] = 1;
   SchurFactor<2> factor, other;
@@ -231,7 +231,7 @@ TEST(SchurFactor, AddedOnTheDiagonalOfCandidates) {
 }
 
 TEST(SchurFactor, NoTwoFactorsAreHeld) {
-  const sample::Plane plane;
+  const sample::ClampedSector plane;
   SchurFactor<2> factor;
   expect_equals_dense(factor, plane.K, plane.fixed, plane.mesh.outer);
   factor.analyze(plane.K, plane.fixed, {plane.mesh.outer[0]});
@@ -240,7 +240,7 @@ TEST(SchurFactor, NoTwoFactorsAreHeld) {
 }
 
 TEST(SchurFactor, MovedObjectKeepsItsFactor) {
-  const sample::Plane plane;
+  const sample::ClampedSector plane;
   SchurFactor<2> first;
   first.analyze(plane.K, plane.fixed, plane.mesh.outer);
   ASSERT_EQ(first.factorize(plane.K), FactorStatus::OK);
@@ -250,7 +250,7 @@ TEST(SchurFactor, MovedObjectKeepsItsFactor) {
 }
 
 TEST(SchurFactor, RefusesBadAnalysisAndKeepsTheOldOne) {
-  const sample::Plane plane;
+  const sample::ClampedSector plane;
   SchurFactor<2> factor;
   expect_equals_dense(factor, plane.K, plane.fixed, plane.mesh.outer);
   const int n = plane.K.num_nodes;

@@ -8,7 +8,7 @@
 using namespace burnish;
 
 TEST(SchurFactorRefusals, RefusesCallsOutOfOrder) {
-  const sample::Plane plane;
+  const sample::ClampedSector plane;
   SchurFactor<2> factor;
   EXPECT_THROW(factor.factorize(plane.K), std::invalid_argument);
   factor.analyze(plane.K, plane.fixed, plane.mesh.outer);
@@ -23,7 +23,7 @@ TEST(SchurFactorRefusals, RefusesCallsOutOfOrder) {
 }
 
 TEST(SchurFactorRefusals, RefusesNumbersThatAreNotFinite) {
-  sample::Plane plane;
+  sample::ClampedSector plane;
   SchurFactor<2> factor;
   factor.analyze(plane.K, plane.fixed, plane.mesh.outer);
   ASSERT_EQ(factor.factorize(plane.K), FactorStatus::OK);
