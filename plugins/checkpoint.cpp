@@ -13,20 +13,11 @@
 //     ! is cut off
 //     ! is damaged
 //     ! is no checkpoint of Burnish
-//   rcStart(C, M, u, file)   before the first run of C: the workpiece as a run left it that wrote this file, S.checkpoint(file) after its
-//       rcRun. Displacement, stress, internal variables, integrities are exactly those; tools, supports, labels and steps may be others.
-//       Prints what is out of balance there, and returns it: the largest nodal force that no support of C takes | force
-//     C         contact
-//     M         material on the same mesh
-//     u         displacement array, u[], out | length
-//     file      path
-//     ! expected one before its first step
 //   S.checkpointdue   the time of option -checkpoint is over since the last one, Ctrl-C came, or the run is at its end and has had one
 //   internal: rcResumeOption rcResumable rcNoteVariables rcOutdated rcRunFile
 #include "checkpoint.hpp"
 #include "base/error.hpp"
 #include "checkpoint/identity.hpp"
-#include "checkpoint/stage.hpp"
 #include "named.hpp"
 #include "parallel/first_rank.hpp"
 #include "remesh.hpp"
@@ -36,7 +27,6 @@
 #include "script_options.hpp"
 #include "script_values.hpp"
 #include "step_control.hpp"
-#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -199,69 +189,40 @@ struct ResumeTag {};
 using Checkpointing = Method<StepControlHandle, CheckpointTag>;
 using Resuming = Method<StepControlHandle, ResumeTag>;
 
-// These are compiled where the script calls them, and see its variables there.
-class WriteCheckpoint : public OneOperator {
+/// A function of the script that is compiled where it is called, and sees the variables there.
+using Expressions = std::vector<Expression>;
+using Work = void (*)(const Expressions&, Stack, const ScriptValues&);
+template <Work work, class... Types> class SeesVariables : public OneOperator {
 public:
-  WriteCheckpoint() : OneOperator(atype<bool>(), atype<Checkpointing>(), atype<string*>()) {}
+  SeesVariables() : OneOperator(atype<bool>(), atype<Types>()...) {}
   E_F0* code(const basicAC_F0& args) const override {
-    return new Call(t[0]->CastTo(args[0]), t[1]->CastTo(args[1]));
+    Expressions given;
+    for (int i = 0; i < args.size(); ++i) given.push_back(t[i]->CastTo(args[i]));
+    return new Call(std::move(given));
   }
 
 private:
   struct Call : E_F0mps {
-    Call(Expression object, Expression file) : m_object(object), m_file(file) {}
+    explicit Call(Expressions given) : m_given(std::move(given)) {}
     AnyType operator()(Stack stack) const override {
-      guarded([&] {
-        const auto object = GetAny<Checkpointing>((*m_object)(stack));
-        write_run(object->get(), *GetAny<string*>((*m_file)(stack)), stack, m_values);
-      });
+      guarded([&] { work(m_given, stack, m_values); });
       return SetAny<bool>(true);
     }
-    Expression m_object, m_file;
+    Expressions m_given;
     ScriptValues m_values;
   };
 };
 
-class ReadCheckpoint : public OneOperator {
-public:
-  ReadCheckpoint()
-      : OneOperator(atype<bool>(), atype<Resuming>(), atype<string*>(), atype<KN_<double>>(),
-                    atype<KN_<double>>()) {}
-  E_F0* code(const basicAC_F0& args) const override {
-    return new Call(
-        {t[0]->CastTo(args[0]), t[1]->CastTo(args[1]), t[2]->CastTo(args[2]), t[3]->CastTo(args[3])});
-  }
-
-private:
-  struct Call : E_F0mps {
-    explicit Call(std::array<Expression, 4> arguments) : m_arguments(arguments) {}
-    AnyType operator()(Stack stack) const override {
-      guarded([&] {
-        const auto object = GetAny<Resuming>((*m_arguments[0])(stack));
-        resume_run(object->share(), *GetAny<string*>((*m_arguments[1])(stack)),
-                   {m_arguments[2], m_arguments[3]}, stack, m_values);
-      });
-      return SetAny<bool>(true);
-    }
-    std::array<Expression, 4> m_arguments;
-    ScriptValues m_values;
-  };
-};
-
-class NoteValues : public OneOperator {
-public:
-  NoteValues() : OneOperator(atype<bool>(), atype<long>()) {}
-  E_F0* code(const basicAC_F0&) const override { return new Call; }
-
-private:
-  struct Call : E_F0mps {
-    AnyType operator()(Stack stack) const override {
-      guarded([&] { m_values.note(stack); });
-      return SetAny<bool>(true);
-    }
-    ScriptValues m_values;
-  };
-};
+template <class T> T value_of(Expression argument, Stack stack) { return GetAny<T>((*argument)(stack)); }
+void checkpoint_here(const Expressions& given, Stack stack, const ScriptValues& values) {
+  const auto object = value_of<Checkpointing>(given[0], stack);
+  write_run(object->get(), *value_of<string*>(given[1], stack), stack, values);
+}
+void resume_here(const Expressions& given, Stack stack, const ScriptValues& values) {
+  const auto object = value_of<Resuming>(given[0], stack);
+  resume_run(object->share(), *value_of<string*>(given[1], stack), {given[2], given[3]}, stack, values);
+}
+void note_here(const Expressions&, Stack stack, const ScriptValues& values) { values.note(stack); }
 
 bool checkpoint_due(StepControlHandle* const& h) {
   return guarded([&] {
@@ -300,23 +261,6 @@ string* run_file(Stack stack, string* const& folder, const long& number) {
   return new_string(stack, (in / ("run-" + std::to_string(number) + ".checkpoint")).string());
 }
 
-double start_from(ContactHandle* const& contact, MaterialHandle* const& material, const KN_<double>& u,
-                  string* const& path) {
-  return on(contact, [&](auto& object) {
-    constexpr const char* WHERE = "rcStart";
-    auto& body = object.with_material(material->get(), WHERE);
-    if (object.started() && object.run().accepted().history.dt > 0)
-      fail(WHERE, "the contact has a run behind it, expected one before its first step");
-    const StageStart start = start_stage(*path, object.setup->body().fixed, body.changed().workpiece());
-    to_array(body.workpiece().state_old().displacement, u, WHERE);
-    cout << "burnish: starts from " << *path << ", t = " << start.t << ": largest nodal force "
-         << start.balance.largest << ", of what no support takes " << start.balance.unbalanced << endl;
-    if (!start.same_material)
-      cout << "burnish: warning: the material is described by other numbers than that of " << *path << endl;
-    return start.balance.unbalanced;
-  });
-}
-
 } // namespace
 
 void accept_checkpoint_options() {
@@ -327,12 +271,12 @@ void accept_checkpoint_options() {
 
 void register_checkpoint() {
   last_written();
-  add_method<StepControlHandle, CheckpointTag>("checkpoint", [] { return new WriteCheckpoint; });
-  add_method<StepControlHandle, ResumeTag>("resume", [] { return new ReadCheckpoint; });
+  add_method<StepControlHandle, CheckpointTag>(
+      "checkpoint", [] { return new SeesVariables<checkpoint_here, Checkpointing, string*>; });
+  add_method<StepControlHandle, ResumeTag>(
+      "resume", [] { return new SeesVariables<resume_here, Resuming, string*, KN_<double>, KN_<double>>; });
   Add<StepControlHandle*>("checkpointdue", ".", new OneOperator1_<bool, StepControlHandle*>(checkpoint_due));
-  Global.Add("rcStart", "(",
-             new OneOperator4_<double, ContactHandle*, MaterialHandle*, KN_<double>, string*>(start_from));
-  Global.Add("rcNoteVariables", "(", new NoteValues);
+  Global.Add("rcNoteVariables", "(", new SeesVariables<note_here, long>);
   Global.Add("rcResumeOption", "(", new OneOperator1_<long, long>(resume_asked));
   Global.Add("rcResumable", "(", new OneOperator1_<bool, string*>(resumable));
   Global.Add("rcRunFile", "(", new OneOperator2s_<string*, string*, long>(run_file));

@@ -1,6 +1,7 @@
 // What carries the workpiece beside tools, from the next step on.
 //   C.supportdisplacement(g)   displacement of the supports at the end of the step to come, until another is given
-//       (METHOD.md 3.15)
+//       (METHOD.md 3.15). After a new mesh it counts on from the first one; of a formula of x, y the places are those of the new mesh:
+//       give each support one value
 //     g         as long as u, 0 at free components | length | 0 | finite
 //   C.external(f)   external nodal forces of the steps to come, until others are given: weight, pressure. The core takes
 //       them off: R of C.check and the like is the internal force
@@ -9,6 +10,7 @@
 //     > // in program: a pressure p that follows the surface of label 2; [u, v] is the accepted displacement: it lags by a step
 //     > varf pressure([x1, y1], [a, b]) = int1d(Th, 2)(-p*(N.x*(1 + dy(v)) - N.y*dx(v))*a - p*(N.y*(1 + dx(u)) - N.x*dy(u))*b);
 //     f         as long as u; zeros take them back | force | none | finite
+//     ! the forces are those of the mesh before
 //     ! pure rates know no external forces; take the scheme implicit or event
 //   C.hold(stiffness, until)   springs from all nodes to where they are when the next step begins; they fall linearly to 0
 //       (METHOD.md 3.16)

@@ -64,7 +64,7 @@
 namespace burnish {
 namespace {
 
-using H = MaterialHandle;
+using M = MaterialHandle;
 using Array = KN_<double>;
 constexpr double P1DC_PLACES = 0.99; // degrees of freedom of FreeFEM's P1dc, of the way to the vertices
 
@@ -96,7 +96,7 @@ int component_index(long i, const char* where) {
   require(i >= 0 && i < 1000, where, "component", i, "0 or more, see the list of components");
   return static_cast<int>(i);
 }
-template <class Give> bool give(H* handle, const char* where, const Give& f) {
+template <class Give> bool give(M* handle, const char* where, const Give& f) {
   return on(handle, [&](auto& material) {
     const CpuTimer timer(material.update_seconds);
     f(material.changed().workpiece().given(where));
@@ -104,7 +104,7 @@ template <class Give> bool give(H* handle, const char* where, const Give& f) {
   });
 }
 // Component i of what the field of a workpiece gives, n of them in its dimension.
-template <class Field> Array component_of(Stack stack, H* handle, long i, const char* where, Field field) {
+template <class Field> Array component_of(Stack stack, M* handle, long i, const char* where, Field field) {
   return on(handle, [&](auto& material) {
     const std::vector<double>& all = field(material.workpiece());
     const long points = material.workpiece().discretization().num_points();
@@ -112,26 +112,26 @@ template <class Field> Array component_of(Stack stack, H* handle, long i, const 
   });
 }
 
-Array stress(Stack stack, const Method<H, StressTag>& m, const long& i) {
+Array stress(Stack stack, const Method<M, StressTag>& m, const long& i) {
   return component_of(stack, m.object, i, "material.stress",
                       [](const auto& body) { return script_stress_field(body); });
 }
-bool give_stress(const Method<H, StressTag>& m, const long& i, const Array& a) {
+bool give_stress(const Method<M, StressTag>& m, const long& i, const Array& a) {
   return give(m.object, "material.stress",
               [&](const auto& given) { given.stress(component_index(i, "material.stress"), values_of(a)); });
 }
-Array cauchy(Stack stack, const Method<H, CauchyTag>& m, const long& i) {
+Array cauchy(Stack stack, const Method<M, CauchyTag>& m, const long& i) {
   return component_of(stack, m.object, i, "material.cauchy",
                       [](const auto& body) { return cauchy_field(body); });
 }
-Array gradient(Stack stack, const Method<H, GradientTag>& m, const long& i) {
+Array gradient(Stack stack, const Method<M, GradientTag>& m, const long& i) {
   return component_of(stack, m.object, i, "material.F", [](const auto& body) { return body.state().F; });
 }
-Array piola(Stack stack, const Method<H, PiolaTag>& m, const long& i) {
+Array piola(Stack stack, const Method<M, PiolaTag>& m, const long& i) {
   return component_of(stack, m.object, i, "material.piola",
                       [](const auto& body) { return piola_field(body); });
 }
-bool give_piola(const Method<H, PiolaTag>& m, const long& i, const Array& a) {
+bool give_piola(const Method<M, PiolaTag>& m, const long& i, const Array& a) {
   return give(m.object, "material.piola",
               [&](const auto& given) { given.piola(component_index(i, "material.piola"), values_of(a)); });
 }
@@ -142,7 +142,7 @@ template <int Dim> const std::vector<double>& all_moduli(MaterialOf<Dim>& object
   object.moduli_blend = blend;
   return object.moduli;
 }
-Array blended_moduli(Stack stack, const Method<H, ModuliTag>& m, const long& i, const long& j,
+Array blended_moduli(Stack stack, const Method<M, ModuliTag>& m, const long& i, const long& j,
                      const double& blend) {
   return on(m.object, [&](auto& material) {
     constexpr int n = num_gradient<dim_of<decltype(material)>>;
@@ -151,45 +151,45 @@ Array blended_moduli(Stack stack, const Method<H, ModuliTag>& m, const long& i, 
     return component(stack, all_moduli(material, blend), n * i + j, n * n, "material.moduli");
   });
 }
-Array moduli(Stack stack, const Method<H, ModuliTag>& m, const long& i, const long& j) {
+Array moduli(Stack stack, const Method<M, ModuliTag>& m, const long& i, const long& j) {
   return blended_moduli(stack, m, i, j, 0);
 }
-bool give_moduli(Stack, const Method<H, ModuliTag>& m, const long& i, const long& j, const Array& a) {
+bool give_moduli(Stack, const Method<M, ModuliTag>& m, const long& i, const long& j, const Array& a) {
   return give(m.object, "material.moduli", [&](const auto& given) {
     given.moduli(static_cast<int>(i), static_cast<int>(j), values_of(a));
   });
 }
-bool give_jacobian(Stack, const Method<H, JacobianTag>& m, const long& i, const long& j, const Array& a) {
+bool give_jacobian(Stack, const Method<M, JacobianTag>& m, const long& i, const long& j, const Array& a) {
   return give(m.object, "material.jacobian", [&](const auto& given) {
     given.jacobian(static_cast<int>(i), static_cast<int>(j), values_of(a));
   });
 }
-Array internal_component(Stack stack, const Method<H, InternalTag>& m, string* const& name, const long& i) {
+Array internal_component(Stack stack, const Method<M, InternalTag>& m, string* const& name, const long& i) {
   return on(m.object, [&](auto& material) {
     return new_array(stack, internal_field(material.workpiece(), *name, static_cast<int>(i)));
   });
 }
-Array internal(Stack stack, const Method<H, InternalTag>& m, string* const& name) {
+Array internal(Stack stack, const Method<M, InternalTag>& m, string* const& name) {
   return internal_component(stack, m, name, 0);
 }
-bool give_internal_component(Stack, const Method<H, InternalTag>& m, string* const& name, const long& i,
+bool give_internal_component(Stack, const Method<M, InternalTag>& m, string* const& name, const long& i,
                              const Array& a) {
   return give(m.object, "material.internal",
               [&](const auto& given) { given.internal(*name, static_cast<int>(i), values_of(a)); });
 }
-bool give_internal(const Method<H, InternalTag>& m, string* const& name, const Array& a) {
+bool give_internal(const Method<M, InternalTag>& m, string* const& name, const Array& a) {
   return give_internal_component(nullptr, m, name, 0, a);
 }
-Array backstress(Stack stack, const Method<H, BackstressTag>& m, const long& i) {
+Array backstress(Stack stack, const Method<M, BackstressTag>& m, const long& i) {
   return on(m.object, [&](auto& material) {
     return new_array(stack, internal_field(material.workpiece(), "backstress", static_cast<int>(i)));
   });
 }
-Array strain(Stack stack, const Method<H, StrainTag>& m, const long& i) {
+Array strain(Stack stack, const Method<M, StrainTag>& m, const long& i) {
   return component_of(stack, m.object, i, "material.strain",
                       [](const auto& body) { return body.state().strain_increment; });
 }
-Array rotation(Stack stack, H* const& h) {
+Array rotation(Stack stack, M* const& h) {
   return guarded([&] {
     const char* advice = "; in space it is M.rotationvector(i)";
     const auto& body = of_dimension<2>(h->get(), "material.rotation", advice).workpiece();
@@ -197,7 +197,7 @@ Array rotation(Stack stack, H* const& h) {
                      "material.rotation");
   });
 }
-Array rotation_vector(Stack stack, const Method<H, RotationTag>& m, const long& i) {
+Array rotation_vector(Stack stack, const Method<M, RotationTag>& m, const long& i) {
   return guarded([&] {
     const char* where = "material.rotationvector";
     const auto& body = of_dimension<3>(m->get(), where, "; in the plane it is M.rotation").workpiece();
@@ -205,29 +205,29 @@ Array rotation_vector(Stack stack, const Method<H, RotationTag>& m, const long& 
     return component(stack, increments_field(body), num_stress<3> + i, num_increments<3>, where);
   });
 }
-bool user_defined(const Method<H, UserTag>& m, const bool& on) {
+bool user_defined(const Method<M, UserTag>& m, const bool& on) {
   return burnish::on(m.object, [&](auto& material) { return material.workpiece().set_user_defined(on), on; });
 }
-bool is_user_defined(const Method<H, UserTag>& m) {
+bool is_user_defined(const Method<M, UserTag>& m) {
   return on(m.object, [](auto& material) { return material.workpiece().user_defined(); });
 }
-double modulus(const Method<H, ModulusTag>& m, string* const& name) {
+double modulus(const Method<M, ModulusTag>& m, string* const& name) {
   return on(m.object, [&](auto& material) { return material.workpiece().law().modulus(*name); });
 }
-Array yield_stress(Stack stack, const Method<H, YieldTag>& m, const Array& ep) {
+Array yield_stress(Stack stack, const Method<M, YieldTag>& m, const Array& ep) {
   return on(m.object, [&](auto& material) {
     return new_array(stack, yield_stress_field(material.workpiece(),
                                                to_vector(ep, "material.yieldstress", "plastic strain")));
   });
 }
-Array hardening_slope(Stack stack, const Method<H, SlopeTag>& m, const Array& ep) {
+Array hardening_slope(Stack stack, const Method<M, SlopeTag>& m, const Array& ep) {
   return on(m.object, [&](auto& material) {
     return new_array(stack,
                      hardening_slope_field(material.workpiece(),
                                            to_vector(ep, "material.hardeningslope", "plastic strain")));
   });
 }
-Array at_vertices(Stack stack, const Method<H, VertexTag>& m, const Array& a) {
+Array at_vertices(Stack stack, const Method<M, VertexTag>& m, const Array& a) {
   return guarded([&] {
     const char* where = "material.vertexvalues";
     const char* advice = "; in space numbers at the points are a field of P0 or FEQF23d as they are";
@@ -240,50 +240,50 @@ Array at_vertices(Stack stack, const Method<H, VertexTag>& m, const Array& a) {
 } // namespace
 
 void register_material_points() {
-  add_method<H, StressTag>(
-      "stress", [] { return new OneOperator2s_<Array, Method<H, StressTag>, long>(stress); },
-      [] { return new OneOperator3_<bool, Method<H, StressTag>, long, Array>(give_stress); });
-  add_method<H, CauchyTag>("cauchy",
-                           [] { return new OneOperator2s_<Array, Method<H, CauchyTag>, long>(cauchy); });
-  add_method<H, GradientTag>(
-      "F", [] { return new OneOperator2s_<Array, Method<H, GradientTag>, long>(gradient); });
-  add_method<H, PiolaTag>(
-      "piola", [] { return new OneOperator2s_<Array, Method<H, PiolaTag>, long>(piola); },
-      [] { return new OneOperator3_<bool, Method<H, PiolaTag>, long, Array>(give_piola); });
-  add_method<H, ModuliTag>(
-      "moduli", [] { return new OneOperator3s_<Array, Method<H, ModuliTag>, long, long>(moduli); },
-      [] { return new OneOperator4s_<Array, Method<H, ModuliTag>, long, long, double>(blended_moduli); },
-      [] { return new OneOperator4s_<bool, Method<H, ModuliTag>, long, long, Array>(give_moduli); });
-  add_method<H, JacobianTag>("jacobian", [] {
-    return new OneOperator4s_<bool, Method<H, JacobianTag>, long, long, Array>(give_jacobian);
+  add_method<M, StressTag>(
+      "stress", [] { return new OneOperator2s_<Array, Method<M, StressTag>, long>(stress); },
+      [] { return new OneOperator3_<bool, Method<M, StressTag>, long, Array>(give_stress); });
+  add_method<M, CauchyTag>("cauchy",
+                           [] { return new OneOperator2s_<Array, Method<M, CauchyTag>, long>(cauchy); });
+  add_method<M, GradientTag>(
+      "F", [] { return new OneOperator2s_<Array, Method<M, GradientTag>, long>(gradient); });
+  add_method<M, PiolaTag>(
+      "piola", [] { return new OneOperator2s_<Array, Method<M, PiolaTag>, long>(piola); },
+      [] { return new OneOperator3_<bool, Method<M, PiolaTag>, long, Array>(give_piola); });
+  add_method<M, ModuliTag>(
+      "moduli", [] { return new OneOperator3s_<Array, Method<M, ModuliTag>, long, long>(moduli); },
+      [] { return new OneOperator4s_<Array, Method<M, ModuliTag>, long, long, double>(blended_moduli); },
+      [] { return new OneOperator4s_<bool, Method<M, ModuliTag>, long, long, Array>(give_moduli); });
+  add_method<M, JacobianTag>("jacobian", [] {
+    return new OneOperator4s_<bool, Method<M, JacobianTag>, long, long, Array>(give_jacobian);
   });
-  add_method<H, InternalTag>(
-      "internal", [] { return new OneOperator2s_<Array, Method<H, InternalTag>, string*>(internal); },
-      [] { return new OneOperator3s_<Array, Method<H, InternalTag>, string*, long>(internal_component); },
-      [] { return new OneOperator3_<bool, Method<H, InternalTag>, string*, Array>(give_internal); },
+  add_method<M, InternalTag>(
+      "internal", [] { return new OneOperator2s_<Array, Method<M, InternalTag>, string*>(internal); },
+      [] { return new OneOperator3s_<Array, Method<M, InternalTag>, string*, long>(internal_component); },
+      [] { return new OneOperator3_<bool, Method<M, InternalTag>, string*, Array>(give_internal); },
       [] {
-        return new OneOperator4s_<bool, Method<H, InternalTag>, string*, long, Array>(
+        return new OneOperator4s_<bool, Method<M, InternalTag>, string*, long, Array>(
             give_internal_component);
       });
-  add_method<H, BackstressTag>(
-      "backstress", [] { return new OneOperator2s_<Array, Method<H, BackstressTag>, long>(backstress); });
-  add_method<H, StrainTag>("strain",
-                           [] { return new OneOperator2s_<Array, Method<H, StrainTag>, long>(strain); });
-  add_method<H, UserTag>(
-      "userdefined", [] { return new OneOperator2_<bool, Method<H, UserTag>, bool>(user_defined); },
-      [] { return new OneOperator1_<bool, Method<H, UserTag>>(is_user_defined); });
-  add_method<H, ModulusTag>(
-      "modulus", [] { return new OneOperator2_<double, Method<H, ModulusTag>, string*>(modulus); });
-  add_method<H, YieldTag>("yieldstress",
-                          [] { return new OneOperator2s_<Array, Method<H, YieldTag>, Array>(yield_stress); });
-  add_method<H, SlopeTag>("hardeningslope", [] {
-    return new OneOperator2s_<Array, Method<H, SlopeTag>, Array>(hardening_slope);
+  add_method<M, BackstressTag>(
+      "backstress", [] { return new OneOperator2s_<Array, Method<M, BackstressTag>, long>(backstress); });
+  add_method<M, StrainTag>("strain",
+                           [] { return new OneOperator2s_<Array, Method<M, StrainTag>, long>(strain); });
+  add_method<M, UserTag>(
+      "userdefined", [] { return new OneOperator2_<bool, Method<M, UserTag>, bool>(user_defined); },
+      [] { return new OneOperator1_<bool, Method<M, UserTag>>(is_user_defined); });
+  add_method<M, ModulusTag>(
+      "modulus", [] { return new OneOperator2_<double, Method<M, ModulusTag>, string*>(modulus); });
+  add_method<M, YieldTag>("yieldstress",
+                          [] { return new OneOperator2s_<Array, Method<M, YieldTag>, Array>(yield_stress); });
+  add_method<M, SlopeTag>("hardeningslope", [] {
+    return new OneOperator2s_<Array, Method<M, SlopeTag>, Array>(hardening_slope);
   });
-  add_method<H, VertexTag>(
-      "vertexvalues", [] { return new OneOperator2s_<Array, Method<H, VertexTag>, Array>(at_vertices); });
-  Add<H*>("rotation", ".", new OneOperator1s_<Array, H*>(rotation));
-  add_method<H, RotationTag>("rotationvector", [] {
-    return new OneOperator2s_<Array, Method<H, RotationTag>, long>(rotation_vector);
+  add_method<M, VertexTag>(
+      "vertexvalues", [] { return new OneOperator2s_<Array, Method<M, VertexTag>, Array>(at_vertices); });
+  Add<M*>("rotation", ".", new OneOperator1s_<Array, M*>(rotation));
+  add_method<M, RotationTag>("rotationvector", [] {
+    return new OneOperator2s_<Array, Method<M, RotationTag>, long>(rotation_vector);
   });
 }
 

@@ -14,6 +14,14 @@
 //     otherwise   the default
 //     unit      text for the help, "" without one
 //     meaning   text for the help
+//   rcReal(name), rcInt(name), rcText(name)   refused: the default is missing
+//     name      with its dash
+//     ! arguments, expected 2: name, default
+//   rcReal(name, otherwise, unit), rcInt(name, otherwise, unit), rcText(name, otherwise, unit)   refused: the meaning is missing
+//     name      with its dash
+//     otherwise   the default
+//     unit      text for the help
+//     ! arguments, expected 2: name, default
 //   rcRange(names, least, most)   refuses values outside
 //     names     "-n -nx", options read before
 //     least     smallest value allowed
@@ -57,6 +65,21 @@ ScriptOptions& script_options() {
 
 namespace {
 
+// FreeFEM itself says that no function fits, and ends with status 1.
+[[noreturn]] void other_words(const std::string& name, int number) {
+  fail("option " + name, "read with " + std::to_string(number) +
+                             " arguments, expected 2: name, default; or 4: name, default, unit, meaning");
+}
+template <class T> T name_alone(string* const& name) {
+  return guarded([&]() -> T { other_words(*name, 1); });
+}
+template <class T> T without_meaning(string* const& name, const T&, string* const&) {
+  return guarded([&]() -> T { other_words(*name, 3); });
+}
+template <class T> void refuse_other_words(const char* name) {
+  Global.Add(name, "(", new OneOperator1_<T, string*>(name_alone<T>));
+  Global.Add(name, "(", new OneOperator3_<T, string*, T, string*>(without_meaning<T>));
+}
 double real_option(string* const& name, const double& otherwise) {
   return guarded([&] { return script_options().real(*name, otherwise, "", ""); });
 }
@@ -138,6 +161,9 @@ void register_options() {
   Global.Add("rcInt", "(", new OneOperator4_<long, string*, long, string*, string*>(int_with_help));
   Global.Add("rcText", "(", new OneOperator2s_<string*, string*, string*>(text_option));
   Global.Add("rcText", "(", new OneOperator4s_<string*, string*, string*, string*, string*>(text_with_help));
+  refuse_other_words<double>("rcReal");
+  refuse_other_words<long>("rcInt");
+  refuse_other_words<string*>("rcText");
   Global.Add("rcRange", "(", new OneOperator3_<bool, string*, double, double>(range));
   Global.Add("rcPositive", "(", new OneOperator1_<bool, string*>(positive));
   Global.Add("rcOptionUsed", "(", new OneOperator2_<bool, string*, string*>(option_used));

@@ -74,6 +74,7 @@ static void init() {
   register_point_damage();
   register_contact_matrix();
   register_contact_data();
+  register_contact_events();
   register_contact_tools();
   register_contact_forces();
   register_contact_findings();
@@ -84,6 +85,7 @@ static void init() {
   register_options();
   register_step_control();
   register_checkpoint();
+  register_stage();
   register_remesh();
   register_initial_values();
   register_files();

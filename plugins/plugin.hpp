@@ -152,6 +152,7 @@ void register_point_events();
 void register_point_damage();
 void register_contact_matrix();
 void register_contact_data();
+void register_contact_events();
 void register_contact_tools();
 void register_contact_forces();
 void register_contact_findings();
@@ -165,6 +166,7 @@ void register_summary();
 void register_pictures();
 void register_step_control();
 void register_checkpoint();
+void register_stage();
 void register_remesh();
 void register_initial_values();
 

@@ -12,8 +12,8 @@
 //     size      length of an edge, 0: that of the present mesh there | length | | >= 0
 //   rcOnNewMesh(S, C, M, Vh, u, held)   between steps, as in record: contact, material and run go on on the mesh of Vh, of the
 //       deformed workpiece, with u = 0 but for the mid nodes of its boundary. Stress, internal variables and integrities are
-//       carried over (METHOD.md 1.17), tools stay where they are, equilibrium is found again. Prints how far force, stored energy
-//       and volume are apart, and returns that of the force over the largest force | -
+//       carried over (METHOD.md 1.17), tools stay where they are, supports and a hold go on, equilibrium is found again. External forces are
+//       to be given anew. Prints how far force, stored energy and volume are apart, and returns that of the force over the largest force | -
 //     S         stepcontrol of the run, or of the run to come
 //     C         contact
 //     M         material of the run
@@ -21,9 +21,9 @@
 //     u         displacement array, u[], out | length
 //     held      nonzero where the displacement is given, as fixed= of rcContact
 //     ! , expected a mesh of the deformed workpiece
-//     ! the body has no deformed place to be meshed anew
-//     ! expected supports at rest
-//     ! whose springs are on the old mesh
+//     ! forces act at the undeformed place
+//     ! expected supports that move as a whole
+//     ! expected the same supports while they move
 //     ! in the middle of a step
 #include "remesh.hpp"
 #include "mesh/mesh_match.hpp"

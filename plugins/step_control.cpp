@@ -36,7 +36,7 @@
 namespace burnish {
 namespace {
 
-using H = StepControlHandle;
+using S = StepControlHandle;
 
 // Errors name the options as scripts do: dt_min is dtmin there.
 std::unique_ptr<StepControl> control_of(const StepControlOptions& options) {
@@ -53,7 +53,7 @@ struct MakeStepControl {
   static std::vector<basicAC_F0::name_and_type> list;
   static const int n;
   static basicAC_F0::name_and_type* const names;
-  static H* call(const Named& a, H* handle, double t_end) {
+  static S* call(const Named& a, S* handle, double t_end) {
     handle->init();
     Settings settings = settings_of(a, "stepcontrol", "stepcontrol");
     settings.control.t_end = t_end;
@@ -93,11 +93,10 @@ void start_run(const std::shared_ptr<ControlObject>& started, ContactHandle* con
     if (!forms_only) run.material = object.material;
     object.options.forms_only = forms_only;
     begin_stepper<Dim>(started, run, body);
-    object.scene =
-        identity_of(run.run(), body.workpiece(), object.now().options(), object.options.forms_only);
+    object.scene = identity_of(run.run(), *body.body, object.now().options(), object.options.forms_only);
   });
 }
-bool start(const Method<H, StartTag>& m, ContactHandle* const& contact, MaterialHandle* const& material) {
+bool start(const Method<S, StartTag>& m, ContactHandle* const& contact, MaterialHandle* const& material) {
   return guarded([&] { return start_run(m.object->share(), contact, material->share(), false), true; });
 }
 template <int Dim> std::shared_ptr<MaterialObject> unknown_material(const ContactOf<Dim>& contact) {
@@ -109,7 +108,7 @@ template <int Dim> std::shared_ptr<MaterialObject> unknown_material(const Contac
   material->body = std::make_unique<RunBody<Dim>>(std::move(workpiece));
   return material;
 }
-bool start_forms(const Method<H, StartTag>& m, ContactHandle* const& contact) {
+bool start_forms(const Method<S, StartTag>& m, ContactHandle* const& contact) {
   return guarded([&] {
     auto material = visit(contact->get(), [](auto& object) { return unknown_material(object); });
     return start_run(m.object->share(), contact, std::move(material), true), true;
@@ -138,7 +137,7 @@ void require_untouched(const ControlObject& object, const Eigen::VectorXd& now, 
 }
 
 struct NextTag {};
-long next(Stack, const Method<H, NextTag>& m, const KN_<double>& u, const KN_<double>& R) {
+long next(Stack, const Method<S, NextTag>& m, const KN_<double>& u, const KN_<double>& R) {
   return guarded([&] {
     ControlObject& object = m->get();
     StepLoop& stepper = object.running("stepcontrol.next");
@@ -169,10 +168,10 @@ long next(Stack, const Method<H, NextTag>& m, const KN_<double>& u, const KN_<do
 }
 struct RefuseTag {};
 struct StopTag {};
-bool refuse(const Method<H, RefuseTag>& m, string* const& reason) {
+bool refuse(const Method<S, RefuseTag>& m, string* const& reason) {
   return guarded([&] { return m->get().running("stepcontrol.refuse").refuse(*reason), true; });
 }
-bool stop(const Method<H, StopTag>& m, string* const& reason) {
+bool stop(const Method<S, StopTag>& m, string* const& reason) {
   return guarded([&] {
     m->get().running("stepcontrol.stop").stop(*reason);
     m->get().stopping = true;
@@ -181,7 +180,7 @@ bool stop(const Method<H, StopTag>& m, string* const& reason) {
 }
 
 struct SchemeTag {};
-bool set_scheme(const Method<H, SchemeTag>& m, string* const& name) {
+bool set_scheme(const Method<S, SchemeTag>& m, string* const& name) {
   return guarded([&] {
     ControlObject& object = m->get();
     Settings settings;
@@ -193,7 +192,7 @@ bool set_scheme(const Method<H, SchemeTag>& m, string* const& name) {
 }
 
 struct ChecksTag {};
-bool set_checks(const Method<H, ChecksTag>& m, const bool& on) {
+bool set_checks(const Method<S, ChecksTag>& m, const bool& on) {
   return guarded([&] {
     ControlObject& object = m->get();
     object.checks = on;
@@ -220,22 +219,22 @@ template Stepper<2>& begin_stepper<2>(const std::shared_ptr<ControlObject>&, Con
 template Stepper<3>& begin_stepper<3>(const std::shared_ptr<ControlObject>&, ContactOf<3>&, MaterialOf<3>&);
 
 void register_step_control() {
-  Dcl_Type<H*>(InitP<H>, Destroy<H>);
-  zzzfff->Add("stepcontrol", atype<H*>());
-  TheOperators->Add("<-", new NamedOperator<MakeStepControl, H*, H*, double>);
-  add_method<H, StartTag>(
+  Dcl_Type<S*>(InitP<S>, Destroy<S>);
+  zzzfff->Add("stepcontrol", atype<S*>());
+  TheOperators->Add("<-", new NamedOperator<MakeStepControl, S*, S*, double>);
+  add_method<S, StartTag>(
       "start",
-      [] { return new OneOperator3_<bool, Method<H, StartTag>, ContactHandle*, MaterialHandle*>(start); },
-      [] { return new OneOperator2_<bool, Method<H, StartTag>, ContactHandle*>(start_forms); });
-  add_method<H, NextTag>(
-      "next", [] { return new OneOperator3s_<long, Method<H, NextTag>, KN_<double>, KN_<double>>(next); });
-  add_method<H, RefuseTag>("refuse",
-                           [] { return new OneOperator2_<bool, Method<H, RefuseTag>, string*>(refuse); });
-  add_method<H, SchemeTag>("scheme",
-                           [] { return new OneOperator2_<bool, Method<H, SchemeTag>, string*>(set_scheme); });
-  add_method<H, StopTag>("stop", [] { return new OneOperator2_<bool, Method<H, StopTag>, string*>(stop); });
-  add_method<H, ChecksTag>("checks",
-                           [] { return new OneOperator2_<bool, Method<H, ChecksTag>, bool>(set_checks); });
+      [] { return new OneOperator3_<bool, Method<S, StartTag>, ContactHandle*, MaterialHandle*>(start); },
+      [] { return new OneOperator2_<bool, Method<S, StartTag>, ContactHandle*>(start_forms); });
+  add_method<S, NextTag>(
+      "next", [] { return new OneOperator3s_<long, Method<S, NextTag>, KN_<double>, KN_<double>>(next); });
+  add_method<S, RefuseTag>("refuse",
+                           [] { return new OneOperator2_<bool, Method<S, RefuseTag>, string*>(refuse); });
+  add_method<S, SchemeTag>("scheme",
+                           [] { return new OneOperator2_<bool, Method<S, SchemeTag>, string*>(set_scheme); });
+  add_method<S, StopTag>("stop", [] { return new OneOperator2_<bool, Method<S, StopTag>, string*>(stop); });
+  add_method<S, ChecksTag>("checks",
+                           [] { return new OneOperator2_<bool, Method<S, ChecksTag>, bool>(set_checks); });
   register_step_data();
   register_scene_report();
   long number = 0;

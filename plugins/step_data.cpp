@@ -40,10 +40,10 @@
 namespace burnish {
 namespace {
 
-using H = StepControlHandle;
+using S = StepControlHandle;
 
-bool halted(H* const& h) { return h->get().stepper && h->get().stepper->halted(); }
-string* measures(Stack stack, H* const& h) {
+bool halted(S* const& h) { return h->get().stepper && h->get().stepper->halted(); }
+string* measures(Stack stack, S* const& h) {
   return guarded([&] {
     std::string names;
     if (h->get().stepper)
@@ -54,7 +54,7 @@ string* measures(Stack stack, H* const& h) {
   });
 }
 struct MeasuredTag {};
-double measured(const Method<H, MeasuredTag>& m, string* const& name) {
+double measured(const Method<S, MeasuredTag>& m, string* const& name) {
   return guarded([&] {
     m->get().running("stepcontrol.measured");
     return visit(*m->get().contact, [&](auto& contact) {
@@ -68,7 +68,7 @@ double measured(const Method<H, MeasuredTag>& m, string* const& name) {
 }
 
 struct CountTag {};
-long count(const Method<H, CountTag>& m, string* const& name) {
+long count(const Method<S, CountTag>& m, string* const& name) {
   return guarded([&] {
     const StepperCounts counts = m->get().stepper ? m->get().stepper->counts() : StepperCounts{};
     if (*name == "steps") return counts.steps;
@@ -82,7 +82,7 @@ long count(const Method<H, CountTag>& m, string* const& name) {
   });
 }
 
-template <double (*read)(const ControlObject&)> double number(H* const& h) {
+template <double (*read)(const ControlObject&)> double number(S* const& h) {
   return guarded([&] { return read(h->get()); });
 }
 double target(const ControlObject& o) { return o.running("stepcontrol.target").target(); }
@@ -94,20 +94,20 @@ double nodes_per_step(const ControlObject& o) { return o.stepper ? o.stepper->co
 double time_of(const ControlObject& o) { return o.now().time(); }
 double dt_of(const ControlObject& o) { return o.now().dt(); }
 double end_of(const ControlObject& o) { return o.now().options().t_end; }
-long iteration(H* const& h) {
+long iteration(S* const& h) {
   return guarded([&] { return static_cast<long>(h->get().running("stepcontrol.iteration").iteration()); });
 }
-bool finished(H* const& h) { return h->get().now().finished(); }
-bool at_output(H* const& h) { return h->get().now().at_output(); }
-bool at_floor(H* const& h) { return h->get().stepper && h->get().stepper->at_floor(); }
-bool pure_rates(H* const& h) {
+bool finished(S* const& h) { return h->get().now().finished(); }
+bool at_output(S* const& h) { return h->get().now().at_output(); }
+bool at_floor(S* const& h) { return h->get().stepper && h->get().stepper->at_floor(); }
+bool pure_rates(S* const& h) {
   return guarded([&] { return h->get().running("stepcontrol.purerates").stepping() == Stepping::RATES; });
 }
-bool crawls(H* const& h) { return h->get().now().crawls(); }
-string* reason(Stack stack, H* const& h) {
+bool crawls(S* const& h) { return h->get().now().crawls(); }
+string* reason(Stack stack, S* const& h) {
   return new_string(stack, h->get().stepper ? h->get().stepper->reason() : "");
 }
-string* last_rejection(Stack stack, H* const& h) {
+string* last_rejection(Stack stack, S* const& h) {
   return new_string(stack, h->get().stepper ? h->get().stepper->last_rejection() : "");
 }
 
@@ -116,29 +116,29 @@ struct ProposeTag {};
 struct AcceptedTag {};
 struct RejectedTag {};
 struct CutTag {};
-void require_idle(H* handle, const char* where) {
+void require_idle(S* handle, const char* where) {
   if (handle->get().under_way())
     fail(where, "a run is under way; this verb is for a loop of the script's own");
 }
-StepControl& proposed(H* handle, const char* where) {
+StepControl& proposed(S* handle, const char* where) {
   require_idle(handle, where);
   StepControl& control = *handle->get().control;
   if (control.dt() <= 0) fail(where, "there is no step yet, call propose first");
   return control;
 }
-double propose(const Method<H, ProposeTag>& m, const double& width, const double& speed) {
+double propose(const Method<S, ProposeTag>& m, const double& width, const double& speed) {
   return guarded([&] {
     require_idle(m.object, "stepcontrol.propose");
     return m->get().control->propose(width, speed);
   });
 }
-bool accepted(const Method<H, AcceptedTag>& m) {
+bool accepted(const Method<S, AcceptedTag>& m) {
   return guarded([&] { return proposed(m.object, "stepcontrol.accepted").accepted(), true; });
 }
-bool rejected(const Method<H, RejectedTag>& m) {
+bool rejected(const Method<S, RejectedTag>& m) {
   return guarded([&] { return proposed(m.object, "stepcontrol.rejected").rejected(); });
 }
-double cut(const Method<H, CutTag>& m, const double& f) {
+double cut(const Method<S, CutTag>& m, const double& f) {
   return guarded([&] {
     require(f > 0 && f <= 1, "stepcontrol.cut", "fraction", f, "0 < fraction <= 1");
     proposed(m.object, "stepcontrol.cut").cut(f);
@@ -147,44 +147,44 @@ double cut(const Method<H, CutTag>& m, const double& f) {
 }
 
 void register_own_loop() {
-  add_method<H, ProposeTag>(
-      "propose", [] { return new OneOperator3_<double, Method<H, ProposeTag>, double, double>(propose); });
-  add_method<H, AcceptedTag>("accepted",
-                             [] { return new OneOperator1_<bool, Method<H, AcceptedTag>>(accepted); });
-  add_method<H, RejectedTag>("rejected",
-                             [] { return new OneOperator1_<bool, Method<H, RejectedTag>>(rejected); });
-  add_method<H, CutTag>("cut", [] { return new OneOperator2_<double, Method<H, CutTag>, double>(cut); });
+  add_method<S, ProposeTag>(
+      "propose", [] { return new OneOperator3_<double, Method<S, ProposeTag>, double, double>(propose); });
+  add_method<S, AcceptedTag>("accepted",
+                             [] { return new OneOperator1_<bool, Method<S, AcceptedTag>>(accepted); });
+  add_method<S, RejectedTag>("rejected",
+                             [] { return new OneOperator1_<bool, Method<S, RejectedTag>>(rejected); });
+  add_method<S, CutTag>("cut", [] { return new OneOperator2_<double, Method<S, CutTag>, double>(cut); });
 }
 
 void register_values() {
-  Add<H*>("t", ".", new OneOperator1_<double, H*>(number<time_of>));
-  Add<H*>("dt", ".", new OneOperator1_<double, H*>(number<dt_of>));
-  Add<H*>("tend", ".", new OneOperator1_<double, H*>(number<end_of>));
-  Add<H*>("target", ".", new OneOperator1_<double, H*>(number<target>));
-  Add<H*>("piece", ".", new OneOperator1_<double, H*>(number<piece>));
-  Add<H*>("excess", ".", new OneOperator1_<double, H*>(number<excess>));
-  Add<H*>("rejecteddt", ".", new OneOperator1_<double, H*>(number<rejected_dt>));
-  Add<H*>("error", ".", new OneOperator1_<double, H*>(number<error_of>));
-  Add<H*>("nodesrolled", ".", new OneOperator1_<double, H*>(number<nodes_per_step>));
-  Add<H*>("iteration", ".", new OneOperator1_<long, H*>(iteration));
-  Add<H*>("finished", ".", new OneOperator1_<bool, H*>(finished));
-  Add<H*>("atoutput", ".", new OneOperator1_<bool, H*>(at_output));
-  Add<H*>("atfloor", ".", new OneOperator1_<bool, H*>(at_floor));
-  Add<H*>("purerates", ".", new OneOperator1_<bool, H*>(pure_rates));
-  Add<H*>("halted", ".", new OneOperator1_<bool, H*>(halted));
-  Add<H*>("measures", ".", new OneOperator1s_<string*, H*>(measures));
-  Add<H*>("crawls", ".", new OneOperator1_<bool, H*>(crawls));
-  Add<H*>("reason", ".", new OneOperator1s_<string*, H*>(reason));
-  Add<H*>("lastrejection", ".", new OneOperator1s_<string*, H*>(last_rejection));
+  Add<S*>("t", ".", new OneOperator1_<double, S*>(number<time_of>));
+  Add<S*>("dt", ".", new OneOperator1_<double, S*>(number<dt_of>));
+  Add<S*>("tend", ".", new OneOperator1_<double, S*>(number<end_of>));
+  Add<S*>("target", ".", new OneOperator1_<double, S*>(number<target>));
+  Add<S*>("piece", ".", new OneOperator1_<double, S*>(number<piece>));
+  Add<S*>("excess", ".", new OneOperator1_<double, S*>(number<excess>));
+  Add<S*>("rejecteddt", ".", new OneOperator1_<double, S*>(number<rejected_dt>));
+  Add<S*>("error", ".", new OneOperator1_<double, S*>(number<error_of>));
+  Add<S*>("nodesrolled", ".", new OneOperator1_<double, S*>(number<nodes_per_step>));
+  Add<S*>("iteration", ".", new OneOperator1_<long, S*>(iteration));
+  Add<S*>("finished", ".", new OneOperator1_<bool, S*>(finished));
+  Add<S*>("atoutput", ".", new OneOperator1_<bool, S*>(at_output));
+  Add<S*>("atfloor", ".", new OneOperator1_<bool, S*>(at_floor));
+  Add<S*>("purerates", ".", new OneOperator1_<bool, S*>(pure_rates));
+  Add<S*>("halted", ".", new OneOperator1_<bool, S*>(halted));
+  Add<S*>("measures", ".", new OneOperator1s_<string*, S*>(measures));
+  Add<S*>("crawls", ".", new OneOperator1_<bool, S*>(crawls));
+  Add<S*>("reason", ".", new OneOperator1s_<string*, S*>(reason));
+  Add<S*>("lastrejection", ".", new OneOperator1s_<string*, S*>(last_rejection));
 }
 
 } // namespace
 
 void register_step_data() {
-  add_method<H, CountTag>("count",
-                          [] { return new OneOperator2_<long, Method<H, CountTag>, string*>(count); });
-  add_method<H, MeasuredTag>(
-      "measured", [] { return new OneOperator2_<double, Method<H, MeasuredTag>, string*>(measured); });
+  add_method<S, CountTag>("count",
+                          [] { return new OneOperator2_<long, Method<S, CountTag>, string*>(count); });
+  add_method<S, MeasuredTag>(
+      "measured", [] { return new OneOperator2_<double, Method<S, MeasuredTag>, string*>(measured); });
   register_values();
   register_own_loop();
 }

@@ -176,4 +176,9 @@ template <int Dim>
 std::shared_ptr<const typename Freefem<Dim>::Mesh> shared_mesh(typename Freefem<Dim>::Fespace* const& space,
                                                                const char* where);
 
+/// @throws std::invalid_argument for the axis 2 of a contact of the plane
+template <int Dim, int axis> void require_axis() {
+  if (axis >= Dim) fail("contact", "z is a coordinate in space, the contact is of the plane");
+}
+
 } // namespace burnish

@@ -60,7 +60,9 @@ def checked_script(words):
     if not os.path.isfile(scripts[0]):
         raise SweepError(f"no script \"{scripts[0]}\" that can be read")
     if "rcCaseEnd" not in read_text(scripts[0]):
-        raise SweepError(f"{scripts[0]} has no rcCaseEnd, which writes what a sweep compares: burnish help rcCaseEnd")
+        raise SweepError(f"{scripts[0]} has no rcCaseEnd, which writes what a sweep compares. Two lines make a case of it: "
+                         "rcCase(C, M, u[], S, program, record) in the place of rcRun, and behind it rcCaseEnd(C, M, S); "
+                         "before them, for options: rcCaseOptions(\"NAME\"); rcOptionsEnd();")
     return scripts[0]
 
 

@@ -4,7 +4,7 @@
   burnish sweep press.edp target="depth=0.1" force=100:2000
 Words: request.py, ways to write values: values.py, goals: goal.py. The study's folder is out/sweep/NAME: its page index.html (page.py),
 sweep.csv, and a folder for each variant. The same command goes on with what is missing. Exit status 0: the study is whole, variants
-that failed are listed; 1: a goal is not reached; 20: what cannot be run; 130: stopped, the same command goes on.
+that failed are listed; 1: a goal is not reached, or every variant failed; 20: what cannot be run; 130: stopped, the same command goes on.
 """
 import sys
 
@@ -23,11 +23,13 @@ USAGE = """usage: burnish sweep SCRIPT.edp NAME=VALUES ... [-option value ...]
 
 
 def list_failed(study, rows):
+    """@returns whether every variant failed"""
     failed = [(name, row) for name, row in zip(study.variants, rows) if row["status"] != "finished"]
     if failed:
         print(f"{len(failed)} of {len(rows)} variants failed; -again 1 tries them once more:")
     for name, row in failed:
         print(f"  {name}: {row.get('reason', row['status'])}")
+    return len(failed) == len(rows) > 0
 
 
 def begin(study):
@@ -49,7 +51,9 @@ def finish(study, answer):
     study.write()
     columns, rows = rows_of(study)
     write_csv(f"{study.folder}/sweep.csv", columns, rows)
-    list_failed(study, rows)
+    if list_failed(study, rows):
+        print("burnish sweep: every variant failed", file=sys.stderr)
+        return 1
     from page import write_page  # what takes long to load: not before it is needed
     print(write_page(study, rows, answer))
     if not study.request.draw:

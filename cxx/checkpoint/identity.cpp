@@ -133,7 +133,7 @@ template <int Dim> std::string material_words(const Workpiece<Dim>& workpiece) {
 }
 
 template <int Dim>
-std::vector<IdentityPart> identity_of(const ContactRun<Dim>& run, const Workpiece<Dim>& workpiece,
+std::vector<IdentityPart> identity_of(const ContactRun<Dim>& run, const RunBody<Dim>& body,
                                       const StepControlOptions& steps, bool forms_only) {
   const ContactModel<Dim>& model = run.setup().model();
   std::vector<IdentityPart> parts{{"mesh", mesh_words(run.setup().mesh())}};
@@ -142,7 +142,9 @@ std::vector<IdentityPart> identity_of(const ContactRun<Dim>& run, const Workpiec
                                 ", supports of mark ", mark_of(run.setup().body().fixed))});
   for (std::size_t t = 0; t < model.tools.size(); ++t)
     parts.push_back({"tool \"" + run.setup().tools()[t]->name() + "\"", tool_words(run.setup(), t)});
-  parts.push_back({"material", forms_only ? "of the script" : material_words(workpiece)});
+  parts.push_back({"material", forms_only ? "of the script" : material_words(body.workpiece())});
+  for (const auto& [name, formula] : body.user().words())
+    parts.push_back({"event \"" + name + "\"", formula + body.damage().words(name)});
   parts.push_back({"steps", words("to t = ", steps.t_end, ", at most ", steps.dt_max, ", at least ",
                                   steps.dt_min, ", first ", steps.dt_first, ", accuracy ", steps.accuracy)});
   return parts;
@@ -180,9 +182,9 @@ void require_same(const std::string& path, const std::vector<IdentityPart>& then
   if (!differ.empty()) fail_at("checkpoint \"" + path + "\"", "is of another run: " + differ);
 }
 
-template std::vector<IdentityPart> identity_of<2>(const ContactRun<2>&, const Workpiece<2>&,
+template std::vector<IdentityPart> identity_of<2>(const ContactRun<2>&, const RunBody<2>&,
                                                   const StepControlOptions&, bool);
-template std::vector<IdentityPart> identity_of<3>(const ContactRun<3>&, const Workpiece<3>&,
+template std::vector<IdentityPart> identity_of<3>(const ContactRun<3>&, const RunBody<3>&,
                                                   const StepControlOptions&, bool);
 
 template std::string mesh_words<2>(const Mesh<2>&);

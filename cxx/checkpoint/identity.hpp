@@ -2,9 +2,9 @@
 // What a run must have in common with a checkpoint to go on from it: mesh, tools, material, steps, script, options.
 #include "checkpoint/checkpoint.hpp"
 #include "run/contact_run.hpp"
+#include "run/run_body.hpp"
 #include "run/step_control.hpp"
 #include "script/options.hpp"
-#include "workpiece/workpiece.hpp"
 
 namespace burnish {
 
@@ -14,7 +14,7 @@ template <int Dim> std::string material_words(const Workpiece<Dim>& workpiece);
 
 /// Of the scene. @param forms_only nothing is known of the material
 template <int Dim>
-std::vector<IdentityPart> identity_of(const ContactRun<Dim>& run, const Workpiece<Dim>& workpiece,
+std::vector<IdentityPart> identity_of(const ContactRun<Dim>& run, const RunBody<Dim>& body,
                                       const StepControlOptions& steps, bool forms_only);
 
 /// Of the script: its text and that of the files that it includes, without comments and empty lines, and the options that change

@@ -14,7 +14,8 @@ struct StageStart {
 
 /// Puts displacement, stress, internal variables and integrities of a checkpoint in place of the workpiece's, as they are.
 /// @param fixed Dim*num_nodes flags: supports of the stage
-/// @throws std::invalid_argument as read_checkpoint; if the mesh is another one, or the law keeps other internal variables
+/// @throws std::invalid_argument as read_checkpoint; if the mesh is another one than that of the run's end (one that the run has gone
+///         over to may be rounded to twelve digits), or the law keeps other internal variables
 template <int Dim>
 StageStart start_stage(const std::string& path, const std::vector<char>& fixed, Workpiece<Dim>& workpiece);
 

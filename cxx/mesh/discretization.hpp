@@ -49,4 +49,7 @@ Discretization<2> triangles(int nodes_per_element, std::vector<double> X, std::v
 ///         number, place and volume), and a P2 mid-edge node off the middle of its edge (names element and node)
 Discretization<3> tetrahedra(Mesh<3> mesh);
 
+/// @throws std::invalid_argument "where: ..." for arrays whose sizes are not those of the numbers, and for an axisymmetric mesh in space
+template <int Dim> void require_valid(const Discretization<Dim>& mesh, const char* where);
+
 } // namespace burnish

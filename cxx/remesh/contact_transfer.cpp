@@ -2,6 +2,8 @@
 #include "base/error.hpp"
 #include "contact/tributary_area.hpp"
 #include "mesh/point_tree.hpp"
+#include "remesh/field_transfer.hpp"
+#include "remesh/support_transfer.hpp"
 #include <cmath>
 #include <set>
 
@@ -37,12 +39,18 @@ void take_over(const ContactSetup<Dim>& setup, const std::vector<Pose<Dim>>& pos
     node.state = NodeState::STICKING;
 }
 
-template <int Dim> void require_carried(const ContactRun<Dim>& run) {
-  const ContactRunState<Dim>& state = run.accepted();
-  if (state.support_displacement.size() > 0 && !state.support_displacement.isZero(0))
-    fail("remesh", "the supports have moved, whose way counts from the old mesh; expected supports at rest");
-  if (run.loads().hold.state().factor > 0)
-    fail("remesh", "the body is on a soft hold, whose springs are on the old mesh; expected none");
+// Springs on the new mesh that pull with the force of the old ones at every place.
+template <int Dim>
+HoldState hold_on(const ContactRun<Dim>& old, const ContactSetup<Dim>& setup, const Eigen::VectorXd& start) {
+  HoldState hold = old.loads().hold.state();
+  if (hold.origin.size() == 0) return hold; // none, or one that begins with the next step
+  const Eigen::VectorXd& u = old.accepted().u;
+  Mesh<Dim> there = old.setup().mesh();
+  for (Eigen::Index d = 0; d < u.size(); ++d) there.X[static_cast<std::size_t>(d)] += u[d];
+  std::vector<Vector<Dim>> nodes;
+  for (int a = 0; a < setup.mesh().num_nodes; ++a) nodes.push_back(setup.body().position(start, a));
+  hold.origin = start - nodal_transfer<Dim>(there, u - hold.origin, nodes);
+  return hold;
 }
 
 } // namespace
@@ -66,7 +74,6 @@ std::shared_ptr<ContactSetup<Dim>> setup_on(const ContactSetup<Dim>& old, Mesh<D
 template <int Dim>
 ContactRunState<Dim> contact_state_on(const ContactRun<Dim>& old, const ContactRun<Dim>& fresh,
                                       const Eigen::VectorXd& start, const Eigen::VectorXd& du) {
-  require_carried(old);
   const ContactSetup<Dim>& setup = fresh.setup();
   ContactRunState<Dim> state = old.state(), clean = fresh.state();
   const std::vector<ContactNode<Dim>> before = state.contact.nodes;
@@ -83,8 +90,10 @@ ContactRunState<Dim> contact_state_on(const ContactRun<Dim>& old, const ContactR
   state.u = start;
   state.R = clean.R;
   state.history.du = du;
-  state.support_displacement = state.external = Eigen::VectorXd();
-  state.hold = clean.hold;
+  state.support_displacement = state.support_origin = supports_on(old, setup);
+  state.external = Eigen::VectorXd();
+  state.external_lost = old.loads().external.act() || old.loads().external.lost();
+  state.hold = hold_on(old, setup, start);
   state.factor = clean.factor;
   return state;
 }

@@ -13,9 +13,10 @@ std::shared_ptr<ContactSetup<Dim>> setup_on(const ContactSetup<Dim>& old, Mesh<D
                                             std::vector<char> fixed);
 
 /// State of the contact on the new mesh, between steps. A candidate is in contact where the old one nearest to it was and the
-/// tool is not farther than a fiftieth of the spacing, and sticks or slides as that one.
+/// tool is not farther than a fiftieth of the spacing, and sticks or slides as that one. Supports and a soft hold go on as they are;
+/// external forces are to be given anew.
 /// @param fresh run on the new mesh; @param start its displacement; @param du of the last step there [length]
-/// @throws std::invalid_argument for a contact whose supports have moved, or whose body is on a soft hold
+/// @throws std::invalid_argument as supports_on
 template <int Dim>
 ContactRunState<Dim> contact_state_on(const ContactRun<Dim>& old, const ContactRun<Dim>& fresh,
                                       const Eigen::VectorXd& start, const Eigen::VectorXd& du);

@@ -31,9 +31,10 @@ bool equilibrium(Workpiece<Dim>& body, ContactRun<Dim>& contact, Eigen::VectorXd
   return false;
 }
 
-// The nodal forces that nothing carries: those of free components of nodes that no tool touches.
-template <int Dim> Eigen::VectorXd uncarried(const Workpiece<Dim>& body, const ContactRun<Dim>& contact) {
-  Eigen::VectorXd R = body.internal_force();
+// The nodal forces that nothing carries: those of free components of nodes that no tool touches, less a hold's.
+template <int Dim>
+Eigen::VectorXd uncarried(const Workpiece<Dim>& body, const ContactRun<Dim>& contact, double t) {
+  Eigen::VectorXd R = contact.loads().residual(contact.accepted().u, t, body.internal_force());
   const ContactSetup<Dim>& setup = contact.setup();
   for (Eigen::Index d = 0; d < R.size(); ++d)
     if (setup.body().fixed[static_cast<std::size_t>(d)]) R[d] = 0;
@@ -46,7 +47,7 @@ template <int Dim> Eigen::VectorXd uncarried(const Workpiece<Dim>& body, const C
 
 // Steps in which nothing is driven: part after part of the uncarried forces, held by external ones, is let go of; first all of it.
 template <int Dim> bool let_go(Workpiece<Dim>& body, ContactRun<Dim>& contact, double t, int& iterations) {
-  const Eigen::VectorXd held = uncarried(body, contact);
+  const Eigen::VectorXd held = uncarried(body, contact, t);
   const double dt = SHORT * contact.accepted().history.dt;
   iterations = 0;
   for (double share = 1, part = 1; share > 0;) {
@@ -54,7 +55,7 @@ template <int Dim> bool let_go(Workpiece<Dim>& body, ContactRun<Dim>& contact, d
     if (left > 0)
       contact.loads().external.prescribe(left * held);
     else
-      contact.loads().external.restore(Eigen::VectorXd());
+      contact.loads().external.restore(Eigen::VectorXd(), false);
     Eigen::VectorXd u = contact.accepted().u;
     int made = 0;
     contact.begin(u, t, dt, Stepping::IMPLICIT);

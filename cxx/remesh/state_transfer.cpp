@@ -106,8 +106,9 @@ template <int Dim>
 TransferredState<Dim> transferred(const Workpiece<Dim>& old, Workpiece<Dim>& fresh,
                                   const Eigen::VectorXd& start, const Eigen::VectorXd& du) {
   if (old.law().small_strain())
-    fail("remesh",
-         "strain=\"small\": the body has no deformed place to be meshed anew, expected strain=\"large\"");
+    fail("remesh", "strain=\"small\": forces act at the undeformed place, where no element becomes bad, and "
+                   "a mesh of the deformed body is none "
+                   "of it; expected strain=\"large\"");
   if (old.state_old().tracks_integrity()) fresh.track_integrity();
   const Discretization<Dim>& mesh = fresh.discretization();
   const UpdateResult moved = fresh.update(start, 1, 0); // for the deformation gradients

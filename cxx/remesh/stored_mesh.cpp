@@ -1,7 +1,5 @@
 #include "remesh/stored_mesh.hpp"
-#include "base/archive.hpp"
-#include "base/error.hpp"
-#include <sstream>
+#include "base/packed.hpp"
 
 namespace burnish {
 
@@ -21,29 +19,9 @@ template <class Archive, int Dim> void serialize(Archive& archive, StoredMesh<Di
   BURNISH_MEMBERS(value, mesh, fixed, remeshings);
 }
 
-template <int Dim> std::string packed(const StoredMesh<Dim>& stored) {
-  std::ostringstream bytes(std::ios::binary);
-  {
-    Writer archive(bytes);
-    archive(Dim, stored);
-  }
-  return bytes.str();
-}
-
+template <int Dim> std::string packed(const StoredMesh<Dim>& stored) { return bytes_of<Dim>(stored); }
 template <int Dim> StoredMesh<Dim> unpacked_mesh(const std::string& bytes) {
-  std::istringstream stream(bytes, std::ios::binary);
-  StoredMesh<Dim> stored;
-  try {
-    Reader archive(stream);
-    int dimension = 0;
-    archive(dimension);
-    require(dimension == Dim, "unpacked_mesh", "dimension of the mesh", dimension,
-            std::to_string(Dim).c_str());
-    archive(stored);
-  } catch (const cereal::Exception& error) {
-    fail("unpacked_mesh", std::string("no mesh of a run: ") + error.what());
-  }
-  return stored;
+  return value_of_bytes<Dim, StoredMesh<Dim>>(bytes, "unpacked_mesh", "mesh");
 }
 
 namespace {

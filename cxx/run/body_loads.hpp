@@ -36,12 +36,13 @@ template <int Dim> struct BodyLoads {
     if (viscosity.stiffness > 0) internal -= viscous_force(u);
     return internal;
   }
-  /// The tangent with the stiffness of hold and viscosity at t.
-  const NodeBlockMatrix<Dim>& with_springs(const NodeBlockMatrix<Dim>& K, double t) {
+  /// K, or, where hold or viscosity act at t, a copy in `place` with their stiffness.
+  const NodeBlockMatrix<Dim>& with_springs(const NodeBlockMatrix<Dim>& K, double t,
+                                           NodeBlockMatrix<Dim>& place) const {
     if (!hold.acts(t) && viscosity.stiffness == 0) return K;
-    m_sprung = K;
-    add_springs(t, m_sprung);
-    return m_sprung;
+    place = K;
+    add_springs(t, place);
+    return place;
   }
   /// Adds that stiffness to K.
   void add_springs(double t, NodeBlockMatrix<Dim>& K) const {
@@ -51,7 +52,6 @@ template <int Dim> struct BodyLoads {
 
 private:
   NodalSprings<Dim> m_springs;
-  NodeBlockMatrix<Dim> m_sprung;
 };
 
 } // namespace burnish

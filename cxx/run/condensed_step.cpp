@@ -32,7 +32,8 @@ const CondensedSystem& CondensedStep<Dim>::condense(const NodeBlockMatrix<Dim>& 
   ++m_iteration.counts().condensations;
   const ContactModel<Dim>& model = m_iteration.model();
   ContactState<Dim>& state = m_iteration.state();
-  const NodeBlockMatrix<Dim>& sprung = K.size() == dofs ? m_loads.with_springs(K, m_step.end()) : K;
+  NodeBlockMatrix<Dim> copy;
+  const NodeBlockMatrix<Dim>& sprung = K.size() == dofs ? m_loads.with_springs(K, m_step.end(), copy) : K;
   // one number for all iterations of a step: the directions of slip have been taken with it. K of another size is refused below
   const bool first = m_iteration.number() == 0 || state.slip_stiffness == 0;
   if (first && K.size() == dofs) state.slip_stiffness = slip_stiffness(model, sprung);

@@ -68,8 +68,8 @@ template <int Dim> void ContactRun<Dim>::set_state(const ContactRunState<Dim>& s
   m_iteration.counts() = state.counts;
   m_iteration.state() = state.contact;
   m_corrector.restore(state.factor);
-  m_loads.supports.restore(state.support_displacement);
-  m_loads.external.restore(state.external);
+  m_loads.supports.restore(state.support_displacement, state.support_origin);
+  m_loads.external.restore(state.external, state.external_lost);
   m_loads.hold.set_state(state.hold);
   m_step.left_out.clear();
   m_step.log.events.clear();

@@ -25,7 +25,9 @@ template <int Dim> struct ContactRunState {
   PrescribedValues prescribed;       ///< at the end of the last step
   StepHistory<Dim> history;
   Eigen::VectorXd support_displacement; ///< prescribed at the end of the last step; empty: none [length]
+  Eigen::VectorXd support_origin;       ///< what that was when the mesh of now began; empty: 0 [length]
   Eigen::VectorXd external;             ///< nodal forces of the last step; empty: none [force]
+  bool external_lost = false;           ///< they acted on another mesh, see ExternalForces::lost
   HoldState hold;
   JumpMemory jumps;
   LoadMemory load;

@@ -98,7 +98,9 @@ void ContactRun<Dim>::accept(const Eigen::VectorXd& u, const Eigen::VectorXd& in
   m_accepted.prescribed = m_step.prescribed;
   m_accepted.left_out = burnish::left_out(*this);
   m_accepted.support_displacement = m_loads.supports.displacement();
+  m_accepted.support_origin = m_loads.supports.origin();
   m_accepted.external = m_loads.external.acting();
+  m_accepted.external_lost = false;
   m_loads.hold.accept(u, m_step.end(), m_iteration.balance().memory().scale);
   m_corrector.accepted();
   m_step.log.events.clear();

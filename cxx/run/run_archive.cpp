@@ -1,9 +1,8 @@
 #include "run/run_archive.hpp"
-#include "base/error.hpp"
+#include "base/packed.hpp"
 #include "contact/contact_archive.hpp"
 #include "iteration/iteration_archive.hpp"
 #include "workpiece/workpiece_archive.hpp"
-#include <sstream>
 
 namespace burnish {
 
@@ -21,8 +20,8 @@ template <class Archive, int Dim> void serialize(Archive& archive, EventLog<Dim>
 }
 template <class Archive, int Dim> void serialize(Archive& archive, ContactRunState<Dim>& value) {
   BURNISH_MEMBERS(value, contact, references, u, R, generalized_force, prescribed, history,
-                  support_displacement, external, hold, jumps, load, factor, largest_dt, log, left_out,
-                  counts);
+                  support_displacement, support_origin, external, external_lost, hold, jumps, load, factor,
+                  largest_dt, log, left_out, counts);
 }
 template <class Archive> void serialize(Archive& archive, StepControlState& value) {
   BURNISH_MEMBERS(value, t, dt, last_dt, failed_dt, cap, first, width, error);
@@ -38,28 +37,9 @@ template <class Archive, int Dim> void serialize(Archive& archive, RunState<Dim>
                   rejected_dt);
 }
 
-template <int Dim> std::string packed(const RunState<Dim>& state) {
-  std::ostringstream bytes(std::ios::binary);
-  {
-    Writer archive(bytes);
-    archive(Dim, state);
-  }
-  return bytes.str();
-}
-
+template <int Dim> std::string packed(const RunState<Dim>& state) { return bytes_of<Dim>(state); }
 template <int Dim> RunState<Dim> unpacked(const std::string& bytes) {
-  std::istringstream stream(bytes, std::ios::binary);
-  RunState<Dim> state;
-  try {
-    Reader archive(stream);
-    int dimension = 0;
-    archive(dimension);
-    require(dimension == Dim, "unpacked", "dimension of the state", dimension, std::to_string(Dim).c_str());
-    archive(state);
-  } catch (const cereal::Exception& error) {
-    fail("unpacked", std::string("no state of a run: ") + error.what());
-  }
-  return state;
+  return value_of_bytes<Dim, RunState<Dim>>(bytes, "unpacked", "state");
 }
 
 template std::string packed<2>(const RunState<2>&);

@@ -24,7 +24,9 @@ public:
   Workpiece<Dim>& workpiece() { return *m_workpiece; }
   const Workpiece<Dim>& workpiece() const { return *m_workpiece; }
   PointEvents<Dim>& user() { return m_user; }
+  const PointEvents<Dim>& user() const { return m_user; }
   PointDamage<Dim>& damage() { return m_damage; }
+  const PointDamage<Dim>& damage() const { return m_damage; }
   bool has_damage() const { return !m_damage.empty(); } ///< user-defined events change points
 
   /// The accepted one.

@@ -15,7 +15,8 @@ template <int Dim> Eigen::MatrixXd RunStiffness<Dim>::driven(const NodeBlockMatr
   const ContactRunState<Dim>& at = m_run.accepted();
   require(K.size() == at.u.size(), m_where, "size of the tangent", K.size(),
           ("number of degrees of freedom, " + std::to_string(at.u.size())).c_str());
-  const NodeBlockMatrix<Dim>& sprung = m_run.loads().with_springs(K, at.prescribed.t);
+  NodeBlockMatrix<Dim> copy;
+  const NodeBlockMatrix<Dim>& sprung = m_run.loads().with_springs(K, at.prescribed.t, copy);
   const Eigen::MatrixXd held = m_stiffness.held({sprung, at.contact, at.u, at.R});
   return driven_stiffness(m_run.setup().model(), held, at.prescribed, at.contact.q);
 }

@@ -12,12 +12,12 @@ template <int Dim> void Supports<Dim>::prescribe(const Eigen::VectorXd& values) 
 
 template <int Dim> void Supports<Dim>::apply(Eigen::VectorXd& u) const {
   for (Eigen::Index d = 0; d < m_values.size(); ++d)
-    if (m_body.fixed[d]) u[d] = m_values[d];
+    if (m_body.fixed[d]) u[d] = way(d);
 }
 
 template <int Dim> bool Supports<Dim>::move(const Eigen::VectorXd& u) const {
   for (Eigen::Index d = 0; d < m_values.size(); ++d)
-    if (m_body.fixed[d] && u[d] != m_values[d]) return true;
+    if (m_body.fixed[d] && u[d] != way(d)) return true;
   return false;
 }
 

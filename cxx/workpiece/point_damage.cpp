@@ -1,6 +1,8 @@
 #include "workpiece/point_damage.hpp"
 #include "base/error.hpp"
+#include "base/sentence.hpp"
 #include <algorithm>
+#include <iomanip>
 
 namespace burnish {
 namespace {
@@ -36,6 +38,12 @@ void PointDamage<Dim>::heal(const PointEvents<Dim>& events, const std::string& e
 
 template <int Dim> bool PointDamage<Dim>::heals() const {
   return std::any_of(m_rules.begin(), m_rules.end(), [](const auto& rule) { return rule.second.goal == 1; });
+}
+
+template <int Dim> std::string PointDamage<Dim>::words(const std::string& event) const {
+  const auto rule = m_rules.find(event);
+  if (rule == m_rules.end()) return "";
+  return sentence(std::setprecision(17), " -> ", rule->second.goal, " in ", rule->second.steps, " steps");
 }
 
 template <int Dim>

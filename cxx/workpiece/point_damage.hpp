@@ -9,6 +9,8 @@ template <int Dim> class PointDamage {
 public:
   bool empty() const { return m_rules.empty(); }
   bool heals() const; ///< some event does
+  /// What becomes of a point by this event: " -> integrity in n steps"; "": nothing.
+  std::string words(const std::string& event) const;
   /// From the event on the integrity of a point falls to `integrity` in equal parts of `steps` full steps. Points at or
   /// below it stay as they are. The first rule makes the body track integrities.
   /// @param integrity 0 < integrity < 1 [-]; 0 is refused: a node whose elements all have it would have no stiffness

@@ -1,7 +1,9 @@
 #include "workpiece/point_events.hpp"
 #include "base/error.hpp"
+#include "base/sentence.hpp"
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 
 namespace burnish {
 namespace {
@@ -107,6 +109,9 @@ int PointEvents<Dim>::add(const Workpiece<Dim>& body, const std::string& name, c
   }
   const auto above = std::count(event.above.begin(), event.above.end(), 1);
   m_formulas.push_back(parsed);
+  std::string& words = m_words[name] = "\"" + formula + "\"";
+  for (const auto& [parameter, value] : parameters)
+    words += sentence(std::setprecision(17), " ", parameter, " ", value);
   m_state.push_back(std::move(event));
   return static_cast<int>(above);
 }

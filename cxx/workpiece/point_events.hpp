@@ -63,9 +63,12 @@ public:
   /// @throws std::invalid_argument for an unknown name
   const std::vector<int>& counts(const std::string& name) const;
   long number(const std::string& name) const;
+  /// Formula of every event with its numbers, by name.
+  const std::map<std::string, std::string>& words() const { return m_words; }
 
 private:
   std::vector<Formula> m_formulas; // as m_state
+  std::map<std::string, std::string> m_words;
   PointEventsState m_state;
   double m_overshoot = 0; // of the step under way
 };

@@ -6,28 +6,8 @@
 namespace burnish {
 namespace {
 
-template <int Dim> void require_valid(const Discretization<Dim>& mesh) {
-  const char* where = "Workpiece";
-  const std::size_t points = static_cast<std::size_t>(std::max(0, mesh.num_points()));
-  const std::size_t per_point = static_cast<std::size_t>(std::max(0, mesh.nodes_per_element)) * Dim;
-  require(mesh.num_elements > 0, where, "num_elements", mesh.num_elements, "> 0");
-  require(mesh.nodes_per_element > Dim, where, "nodes_per_element", mesh.nodes_per_element, "> Dim");
-  require(mesh.points_per_element > 0, where, "points_per_element", mesh.points_per_element, "> 0");
-  const std::size_t nodes = static_cast<std::size_t>(std::max(0, mesh.num_nodes));
-  require(mesh.X.size() == Dim * nodes, where, "size of X", mesh.X.size(), "num_nodes x Dim");
-  require(mesh.connectivity.size() == static_cast<std::size_t>(mesh.num_elements) * mesh.nodes_per_element,
-          where, "size of connectivity", mesh.connectivity.size(), "num_elements x nodes_per_element");
-  require(mesh.weight.size() == points, where, "size of weight", mesh.weight.size(), "num_points");
-  require(mesh.shape_grad.size() == points * per_point, where, "size of shape_grad", mesh.shape_grad.size(),
-          "num_points x nodes_per_element x Dim");
-  require(mesh.shape.size() * Dim == per_point * mesh.points_per_element, where, "size of shape",
-          mesh.shape.size(), "points_per_element x nodes_per_element");
-  require(mesh.point.size() == points * Dim, where, "size of point", mesh.point.size(), "num_points x Dim");
-  if (mesh.axisymmetric && !PointTraits<Dim>::has_hoop) fail(where, "axisymmetric meshes are plane ones");
-}
-
 template <int Dim> Discretization<Dim> valid(Discretization<Dim> mesh) {
-  require_valid(mesh);
+  require_valid(mesh, "Workpiece");
   return mesh;
 }
 

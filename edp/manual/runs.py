@@ -19,7 +19,7 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[2]
 BURNISH = os.environ.get("BURNISH", str(TOP / "build/burnish"))
 MARK = re.compile(r"^<!-- picture of (\S+\.edp)((?: [^:\n]*)?): (\S+\.png); (.*?) -->$", re.MULTILINE | re.DOTALL)
-RUNS = re.compile(r"^build/burnish \S+\.edp|^<!-- from \S+\.edp -->", re.MULTILINE)
+RUNS = re.compile(r"^build/burnish (?:-np \d+ )?\S+\.edp|^<!-- from \S+\.edp -->", re.MULTILINE)
 AS_CASE = (("rcRun(C, M, u[], S, program, record)", "rcCase(C, M, u[], S, program, record)"),
            ("rcRunLaw(C, M, u[], S, program, record, law)", "rcCaseLaw(C, M, u[], S, program, record, law)"))
 ENDED = (0, 4)

@@ -71,17 +71,19 @@ sed -i 's/-400\*min/-401*min/; s/^real E/\/\/ a comment may change\n&/' "$SCRATC
 [ $? = 20 ] || report "another text is not refused"
 grep -qF 'script "text.edp" says `roller.force("y", -401*min(1., 2*t));' "$SCRATCH/log" || { report "no word of the text"; tail -n 4 "$SCRATCH/log"; }
 
-# 4b. formulas that the text does not tell: of friction, of a tool's place, of hardening
+# 4b. formulas that the text does not tell: of friction, of a tool's place, of hardening, of a point event
 cat >"$SCRATCH/scripts/formulas.edp" <<'END'
 include "burnish.idp"
-string friction, rise, hardening; // laws that the text of the script does not tell
-{ ifstream f("formulas.txt"); getline(f, friction); getline(f, rise); getline(f, hardening); }
+string friction, rise, hardening, happens; // laws that the text of the script does not tell
+{ ifstream f("formulas.txt"); getline(f, friction); getline(f, rise); getline(f, hardening); getline(f, happens); }
 mesh Th = square(12, 4, [20*x - 10, 8*(y - 1)]);
 fespace Vh(Th, [P2, P2]);
 Vh [u, v] = [0, 0];
 varf bottom([u, v], [p, r]) = on(1, u=1, v=1);
 real[int] held = bottom(0, Vh, tgv=1);
 material M = rcMaterial(Vh, E=7e4, nu=0.33, hardening=hardening);
+M.event("flows", happens);
+M.damage("flows", integrity=0.9);
 tool roller(circle=15, name="roller");
 roller.coordinates("s, h, a", x="s", y=rise, angle="a");
 contact C = rcContact(Vh, label=3, fixed=held);
@@ -92,22 +94,24 @@ func int record(real t) { return 0; }
 stepcontrol S(1., dtmax=0.2);
 rcRun(C, M, u[], S, program, record)
 END
-# formulas STATUS FRICTION PLACE HARDENING OPTIONS...
+# formulas STATUS FRICTION PLACE HARDENING EVENT OPTIONS...
 formulas() {
   local expected=$1 status
-  printf '%s\n' "${@:2:3}" >"$SCRATCH/scripts/formulas.txt"
-  (cd "$SCRATCH/scripts" && "$BURNISH" formulas.edp "${@:5}") >"$SCRATCH/log" 2>&1
+  printf '%s\n' "${@:2:4}" >"$SCRATCH/scripts/formulas.txt"
+  (cd "$SCRATCH/scripts" && "$BURNISH" formulas.edp "${@:6}") >"$SCRATCH/log" 2>&1
   status=$?
-  [ "$status" = "$expected" ] || { report "formulas ${*:2:3}: exit status $status instead of $expected"; tail -n 4 "$SCRATCH/log"; }
+  [ "$status" = "$expected" ] || { report "formulas ${*:2:4}: exit status $status instead of $expected"; tail -n 4 "$SCRATCH/log"; }
 }
-formulas 0 '0.3*p' h '150 + 500*ep' -checkpoint 1e-9
-formulas 20 '0.31*p' h '150 + 500*ep' -resume 1
+formulas 0 '0.3*p' h '150 + 500*ep' 'ep - 1e-3' -checkpoint 1e-9
+formulas 20 '0.31*p' h '150 + 500*ep' 'ep - 1e-3' -resume 1
 grep -qF 'by "0.31*p" 0.31 0.62, expected ' "$SCRATCH/log" || report "no word of the friction"
-formulas 20 '0.3*p' 'h + 0.001*sin(s)' '150 + 500*ep' -resume 1
+formulas 20 '0.3*p' 'h + 0.001*sin(s)' '150 + 500*ep' 'ep - 1e-3' -resume 1
 grep -qF 'poses of mark ' "$SCRATCH/log" || report "no word of the place"
-formulas 20 '0.3*p' h '150 + 500*ep + ep*(ep - 0.01)*(ep - 0.1)*(ep - 1)' -resume 1
+formulas 20 '0.3*p' h '150 + 500*ep + ep*(ep - 0.01)*(ep - 0.1)*(ep - 1)' 'ep - 1e-3' -resume 1
 grep -qF 'hardening of mark ' "$SCRATCH/log" || report "no word of the hardening"
-formulas 0 '0.3*p' h '150 + 500*ep' -resume 1
+formulas 20 '0.3*p' h '150 + 500*ep' 'ep - 2e-3' -resume 1
+grep -qF 'event "flows" = "ep - 2e-3" -> 0.9' "$SCRATCH/log" && grep -qF 'expected "ep - 1e-3" -> 0.9' "$SCRATCH/log" || report "no word of the event"
+formulas 0 '0.3*p' h '150 + 500*ep' 'ep - 1e-3' -resume 1
 
 # 5. Ctrl-C ends the step, writes a checkpoint and leaves; the run goes on from there to the same bytes
 files() { (cd "$1" && cat history.csv events.csv tools.csv fields.pvd final.vtu) | cksum; }

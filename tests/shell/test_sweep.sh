@@ -40,6 +40,9 @@ ran again $top 6
 sweep 0 refused a=1,2 c=0.95,0.5 -study high
 holds refused "a=1,c=0.95: exit code 20: option -c is 0.95, expected at most 0.9"
 ran refused out/sweep/high 2
+sweep 1 none a=-4,-5 b=1 c=0.5 -study none
+holds none "2 of 2 variants failed"
+holds none "burnish sweep: every variant failed"
 
 sweep 0 poor a=-4,1 b=1,2 -study poor
 before=$(cat out/sweep/poor/*/log.txt out/sweep/poor/*/ran.txt | md5sum)
@@ -193,7 +196,7 @@ refused ways "a is drawn by morris and b is not" a=1:2:morris b=1:2:latin
 refused seed '-again: "steps 4", expected 1 or options' a=1,2 -again "steps 4"
 echo 'cout << 1;' >plain.edp
 "$REAL" sweep plain.edp a=1,2 >"$SCRATCH/log" 2>&1; [ $? = 20 ] || fail "plain: status"
-holds plain "plain.edp has no rcCaseEnd"
+holds plain "plain.edp has no rcCaseEnd, which writes what a sweep compares. Two lines make a case of it: rcCase(C, M, u[], S, program, record)"
 [ "$count" = "$(find out -name ran.txt | wc -l)" ] && [ "$studies" = "$(ls out/sweep | wc -l)" ] || fail "refused: something ran or is left"
 
 echo "$failures failed"

@@ -10,7 +10,7 @@ from settings import read_settings
 TOP = Path(__file__).resolve().parents[3]
 OF_ANY = {"C": "contact", "M": "material", "S": "stepcontrol", "T": "tool", "Vh": "fespace of the displacement"}
 PAGES = [("plugins/contact", "contact"), ("plugins/tool", "tool"), ("plugins/material", "material"),
-         ("plugins/step_", "stepcontrol"), ("plugins/checkpoint", "stepcontrol"), ("plugins/remesh", "stepcontrol"), ("plugins/initial", "material"), ("plugins/scene_report", "stepcontrol")]
+         ("plugins/step_", "stepcontrol"), ("plugins/checkpoint", "stepcontrol"), ("plugins/stage", "stepcontrol"), ("plugins/remesh", "stepcontrol"), ("plugins/initial", "material"), ("plugins/scene_report", "stepcontrol")]
 FIRST = ["plugins/contact_type.cpp", "plugins/tool_type.cpp", "plugins/material_type.cpp", "plugins/step_control.cpp",
          "edp/run/rcRun.idp", "edp/run/rcRunState.idp", "edp/cases/rcCaseOptions.idp", "edp/cases/rcCase.idp", "edp/cases/rcResults.idp",
          "plugins/options.cpp", "edp/cases/rcHistory.idp", "edp/cases/rcOutput.idp"]  # then by name

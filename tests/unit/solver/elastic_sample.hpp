@@ -172,4 +172,11 @@ inline Eigen::VectorXd random_vector(int n, unsigned seed = 3) {
   return Eigen::VectorXd::NullaryExpr(n, [&]() { return value(random); });
 }
 
+/// A sector of a ring, clamped at its inner side.
+struct ClampedSector {
+  Mesh<2> mesh = with_mid_nodes(ring_sector(4, 8));
+  NodeBlockMatrix<2> K = stiffness(mesh, 0.);
+  std::vector<char> fixed = fix(K, mesh.inner);
+};
+
 } // namespace burnish::sample
