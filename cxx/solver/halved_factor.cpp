@@ -145,10 +145,11 @@ void HalvedFactor::solve_lower(Eigen::Ref<Eigen::MatrixXd> b) const {
   b(half, Eigen::all) = y.topRows(half.size());
   std::vector<double> change(static_cast<std::size_t>(num_top()) * b.cols());
   Eigen::Map<Eigen::MatrixXd> on_top(change.data(), num_top(), b.cols());
-  on_top = m_own_top.triangularView<Eigen::Lower>() * y.bottomRows(num_top());
+  for (Eigen::Index c = 0; c < b.cols(); ++c) // of one column Eigen makes no copy of the triangle
+    on_top.col(c) = m_own_top.triangularView<Eigen::Lower>() * y.col(c).tail(num_top());
   add_up(change);
   Eigen::MatrixXd top = b(m_top, Eigen::all) + on_top;
-  m_schur.triangularView<Eigen::Lower>().solveInPlace(top);
+  for (auto column : top.colwise()) m_schur.triangularView<Eigen::Lower>().solveInPlace(column);
   b(m_top, Eigen::all) = top;
 }
 
@@ -157,12 +158,13 @@ void HalvedFactor::solve_upper(Eigen::Ref<Eigen::MatrixXd> b) const {
   require_factor("HalvedFactor::solve_upper", b.rows());
   if (b.size() == 0) return;
   Eigen::MatrixXd top = b(m_top, Eigen::all);
-  m_schur.triangularView<Eigen::Lower>().transpose().solveInPlace(top);
+  for (auto column : top.colwise()) m_schur.triangularView<Eigen::Lower>().transpose().solveInPlace(column);
   b(m_top, Eigen::all) = top;
   const std::vector<int>& half = m_half[m_ranks.rank()];
   Eigen::MatrixXd x(m_own.size(), b.cols());
   x.topRows(half.size()) = b(half, Eigen::all);
-  x.bottomRows(num_top()) = m_own_top.triangularView<Eigen::Lower>().transpose() * top;
+  for (Eigen::Index c = 0; c < b.cols(); ++c)
+    x.col(c).tail(num_top()) = m_own_top.triangularView<Eigen::Lower>().transpose() * top.col(c);
   m_own.solve_upper(x);
   const std::size_t cols = b.cols(), first = m_half[0].size() * cols, all = first + m_half[1].size() * cols;
   std::vector<double> both(all);
