@@ -2,9 +2,10 @@
 
 processes.py [--measure] [--space N ...] [--plane N ...]        BURNISH: wrapper; see make bench-processes
 The model, a block in space as in growth-in-space.edp. Counted there at 27 417, 62 475 and 202 575 unknowns: flops and numbers of a factor
-and unknowns of the separator that halves the block, which between and beyond them grow by the powers of the two next to them; messages and
-bytes of MUMPS and its flops on the busiest rank, at 58 016 and 192 720 free unknowns on 2, 4 and 8 ranks. Measured: rates and seconds of
-RATES. Assumed: all ranks on one machine, whose memory is as fast for each rank as for one alone; a link of LINK bytes/s and LATENCY.
+and unknowns of the top that two ranks share, the separator and the window; between and beyond them all grow by the powers of the two next
+to them. Counted with MUMPS at 62 475 on 2, 4 and 8 ranks: flops of the busiest rank, bytes and messages. Measured there on one and two
+processes: the constants with units below. Assumed: the memory is as fast for every rank as for one alone, 4 GB/s and 2 us a message between any
+two; more than 8 ranks are as much worse than 8 at each doubling as 8 are than 4.
 --measure: the runs themselves in turns on one and two processes, on the clock, which is worth something on two quiet cores only.
 """
 import argparse
@@ -16,20 +17,21 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
-# unknowns: flops of a factor, its numbers, unknowns of the separator with the window
-COUNTED = {27417: (8.06e9, 1.065e7, 811), 62475: (4.64e10, 3.63e7, 1396), 202575: (5.74e11, 2.031e8, 2972)}
-HALF = 0.51               # of the flops of the whole, those of each half without the separator's own
-MUMPS_FLOPS = 1.035       # times those of CHOLMOD: wider fronts
-BUSIEST = {2: 1.02, 4: 1.07, 8: 1.35}  # flops of the busiest rank times ranks over all
-SENT = {2: 5e7, 4: 9.3e7, 8: 1.06e8}   # bytes by the busiest rank, at SENT_AT unknowns; they grow as numbers of the separator's front
+# unknowns: flops of a factor, its numbers, unknowns of the top, flops a second of CHOLMOD
+COUNTED = {27417: (8.06e9, 1.065e7, 832, 28e9), 62475: (4.64e10, 3.63e7, 1396, 31e9), 202575: (5.74e11, 2.031e8, 2972, 45e9)}
+FASTEST = 50e9           # [flops/s] that the rate grows to
+MUMPS = 1.29             # times the seconds of CHOLMOD: 1.035 the flops, 1.25 the seconds of each
+HALF = 0.50              # of the flops of the whole, those of each half without the top's own
+BUSIEST = {4: 1.07, 8: 1.35}   # flops of MUMPS's busiest rank, times the ranks, over all
+SENT = {4: 9.3e7, 8: 1.06e8}   # [bytes] by it, of SENT_AT unknowns; they grow as the numbers of the top
 SENT_AT = 62475
-MESSAGES = {2: 171, 4: 351, 8: 687}
-RATES = {"CHOLMOD": 40e9, "MUMPS": 33e9, "memory": 9e9}  # flops/s; bytes/s of L in a solve
-ELEMENTS = 3.0e-7         # [s] of stress, forces and tangent per unknown and iteration, of one rank
-SHARED = 370              # [bytes] of points and rows per unknown and iteration
-REST = 3.5e-7             # [s] per unknown and iteration of what every rank does: contact, searches, permutations, script
-STATE = 3100              # [bytes] per unknown on every rank, beside the factor
-LINK, LATENCY = 4e9, 2e-6 # [bytes/s], [s]
+MESSAGES = {4: 351, 8: 687}
+SOLVE = 10e9             # [bytes/s] of the factor, read twice
+ELEMENTS = 3.2e-7        # [s] of stress, forces and tangent per unknown and iteration, on one rank
+SHARED = 2.0e-7          # [s] per unknown and iteration, to pack, send and unpack what the elements have found
+REST = 3.5e-7            # [s] per unknown and iteration of what every rank does: contact, searches, permutations, script
+STATE = 3100             # [bytes] per unknown on every rank, beside the factor
+LINK, LATENCY = 4e9, 2e-6  # [bytes/s], [s]
 FACTORS, ITERATIONS = 1.6, 10.  # per step
 RANKS = [1, 2, 4, 8, 16, 32, 64]
 
@@ -49,20 +51,20 @@ def on(table, ranks):
 
 def factor(n, ranks):
     """Seconds."""
-    flops, top = grown(n, 0), grown(n, 2)
+    flops, top, rate = grown(n, 0), grown(n, 2), min(grown(n, 3), FASTEST)
     if ranks == 1:
-        return flops / RATES["CHOLMOD"]
+        return flops / rate
     if ranks == 2:
-        return (HALF * flops + top**3) / RATES["CHOLMOD"] + 8 * top**2 / LINK
+        return (HALF * flops + top**3) / rate + 8 * top**2 / LINK
     sent = on(SENT, ranks) * (top / grown(SENT_AT, 2))**2
-    return MUMPS_FLOPS * flops * on(BUSIEST, ranks) / ranks / RATES["MUMPS"] + sent / LINK + on(MESSAGES, ranks) * LATENCY
+    return MUMPS * flops * on(BUSIEST, ranks) / ranks / rate + sent / LINK + on(MESSAGES, ranks) * LATENCY
 
 
 def iteration(n, ranks):
     """Seconds of a solve, the elements and the rest."""
-    solve = 2 * 8 * grown(n, 1) / min(ranks, 2 if ranks == 2 else ranks) / RATES["memory"]
-    share = 0 if ranks == 1 else (SHARED + 8) * n / LINK + 10 * math.log2(ranks) * LATENCY
-    return solve + ELEMENTS * n / ranks + share + REST * n
+    top = 4 * 8 * grown(n, 2)**2 if ranks == 2 else 0
+    solve = (2 * 8 * grown(n, 1) / ranks + top) / SOLVE
+    return solve + (ELEMENTS / ranks + (SHARED if ranks > 1 else 0) + REST) * n
 
 
 def step(n, ranks):
@@ -75,9 +77,11 @@ def memory(n, ranks):
 
 
 def model():
-    print("seconds of a step (times as fast as one rank), GB of a rank\n" + f"{'unknowns':>10s}" + "".join(f"{p:>22d}" for p in RANKS))
+    """A table for edp/manual/processes.md."""
+    print("| Unknowns | " + " | ".join(map(str, RANKS)) + " |\n" + "|---" * (len(RANKS) + 1) + "|")
     for n in (62475, 202575, 300000, 1000000, 3000000, 10000000):
-        print(f"{n:10d}" + "".join(f"{step(n, p):9.4g} ({step(n, 1) / step(n, p):4.1f}){memory(n, p) / 1e9:6.3g}" for p in RANKS))
+        cells = [f"{step(n, p):.{0 if step(n, p) > 100 else 1}f} s, {step(n, 1) / step(n, p):.1f}, {memory(n, p) / 1e9:.3g} GB" for p in RANKS]
+        print(f"| {n} | " + " | ".join(cells) + " |")
 
 
 def run(processes, script, n):
