@@ -79,7 +79,7 @@ COMPILE = +@mkdir -p $(BUILD) && flock $(BUILD)/lock .ci/build $(BUILD) $(MAKE) 
           $(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS)) --
 TEST    = BURNISH=$(abspath $(WRAPPER)) BUILD=$(abspath $(BUILD)) JOBS=$(JOBS) tests/run_scripts.sh
 
-.PHONY: build run run-fine figures tables sweep stability chart matrices references chart-quick bench-peers test $(SUITES:%=test-%) bench bench-growth install deb try-deb try-docker uninstall docs packages format format-check clean help FORCE
+.PHONY: build run run-fine figures tables sweep stability chart matrices references chart-quick bench-peers test $(SUITES:%=test-%) bench bench-growth bench-processes install deb try-deb try-docker uninstall docs packages format format-check clean help FORCE
 .PHONY: compile compile-run programs compile-programs sanitize sanitized fuzz test-alone
 .DELETE_ON_ERROR:
 .SUFFIXES:
@@ -186,6 +186,9 @@ bench: build ## kernels and whole scenes against the ratios of the last release 
 
 bench-growth: build ## time and memory of some ten steps, in the plane to 270 000 unknowns, in space to 200 000 (twenty minutes); OPTIONS="--most 50000"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/benchmark/bench.py --growth $(OPTIONS)
+
+bench-processes: ## a model of up to 64 processes; OPTIONS=--measure: beside runs on one and two, which want two quiet cores (half an hour)
+	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) -B tests/benchmark/processes.py $(OPTIONS)
 
 install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines for plain FreeFem++ are printed
 	@.ci/install $(PLUGIN) $(GMSH) $(CAD) $(MPI)

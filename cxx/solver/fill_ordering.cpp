@@ -27,14 +27,9 @@ Graph upper_triangle(const Graph& graph) {
   return upper;
 }
 
-} // namespace
-
-std::vector<int> fill_reducing_order(const Graph& graph, Ordering ordering) {
-  const int n = graph.size();
-  if (n == 0) return {};
-  Graph upper = upper_triangle(graph);
+cholmod_sparse pattern_of(Graph& upper) {
   cholmod_sparse matrix{};
-  matrix.nrow = matrix.ncol = n;
+  matrix.nrow = matrix.ncol = upper.size();
   matrix.nzmax = upper.col.size();
   matrix.p = upper.row_start.data();
   matrix.i = upper.col.data();
@@ -44,6 +39,16 @@ std::vector<int> fill_reducing_order(const Graph& graph, Ordering ordering) {
   matrix.dtype = CHOLMOD_DOUBLE;
   matrix.sorted = 0;
   matrix.packed = 1;
+  return matrix;
+}
+
+} // namespace
+
+std::vector<int> fill_reducing_order(const Graph& graph, Ordering ordering) {
+  const int n = graph.size();
+  if (n == 0) return {};
+  Graph upper = upper_triangle(graph);
+  cholmod_sparse matrix = pattern_of(upper);
   CholmodCommon common;
   common->supernodal = CHOLMOD_SIMPLICIAL;
   common->postorder = 1;
@@ -58,6 +63,18 @@ std::vector<int> fill_reducing_order(const Graph& graph, Ordering ordering) {
   std::vector<int> order(perm, perm + n);
   cholmod_free_factor(&factor, common.get());
   return order;
+}
+
+std::vector<int> halves_and_separator(const Graph& graph) {
+  std::vector<int> part(graph.size(), SEPARATOR);
+  if (part.empty()) return part;
+  Graph upper = upper_triangle(graph);
+  cholmod_sparse matrix = pattern_of(upper);
+  CholmodCommon common;
+  constexpr int compress = 1; // vertices with the same neighbors go together
+  if (cholmod_bisect(&matrix, nullptr, 0, compress, part.data(), common.get()) >= 0) return part;
+  if (common->status != CHOLMOD_NOT_INSTALLED) common.check("halves_and_separator");
+  return std::vector<int>(part.size(), 0);
 }
 
 } // namespace burnish

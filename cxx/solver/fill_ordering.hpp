@@ -27,4 +27,10 @@ template <> inline constexpr Ordering usual_ordering<2> = Ordering::AMD;
 /// @throws std::bad_alloc, std::runtime_error on a CHOLMOD error (a neighbor out of range)
 std::vector<int> fill_reducing_order(const Graph& graph, Ordering ordering);
 
+/// Two halves without an edge between them and with about as many vertices each, by METIS; without METIS all are in half 0.
+/// @return per vertex its half, 0 or 1, or SEPARATOR
+/// @throws as fill_reducing_order
+std::vector<int> halves_and_separator(const Graph& graph);
+inline constexpr int SEPARATOR = 2;
+
 } // namespace burnish

@@ -2,11 +2,13 @@
 #include "base/companion_library.hpp"
 #include "parallel/ranks.hpp"
 #include "solver/cholmod_factor.hpp"
+#include "solver/halved_factor.hpp"
 
 namespace burnish {
 
 std::unique_ptr<OrderedFactor> make_ordered_factor(int unknowns, int dim) {
   if (!divided(unknowns, dim)) return std::make_unique<CholmodFactor>();
+  if (ranks().size() == 2) return std::make_unique<HalvedFactor>(ranks());
   constexpr const char* name = "burnish_mpi.so";
   void* const library = open_companion(name, "MPI", "libmumps-dev");
   using Make = OrderedFactor* (*)();

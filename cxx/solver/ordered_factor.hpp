@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-/// L L' with L = [L_ii 0; L_ci L_cc], c the last unknowns. Implementations: CholmodFactor; MumpsFactor, which divides L
-/// among the ranks and gives the same results to all. Not for simultaneous use by several threads.
+/// L L' with L = [L_ii 0; L_ci L_cc], c the last unknowns. Implementations: CholmodFactor; HalvedFactor of two ranks and MumpsFactor
+/// of more, which divide L among them and give the same results to all. Not for simultaneous use by several threads.
 class OrderedFactor {
 public:
   virtual ~OrderedFactor() = default;
@@ -38,7 +38,7 @@ public:
   virtual std::size_t factor_entries() const = 0;
 };
 
-/// By CHOLMOD, or of a divided body by MUMPS.
+/// By CHOLMOD; of a divided body by CHOLMOD on two ranks, by MUMPS on more.
 /// @param unknowns of the matrix
 /// @param dim      of the body
 std::unique_ptr<OrderedFactor> make_ordered_factor(int unknowns, int dim);

@@ -1,0 +1,176 @@
+#include "solver/halved_factor.hpp"
+#include "solver/permuted_triangle.hpp"
+#include "unit/solver/elastic_sample.hpp"
+#include <algorithm>
+#include <condition_variable>
+#include <gtest/gtest.h>
+#include <mutex>
+#include <thread>
+
+using namespace burnish;
+
+namespace {
+
+/// What two threads exchange that stand for two ranks. Each waits for the other before it writes and after.
+class Meeting {
+public:
+  std::vector<double> numbers;
+  std::vector<char> bytes;
+  long least[2] = {0, 0};
+  void wait() {
+    std::unique_lock lock(m_mutex);
+    const long round = m_round;
+    if (++m_waiting == 2) {
+      m_waiting = 0;
+      ++m_round;
+      m_all.notify_all();
+    } else
+      m_all.wait(lock, [&] { return m_round != round; });
+  }
+
+private:
+  std::mutex m_mutex;
+  std::condition_variable m_all;
+  int m_waiting = 0;
+  long m_round = 0;
+};
+
+class Thread final : public Ranks {
+public:
+  Thread(Meeting& meeting, int rank) : m_meeting(meeting), m_rank(rank) {}
+  int rank() const override { return m_rank; }
+  int size() const override { return 2; }
+  void gather(double* values, const std::vector<std::size_t>& start) override {
+    if (m_rank == 0) m_meeting.numbers.resize(start[2]);
+    m_meeting.wait();
+    const auto own = m_meeting.numbers.begin() + start[m_rank];
+    std::copy(values + start[m_rank], values + start[m_rank + 1], own);
+    m_meeting.wait();
+    std::copy(m_meeting.numbers.begin(), m_meeting.numbers.end(), values);
+    m_meeting.wait();
+  }
+  void broadcast(void* data, std::size_t count, int from) override {
+    char* const begin = static_cast<char*>(data);
+    if (m_rank == from) m_meeting.bytes.assign(begin, begin + count);
+    m_meeting.wait();
+    std::copy(m_meeting.bytes.begin(), m_meeting.bytes.end(), begin);
+    m_meeting.wait();
+  }
+  long least(long value) override {
+    m_meeting.least[m_rank] = value;
+    m_meeting.wait();
+    const long all = std::min(m_meeting.least[0], m_meeting.least[1]);
+    m_meeting.wait();
+    return all;
+  }
+
+private:
+  Meeting& m_meeting;
+  int m_rank;
+};
+
+/// Both ranks do the same, each with its factor.
+template <class F> void on_both(F&& f) {
+  Meeting meeting;
+  Thread first(meeting, 0), second(meeting, 1);
+  HalvedFactor one(first), other(second);
+  std::thread beside([&] { f(other, 1); });
+  f(one, 0);
+  beside.join();
+}
+
+template <int Dim>
+std::vector<double> values_of(const NodeBlockMatrix<Dim>& matrix, const PermutedTriangle& t) {
+  std::vector<double> values;
+  for (const std::uint32_t slot : t.slot) values.push_back(matrix.value[slot]);
+  return values;
+}
+
+template <int Dim>
+void expect_equals_one_rank(const sample::Mesh<Dim>& mesh, const std::vector<int>& candidates) {
+  const auto matrix = sample::stiffness(mesh, 0.);
+  const auto triangle =
+      permute_candidates_last<Dim>(matrix, sample::fix<Dim>(matrix, mesh.inner), candidates);
+  const int n = static_cast<int>(triangle.order.size()), first = triangle.num_interior;
+  const std::vector<double> values = values_of(matrix, triangle);
+  CholmodFactor alone;
+  alone.analyze(triangle.col_start, triangle.row, first);
+  ASSERT_EQ(alone.factorize(values), FactorStatus::OK);
+  Eigen::MatrixXd b(n, 3);
+  for (int c = 0; c < 3; ++c) b.col(c) = sample::random_vector(n, c + 1);
+  Eigen::MatrixXd x = b, found[2], lower = b, lower_found[2], top_found[2];
+  alone.solve(x);
+  alone.solve_lower(lower);
+  on_both([&](HalvedFactor& factor, int rank) {
+    factor.analyze(triangle.col_start, triangle.row, first);
+    ASSERT_EQ(factor.factorize(values), FactorStatus::OK);
+    found[rank] = lower_found[rank] = b;
+    factor.solve(found[rank]);
+    factor.solve_lower(lower_found[rank]);
+    top_found[rank] = factor.trailing_factor(first);
+    EXPECT_GT(factor.factor_entries(), static_cast<std::size_t>(n));
+  });
+  const Eigen::MatrixXd top = alone.trailing_factor(first);
+  for (int rank : {0, 1}) {
+    EXPECT_LT((found[rank] - x).norm(), 1e-11 * x.norm());
+    EXPECT_LE((top_found[rank] - top).norm(), 1e-11 * top.norm());
+    EXPECT_LE((lower_found[rank] - lower).bottomRows(n - first).norm(), 1e-11 * lower.norm());
+  }
+  EXPECT_EQ(found[0], found[1]);
+  EXPECT_EQ(top_found[0], top_found[1]);
+}
+
+} // namespace
+
+TEST(HalvedFactor, EqualsTheFactorOfOneRank) {
+  const auto ring = sample::with_mid_nodes(sample::ring_sector(4, 12));
+  expect_equals_one_rank<2>(ring, ring.outer);
+  const auto cube = sample::cube(5);
+  expect_equals_one_rank<3>(cube, {cube.outer.begin(), cube.outer.begin() + 9});
+  expect_equals_one_rank<3>(cube, {});
+}
+
+// Where one rank's half is to blame, where t is, and what is too small to be cut.
+TEST(HalvedFactor, NotPositiveDefiniteIsSaidByBoth) {
+  const auto factored = [](const std::vector<double>& diagonal) {
+    FactorStatus status[2];
+    const int n = static_cast<int>(diagonal.size());
+    std::vector<int> start(n + 1), row;
+    std::vector<double> values;
+    for (int j = 0; j < n; ++j) { // a chain
+      row.push_back(j);
+      values.push_back(diagonal[j]);
+      if (j + 1 < n) {
+        row.push_back(j + 1);
+        values.push_back(-1);
+      }
+      start[j + 1] = static_cast<int>(row.size());
+    }
+    on_both([&](HalvedFactor& factor, int rank) {
+      factor.analyze(start, row, n - 1);
+      status[rank] = factor.factorize(values);
+      EXPECT_EQ(factor.is_factorized(), status[rank] == FactorStatus::OK);
+    });
+    EXPECT_EQ(status[0], status[1]);
+    return status[0];
+  };
+  for (int n : {1, 2, 3, 40}) {
+    std::vector<double> diagonal(n, 2.);
+    EXPECT_EQ(factored(diagonal), FactorStatus::OK) << n;
+    for (int bad = 0; bad < n; ++bad) {
+      diagonal.assign(n, 2.);
+      diagonal[bad] = bad == 0 || bad == n - 1 ? -1 : 0.5;
+      EXPECT_EQ(factored(diagonal), FactorStatus::NOT_POSITIVE_DEFINITE) << n << " " << bad;
+    }
+  }
+}
+
+TEST(HalvedFactor, RefusesWrongOrder) {
+  Meeting meeting;
+  Thread first(meeting, 0);
+  HalvedFactor factor(first);
+  EXPECT_THROW(factor.factorize({}), std::logic_error);
+  Eigen::MatrixXd b(3, 1);
+  EXPECT_THROW(factor.solve(b), std::logic_error);
+  EXPECT_THROW(factor.trailing_factor(0), std::logic_error);
+}
