@@ -2,7 +2,7 @@
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from plotting import contact
+from plotting import arrows, contact
 from plotting import units as u
 from plotting.figure import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, SKY, key_under_labels, new_figure, say_empty
 
@@ -86,11 +86,19 @@ WITHOUT_MEANING = ("x", "angle")  # in axisymmetry a drive force along r or abou
 RESULTANTS = ("_Fx", "_Fy", "_Fz", "_Mx", "_My", "_Mz")  # of supports and tools: the forces of the drives show the same
 
 
+def out_of_balance(run):
+    """Columns of the drives whose prescribed force is zero: what they show is what is left of the equilibrium."""
+    drives = {name: drive for name, drive in arrows.drives(run).items() if "Q_" + name in run.history}
+    loads = {name: arrows.load_of({**drive, "force": np.nanmax(np.abs(run.history["Q_" + name]))}, run.size()) for name, drive in drives.items()}
+    most = arrows.NOISE * max(loads.values(), default=0)
+    return {"Q_" + name for name, load in loads.items() if drives[name]["kind"] == "force" and load <= most}
+
+
 def default_panels(run):
     """(title, columns, change) of the panels with something to show; a column of the case has a panel of its own."""
-    panels = []
+    panels, without = [], out_of_balance(run)
     for kind, title in PANELS:
-        names = [n for n, c in run.columns.items() if c.kind == kind and moves(run.history[n])
+        names = [n for n, c in run.columns.items() if c.kind == kind and moves(run.history[n]) and n not in without
                  and not (run.axisymmetric and n.startswith("Q_") and n[2:].split(".")[-1] in WITHOUT_MEANING)]
         change = kind in (u.LENGTH, u.ANGLE)
         sizes = [np.nanmax(np.abs(values_of(run, n, change)), initial=0.0) for n in names]

@@ -46,18 +46,17 @@ def fewer_colors(image):
 
 
 def save(figure, folder, name):
-    """Writes name.png into folder and returns its path. 128 or 256 colors: a third of the size, the eye sees no difference; a figure with
-    figure.shaded = True has more: all of its own or, figure.placed, 256. figure.placed: it is drawn as it is, else its margins are cut off."""
-    path, drawn = os.path.join(folder, name + ".png"), io.BytesIO()
-    if getattr(figure, "placed", False):
+    """Writes name.png into folder and returns its path. 128 or 256 colors: a third of the size, the eye sees no difference; figure.shaded:
+    those of small marks among them. figure.placed: it is drawn as it is, else its margins are cut off."""
+    path, drawn, placed = os.path.join(folder, name + ".png"), io.BytesIO(), getattr(figure, "placed", False)
+    if placed:
         figure.canvas.draw()
         drawn = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3])
-        colors = fewer_colors(drawn) if getattr(figure, "shaded", False) else drawn.quantize(128, dither=Image.Dither.NONE)
     else:
         figure.savefig(drawn, format="png", dpi=150, bbox_inches="tight", pad_inches=0.12, pil_kwargs={"compress_level": 1})
-        colors = Image.open(drawn).convert("RGB")
-        if not getattr(figure, "shaded", False):
-            colors = colors.quantize(256, dither=Image.Dither.NONE)
+        drawn = Image.open(drawn).convert("RGB")
+    shaded = getattr(figure, "shaded", False)
+    colors = fewer_colors(drawn) if shaded else drawn.quantize(128 if placed else 256, dither=Image.Dither.NONE)
     colors.save(path, pnginfo=MARK)
     return path
 

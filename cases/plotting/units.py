@@ -120,6 +120,15 @@ def label_of(bare):
     return f"$Q_{{{letters}}}$" if letters.replace(r"\_", "").isalnum() else plain(bare)
 
 
+UNITS = {**{unit: unit for unit in ("m", "cm", "mm", "Pa", "kPa", "MPa", "GPa", "N", "kN", "deg", "s")}, "um": r"$\mu$m"}  # that names end with
+
+
+def named_unit(bare):
+    """Label and unit of a column of the script, which may end with its unit: "depth_mm"; no unit where it does not."""
+    stem, _, unit = bare.rpartition("_")
+    return (plain(stem), UNITS[unit]) if stem and unit in UNITS else (label_of(bare), "")
+
+
 def describe(names, units, given=None, lengths=None):
     """{name: Column} of a history with these columns. given: {name or bare name: (label, unit, factor)} of the case,
     for its own columns and where the defaults are wrong: coordinates called angle, theta, phi, psi, alpha, beta or
@@ -134,8 +143,8 @@ def describe(names, units, given=None, lengths=None):
     for name in names:
         tool, bare = split_name(name)
         kind = kind_of(bare, coordinates, lengths)
-        nothing = "" if lengths is not None and kind in (OTHER, TIME) else "-"  # the unit may be any
-        default = (label_of(bare), unit.get(kind, nothing), factor.get(kind, 1.0))
+        nothing = "" if lengths is not None and kind == TIME else "-"  # the unit may be any
+        default = (*named_unit(bare), 1.0) if kind == OTHER else (label_of(bare), unit.get(kind, nothing), factor.get(kind, 1.0))
         chosen = given.get(name, given.get(bare, default))
         if chosen is None:
             continue

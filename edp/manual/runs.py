@@ -19,6 +19,7 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[2]
 BURNISH = os.environ.get("BURNISH", str(TOP / "build/burnish"))
 MARK = re.compile(r"^<!-- picture of (\S+\.edp)((?: [^:\n]*)?): (\S+\.png); (.*?) -->$", re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"\[([^\]]*)\]\([^)]*\)")
 RUNS = re.compile(r"^build/burnish (?:-np \d+ )?\S+\.edp|^<!-- from \S+\.edp -->", re.MULTILINE)
 AS_CASE = (("rcRun(C, M, u[], S, program, record)", "rcCase(C, M, u[], S, program, record)"),
            ("rcRunLaw(C, M, u[], S, program, record, law)", "rcCaseLaw(C, M, u[], S, program, record, law)"))
@@ -108,7 +109,8 @@ def shown(text, out):
         source = f"/{(folder / script).relative_to(TOP)}" if script == "press/press.edp" else f"/{script}"
         image = f"/{(folder / picture).relative_to(TOP)}"
         said = f"\n```text\n{run['results']}\n```\n" if run["results"] else ""
-        return (f"```{{figure}} {image}\n:alt: {json.dumps(words)}\n\n{words} {run['seconds']:.1f} s of the processor: "
+        spoken = LINK.sub(r"\1", words)
+        return (f"```{{figure}} {image}\n:alt: {json.dumps(spoken)}\n\n{words} {run['seconds']:.1f} s of the processor: "
                 f"{{download}}`{Path(script).name} <{source}>`{options}\n```\n{said}")
     return MARK.sub(figure, text)
 

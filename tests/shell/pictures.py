@@ -111,6 +111,21 @@ class Scene(unittest.TestCase):
         self.assertIn("Q_y", names)
         self.assertNotIn("Q_x", names)
 
+    def test_drive_of_no_force(self):
+        """What is left of the equilibrium of a coordinate under no force is not drawn; a force that is prescribed is, and that of a motion."""
+        run = Run(str(FINISHED))
+        noise = 1e-5 * np.abs(run.history["Q_y"]).max() * run.size() * np.sin(run.history["t"])
+        run.history = {**run.history, "turn": run.history["t"], "Q_turn": noise, "lean": run.history["t"], "Q_lean": noise}
+        kinds = {"y": ("force", [0, 1, 0]), "turn": ("force", [0, 0, 1]), "lean": ("motion", [0, 0, 1])}
+        run.summary["drive"] = {name: {"kind": kind, "force": 0.0, "twist": twist} for name, (kind, twist) in kinds.items()}
+        names = [name for _, names, _ in curves.default_panels(run) for name in names]
+        self.assertEqual([name for name in ("Q_y", "Q_turn", "Q_lean", "turn", "lean") if name not in names], ["Q_turn"])
+
+    def test_units_of_columns(self):
+        """Of the script's columns: what their names end with; none is made up."""
+        found = units.describe(["t", "depth_mm", "way_um", "pull_N", "energy", "e_over_a"], units.named("mm", "MPa"))
+        self.assertEqual([found[name].axis() for name in list(found)[1:]], ["depth [mm]", r"way [$\mu$m]", "pull [N]", "energy", "e_over_a"])
+
     def test_groups(self):
         """Columns of the script with one unit and about one size share a panel."""
         run = Run(str(FINISHED), None, {"a": ("a", "mm", 1), "b": ("b", "mm", 1), "c": ("c", "mm", 1), "d": ("d", "-", 1), "e": ("e", "-", 1)})
@@ -132,6 +147,7 @@ class Scene(unittest.TestCase):
         for ring in (False, True):
             run = Run(str(FINISHED))
             run.axisymmetric = ring
+            run.summary["drive"] = {}
             names = [name for _, names, _ in curves.default_panels(run) for name in names if name.startswith("Q_")]
             self.assertEqual(names, ["Q_y"] if ring else ["Q_x", "Q_y", "Q_angle"])
 

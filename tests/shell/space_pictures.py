@@ -11,6 +11,7 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(TOP / "cases"), str(TOP / "tests/support")]
 import numpy as np
+from PIL import Image
 from picture import faults
 from plotting import arrows, case
 from plotting.border import new_figure
@@ -174,7 +175,7 @@ class Arrows(unittest.TestCase):
             image, placed = scene.picture(self.run_, frame, scene.box_of([frame]), scene.scale_of(self.run_, [frame]))
             figure = new_figure(5.0)
             axes = figure.add_axes((0, 0, 1, 1))
-            scene.show(axes, image, scene.window_of([image]))
+            scene.show(axes, image, scene.window_of([placed]))
             self.assertEqual([h.get_label() for h in draw_arrows(axes, self.run_, frame, placed, words)], ["motion", "force"])
             figure.draw_without_rendering()
             boxes = [text.get_window_extent() for text in axes.texts if text.get_text()]
@@ -205,6 +206,8 @@ class Pictures(unittest.TestCase):
             code, paths, said = self.drawn(name)
             self.assertEqual((code, [Path(p).stem for p in paths], said), (0, [name], ""))
             self.assertEqual(faults(Path(paths[0])), [])
+            with Image.open(paths[0]) as drawn:
+                self.assertEqual((drawn.width, drawn.mode), (690 if name == "gallery" else 1200, "P"))
         code, paths, said = self.drawn("finale")
         self.assertEqual((code, paths), (2, []))
         self.assertRegex(said, r"usage: .*\[movie\|gallery\|work\|final\|")

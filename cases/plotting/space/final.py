@@ -5,7 +5,7 @@ from plotting import border
 from plotting.space import scene
 from plotting.space.arrows import draw_arrows
 from plotting.space.display import start_display
-from plotting.units import amount, in_powers
+from plotting.units import amount
 
 SIZE = (1300, 1000)   # pixels of the view of all, of which a part is drawn
 MARGIN = 45           # pixels about what is drawn
@@ -41,7 +41,7 @@ def final_figure(run, k=-1):
     scene.show(axes, stage.image())
     scene.label_edges(axes, run, frame, stage)
     label, values = scale.quantity.label, scene.values_of(frame, scale)
-    unit = run.units.stress_unit if scale.quantity.stress else in_powers(int(round(-np.log10(scale.factor))), "-")
+    unit = scene.unit_of(run, scale)
     border.add_title(figure, f"{label[0].upper() + label[1:]} at t = {frame.t:.4g}, largest {amount(values.max(), unit)}")
     border.add_key(figure, key)
     if scale.levels is not None:

@@ -2,15 +2,14 @@
 from collections import namedtuple
 
 import numpy as np
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import BoundaryNorm
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from plotting import fields
-from plotting.figure import ORANGE, new_figure
+from plotting import border, fields
+from plotting.figure import ORANGE
 from plotting.space import files
 from plotting.space.arrows import draw_arrows
+from plotting.space.display import start_display
 from plotting.space.render import APART, BODY, STEEL, Scene
 from plotting.space.run import unit
 from plotting.units import plain
@@ -25,6 +24,8 @@ FLOWING = 1e-6     # plastic strain from which it is shown
 LEAST_WAY = 1e-2   # of the largest side, below which no way is drawn
 LIFTED = 3e-3      # of the largest side, above its lowest place: the tool is on its way to the next track
 TRACK = 0.006      # radius of a track over the largest side
+SIZE, WORDS = (1100, 900), 75  # pixels of a view of all, of which a part is drawn, with this much about it for words
+COLUMNS = 2        # of pictures
 
 
 def scale_of(run, frames):
@@ -107,7 +108,7 @@ def staged(run, frame, box, scale, size):
     return scene
 
 
-def picture(run, frame, box, scale, size=(1100, 900)):
+def picture(run, frame, box, scale, size=SIZE):
     """(image, the scene, which knows the places in it)"""
     scene = staged(run, frame, box, scale, size)
     return scene.image(), scene
@@ -128,7 +129,7 @@ def corners(points):
     return np.array([[ends[k >> axis & 1, axis] for axis in range(3)] for k in range(8)])
 
 
-def label_edges(axes, run, frame, scene):
+def label_edges(axes, run, frame, scene, font=9):
     """What the edges of the box measure, in words, at those below and at the left."""
     ends = corners(frame.body.points)
     places = scene.pixels(ends)
@@ -145,7 +146,7 @@ def label_edges(axes, run, frame, scene):
         turn = np.degrees(np.arctan2(*(b - a)[::-1]))
         low, high = (end if abs(end) > 1e-4 * np.ptp(ends, axis=0).max() else 0.0 for end in (ends[:, axis].min(), ends[:, axis].max()))
         axes.annotate(f"{'xyz'[axis]}: {low:.3g} to {high:.3g} [{run.units.length_unit}]", 0.5 * (a + b), 14 * way,
-                      textcoords="offset points", ha="center", va="center", rotation=turn, rotation_mode="anchor", fontsize=9, annotation_clip=True)
+                      textcoords="offset points", ha="center", va="center", rotation=turn, rotation_mode="anchor", fontsize=font, annotation_clip=True)
 
 
 def key_of(run, frame, more=()):
@@ -160,49 +161,58 @@ def key_of(run, frame, more=()):
     return handles + list(more)
 
 
-def window_of(images, room=45):
-    """What of the images is not white, in all of them: columns and rows (first, last), rows upward."""
-    drawn = np.logical_or.reduce([(image[::-1] < 250).any(axis=2) for image in images])
-    spans = []
-    for axis in (0, 1):
-        some = drawn.any(axis=axis)
-        found = np.flatnonzero(some)
-        spans.append((max(0, found[0] - room), min(len(some), found[-1] + room)))
-    return spans
+def window_of(stages):
+    """What is drawn in all of these views, with room for words: columns and rows (first, last), rows upward."""
+    places = np.vstack([stage.pixels(np.vstack(stage.points)) for stage in stages])
+    low, high = places.min(axis=0) - WORDS, places.max(axis=0) + WORDS
+    return tuple(zip(np.maximum(low, 0), np.minimum(high, SIZE)))
 
 
-def add_scale(figure, axes, scale):
-    levels = scale.levels
-    drawn = ScalarMappable(BoundaryNorm(levels, len(levels) - 1), fields.band_colors(scale.quantity, levels))
-    label = scale.label + ("\nlight: elastic" if levels[0] > 0 else "")
-    first = 0 if levels[0] == 0 else 1
-    figure.colorbar(drawn, ax=axes, label=label, ticks=levels[first::2], format="%.4g", shrink=0.8, pad=0.01)
+def unit_of(run, scale):
+    return run.units.stress_unit if scale.quantity.stress else fields.in_powers(int(round(-np.log10(scale.factor))), "-")
 
 
-def row_figure(run, frames, titles, driven=False, columns=2, width=12.5):
+def place(figure, panels, size, below):
+    """The panels in rows with room for their titles, above what is below them. size: of one [inches]"""
+    whole = below + -(-len(panels) // COLUMNS) * (size[1] + border.ABOVE)
+    figure.set_figheight(whole)
+    for k, axes in enumerate(panels):
+        left, top = k % COLUMNS * size[0], whole - k // COLUMNS * (size[1] + border.ABOVE) - border.ABOVE
+        axes.set_position((left / border.WIDTH, (top - size[1]) / whole, size[0] / border.WIDTH, size[1] / whole))
+
+
+def row_figure(run, frames, titles, driven=False):
     """Images of the frames with one scale. driven: the first one with the arrows of what drives the tools"""
+    start_display()  # while the scenes are made
     scale, box = scale_of(run, frames), box_of(frames)
-    drawn = [picture(run, frame, box, scale) for frame in frames]
-    (left, right), (bottom, top) = window = window_of([image for image, _ in drawn])
-    rows = -(-len(frames) // columns)
-    height = rows * ((width - 1.3) / columns * (top - bottom) / (right - left) + 0.3) + 0.5
-    figure, panels = new_figure(width, height, nrows=rows, ncols=columns, squeeze=False)
-    for axes, frame, title, (image, placed) in zip(panels.flat, frames, titles, drawn):
-        show(axes, image, window)
-        axes.set_title(title)
-        label_edges(axes, run, frame, placed)
-    more = draw_arrows(panels.flat[0], run, frames[0], drawn[0][1]) if driven else []
-    for axes in list(panels.flat)[len(frames):]:
-        axes.set_visible(False)
-    figure.legend(handles=key_of(run, frames[-1], more), loc="upper center", ncol=3, bbox_to_anchor=(0.5, 0.0), frameon=False)
+    stages = [staged(run, frame, box, scale, SIZE) for frame in frames]
+    (left, right), (bottom, top) = window = window_of(stages)
+    wide = (border.WIDTH - border.RIGHT) / COLUMNS
+    size = wide, wide * (top - bottom) / (right - left)
+    figure, more = border.new_figure(size[1]), []
+    figure.shaded, panels = True, [figure.add_axes((0, 0, 1, 1), label=title) for title in titles]
+    place(figure, panels, size, 0)
+    for axes, frame, title, stage in zip(panels, frames, titles, stages):
+        stage.narrow(*window, [round(150 * length) for length in size])
+        show(axes, stage.image())
+        axes.text(0.5, 1, title, transform=axes.transAxes, ha="center", va="bottom", fontsize=12)
+        label_edges(axes, run, frame, stage, 8)
+    if driven:
+        more = draw_arrows(panels[0], run, frames[0], stages[0])
+    key = key_of(run, frames[-1], more)
+    place(figure, panels, size, border.key_height(key) + 0.05)
+    border.add_key(figure, key)
     if scale.levels is not None:
-        add_scale(figure, list(panels.flat), scale)
-    figure.shaded = True
+        low, high = panels[-1].get_position().y0 * figure.get_figheight(), figure.get_figheight() - border.ABOVE
+        border.add_scale(figure, scale.quantity, scale.levels, unit_of(run, scale), (low + 0.1 * (high - low), 0.8 * (high - low)))
+        if scale.levels[0] > 0:
+            figure.axes[-1].set_ylabel(scale.label + "\nlight: elastic")
     return figure
 
 
 def scene_figure(run):
-    return row_figure(run, [run.view(0), run.view(-1)], [f"Start, t = {run.first.t:.4g}", f"End, t = {run.last.t:.4g}"], driven=True)
+    titles = [f"{word}, t = {run.frames[k][0]:.4g}" for word, k in (("Start", 0), ("End", -1))]
+    return row_figure(run, [run.view(0), run.view(-1)], titles, driven=True)
 
 
 def sequence_figure(run, number=4):
