@@ -108,7 +108,7 @@ void contact_node(const BalancedState<Dim>& state, int candidate, const ContactP
   if (node.state == NodeState::SLIDING) {
     double r = law.sliding_residual(deciding, at.m);
     if (!model.is_constrained(candidate) && !TangentialLaw<Dim>::slips_back(slip, at.m, 0)) {
-      const Param<Dim> way = mean_slip_of(model, node, at.surface.size).way;
+      const Param<Dim> way = mean_slip_of(model, node, at.surface.size, state.contact.fixed).way;
       r = std::max(r, direction_residual(law, deciding, at.m, way, state.contact.slip_stiffness));
     }
     r *= tolerance.weight(node.tool);

@@ -20,17 +20,21 @@ template <int Dim> MeanSlip<Dim> mean_slip(const Param<Dim>& slip, const Param<D
 }
 
 template <int Dim>
-MeanSlip<Dim> mean_slip_of(const ContactModel<Dim>& model, const ContactNode<Dim>& node, double tool_size) {
+MeanSlip<Dim> mean_slip_of(const ContactModel<Dim>& model, const ContactNode<Dim>& node, double tool_size,
+                           bool fixed) {
+  constexpr double far = 0.5; // cosine
   const Param<Dim> slip = slip_of(model, node, tool_size);
   if (Dim == 2 || node.slip_memory.isZero()) return {slip, Curvature<Dim>::Identity()};
   const SurfaceFrame<Dim> frame = model.tools[node.tool]->surface().frame(node.place);
   const Param<Dim> memory = frame.E.transpose() * node.slip_memory;
+  if (fixed && slip.dot(memory) < far * slip.norm() * memory.norm())
+    return {slip, Curvature<Dim>::Identity()};
   return mean_slip<Dim>(slip, memory.normalized() * node.slip_memory.norm());
 }
 
 template MeanSlip<2> mean_slip<2>(const Param<2>&, const Param<2>&);
 template MeanSlip<3> mean_slip<3>(const Param<3>&, const Param<3>&);
-template MeanSlip<2> mean_slip_of<2>(const ContactModel<2>&, const ContactNode<2>&, double);
-template MeanSlip<3> mean_slip_of<3>(const ContactModel<3>&, const ContactNode<3>&, double);
+template MeanSlip<2> mean_slip_of<2>(const ContactModel<2>&, const ContactNode<2>&, double, bool);
+template MeanSlip<3> mean_slip_of<3>(const ContactModel<3>&, const ContactNode<3>&, double, bool);
 
 } // namespace burnish

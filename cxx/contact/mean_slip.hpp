@@ -16,8 +16,10 @@ template <int Dim> struct MeanSlip {
 template <int Dim> MeanSlip<Dim> mean_slip(const Param<Dim>& slip, const Param<Dim>& memory);
 
 /// The same of a node that slides, with its slip_memory; D* = D in the plane.
+/// @param fixed states stay through the step: D* = D also of a slip that has turned by more than 60 degrees, as one that goes back does
 template <int Dim>
-MeanSlip<Dim> mean_slip_of(const ContactModel<Dim>& model, const ContactNode<Dim>& node, double tool_size);
+MeanSlip<Dim> mean_slip_of(const ContactModel<Dim>& model, const ContactNode<Dim>& node, double tool_size,
+                           bool fixed);
 
 /// Weight w of the direction m0 in the next step, METHOD.md (3.14h).
 /// @param slip its length [length]; @param g of the node [force]; @param c of ContactState [force/length]

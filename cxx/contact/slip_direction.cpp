@@ -4,6 +4,18 @@
 
 namespace burnish {
 
+namespace {
+
+// Whether m follows slip and force. Where states are fixed that of a slip back does: zero slip, between both, is sticking at the limit.
+// Under tension no direction agrees with the force.
+template <int Dim>
+bool turns(const TangentialLaw<Dim>& law, const DecidingForce<Dim>& deciding, const Param<Dim>& slip,
+           const Param<Dim>& m, bool fixed) {
+  return fixed ? law.capacity(deciding) > 0 : !TangentialLaw<Dim>::slips_back(slip, m, 0);
+}
+
+} // namespace
+
 template <int Dim> double slip_stiffness(const ContactModel<Dim>& model, const NodeBlockMatrix<Dim>& K) {
   if (Dim == 2) return 0;
   std::vector<double> own;
@@ -48,13 +60,14 @@ void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, Contac
     const double size = poses[node.tool].size;
     const Param<Dim> slip = slip_of(model, node, size);
     const double c = model.law(candidate, node).slip_stiffness(deciding[i], slip, state);
-    Param<Dim> way = c * mean_slip_of(model, node, size).way - deciding[i].force.T;
+    Param<Dim> way = c * mean_slip_of(model, node, size, state.fixed).way - deciding[i].force.T;
     if (model.is_constrained(candidate)) {
       const Curvature<Dim> free = slip_space(model, candidate, at.surface);
       const Param<Dim> kept = free * at.m;
       way = kept.norm() > 0.1 ? kept
                               : Param<Dim>(free * way); // carried from a node without a direction, or across
-    } else if (!(state.slip_stiffness > 0) || TangentialLaw<Dim>::slips_back(slip, at.m, 0))
+    } else if (!(state.slip_stiffness > 0) ||
+               !turns(model.law(candidate, node), deciding[i], slip, at.m, state.fixed))
       continue;
     if (!(way.norm() > 0)) continue;
     node.slip_direction = in_tool_frame(poses[node.tool], at.surface, Param<Dim>(way.normalized()));

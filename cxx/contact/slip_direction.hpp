@@ -26,7 +26,8 @@ void begin_turn(const ContactModel<Dim>& model, const BeginningSlips<Dim>& slips
                 NodeCones<Dim>& cones);
 
 /// Directions of the nodes that slide by METHOD.md (3.14), from their slips and the forces on them: m along c D - T. Guided nodes keep
-/// the part that their supports leave, those that have slipped against their direction keep it; in the plane all do.
+/// the part that their supports leave; those that have slipped against their direction keep it where states may change, those with g <= 0
+/// where they are fixed; in the plane all do.
 /// @param R internal minus external nodal force, num_dofs [force]
 template <int Dim>
 void turn_slips(const ContactModel<Dim>& model, const Eigen::VectorXd& R, ContactState<Dim>& state);

@@ -1,5 +1,6 @@
 #include "contact/tangential_law.hpp"
 #include "base/error.hpp"
+#include "contact/mean_slip.hpp"
 #include <algorithm>
 
 namespace burnish {
@@ -101,8 +102,9 @@ template <int Dim>
 double TangentialLaw<Dim>::slip_stiffness(const DecidingForce<Dim>& deciding, const Param<Dim>& slip,
                                           const ContactState<Dim>& state) const {
   const double c = state.slip_stiffness, size = slip.norm();
-  if (!state.fixed || !(c > 0) || !(size > 0)) return c;
-  return std::max(c, capacity(deciding.force.N, deciding.area) / size);
+  if (!state.fixed || !(c > 0)) return c;
+  const double own = c / SLIP_STIFFNESS, g = capacity(deciding.force.N, deciding.area);
+  return g > 0 ? std::max(c, g * own / (g + own * size)) : c;
 }
 
 template <int Dim>

@@ -103,7 +103,7 @@ public:
   /// @param slip D, and its derivative by the node's own eta; @param c of METHOD.md (3.14); it does not turn at 0 [force/length]
   SlipTurn<Dim> turn(const DecidingForce<Dim>& deciding, const Param<Dim>& m, const Param<Dim>& slip,
                      const Curvature<Dim>& slip_by_eta, double c) const;
-  /// The c of one node, METHOD.md (3.14e): that of the state, or where states are fixed at least g over its slip [force/length]
+  /// The c of one node: that of the state, or where states are fixed METHOD.md (3.14e) [force/length]
   double slip_stiffness(const DecidingForce<Dim>& deciding, const Param<Dim>& slip,
                         const ContactState<Dim>& state) const;
   /// The same of a node that begins to slide along m, METHOD.md (3.14d); zero of one that has slipped against m.

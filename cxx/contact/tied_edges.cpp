@@ -120,7 +120,7 @@ SlipTurn<Dim> turn_of(const ContactModel<Dim>& model, const ContactState<Dim>& s
   const double lift = frame.n.dot(node.place.y - node.slip_origin.y);
   const Curvature<Dim> by_eta = Curvature<Dim>::Identity() - lift * frame.B;
   const TangentialLaw<Dim>& law = model.law(i, node);
-  const MeanSlip<Dim> mean = mean_slip_of(model, node, at.surface.size);
+  const MeanSlip<Dim> mean = mean_slip_of(model, node, at.surface.size, state.fixed);
   return law.turn(deciding, at.m, mean.way, mean.by_slip * by_eta,
                   law.slip_stiffness(deciding, mean.way, state));
 }

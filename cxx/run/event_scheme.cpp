@@ -26,7 +26,8 @@ template <int Dim> SchemeTask EventScheme<Dim>::next_piece() {
   m_cuts = 0;
   m_adapt = m_changes > MAX_CHANGES;
   double length = m_t + m_dt - this->m_reached;
-  if (m_adapt) length = std::min(length, ESCAPE * m_dt);
+  if (m_adapt) // in space many nodes are at their limits at once: pieces double what has been done of the step
+    length = std::min(length, std::max(ESCAPE * m_dt, Dim == 3 ? this->m_reached - m_t : 0));
   this->m_solve = {this->m_reached, length, m_adapt ? Stepping::IMPLICIT : Stepping::EVENT};
   this->m_events.clear();
   return SchemeTask::SOLVE;
@@ -73,6 +74,11 @@ template <int Dim>
 SchemeTask EventScheme<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
   const SchemeOptions& o = this->m_options;
   if (!converged) {
+    if (Dim == 3 && !m_adapt) { // no equilibrium with these states: one with states that agree
+      this->revert(u, R);
+      m_changes = MAX_CHANGES + 1;
+      return next_piece();
+    }
     const bool some = this->m_reached > m_t + SHORTEST_REST * m_dt;
     if (some) this->revert(u, R);
     return some ? SchemeTask::ACCEPTED : SchemeTask::REJECTED;
