@@ -159,7 +159,7 @@ Discretization<2> triangles(int nodes_per_element, std::vector<double> X, std::v
   return triangles(std::move(mesh));
 }
 
-template <int Dim> void require_valid(const Discretization<Dim>& mesh, const char* where) {
+template <int Dim> void require_sizes(const Discretization<Dim>& mesh, const char* where) {
   const std::size_t points = static_cast<std::size_t>(std::max(0, mesh.num_points()));
   const std::size_t per_point = static_cast<std::size_t>(std::max(0, mesh.nodes_per_element)) * Dim;
   require(mesh.num_elements > 0, where, "num_elements", mesh.num_elements, "> 0");
@@ -178,7 +178,7 @@ template <int Dim> void require_valid(const Discretization<Dim>& mesh, const cha
   if (mesh.axisymmetric && Dim == 3) fail(where, "axisymmetric meshes are plane ones");
 }
 
-template void require_valid<2>(const Discretization<2>&, const char*);
-template void require_valid<3>(const Discretization<3>&, const char*);
+template void require_sizes<2>(const Discretization<2>&, const char*);
+template void require_sizes<3>(const Discretization<3>&, const char*);
 
 } // namespace burnish

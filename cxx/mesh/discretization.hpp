@@ -50,6 +50,6 @@ Discretization<2> triangles(int nodes_per_element, std::vector<double> X, std::v
 Discretization<3> tetrahedra(Mesh<3> mesh);
 
 /// @throws std::invalid_argument "where: ..." for arrays whose sizes are not those of the numbers, and for an axisymmetric mesh in space
-template <int Dim> void require_valid(const Discretization<Dim>& mesh, const char* where);
+template <int Dim> void require_sizes(const Discretization<Dim>& mesh, const char* where);
 
 } // namespace burnish

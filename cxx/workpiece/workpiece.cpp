@@ -7,7 +7,7 @@ namespace burnish {
 namespace {
 
 template <int Dim> Discretization<Dim> valid(Discretization<Dim> mesh) {
-  require_valid(mesh, "Workpiece");
+  require_sizes(mesh, "Workpiece");
   return mesh;
 }
 
