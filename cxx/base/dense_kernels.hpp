@@ -4,7 +4,8 @@
 
 namespace burnish {
 
-/// Rows from which on BLAS is faster than Eigen, compiled for any machine of its kind: 2 times at 256, 8 times at 2000.
+/// Rows from which on LAPACK takes no more than half of the time of Eigen, which is compiled for any machine of its kind: L L' of 256 rows
+/// .23 for .49 ms, of 1024 rows 11 for 30; L U of 2048 rows 160 for 1060.
 constexpr Eigen::Index LARGE_BLOCK = 256;
 
 /// A = L L' in place; only the lower triangle is read and written. @returns false if A is not positive definite
