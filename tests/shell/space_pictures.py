@@ -7,6 +7,7 @@ import re
 import sys
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 
 TOP = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(TOP / "cases"), str(TOP / "tests/support")]
@@ -17,7 +18,7 @@ from plotting import arrows, case
 from plotting.border import new_figure
 from plotting.inputs import InputError
 from plotting.run import Run
-from plotting.space import files, maps, scene
+from plotting.space import files, final, maps, scene
 from plotting.space.arrows import draw_arrows, projected
 from plotting.space.run import SpaceRun
 from space_run import DEPTH, FRAMES, write_run
@@ -186,6 +187,21 @@ class Arrows(unittest.TestCase):
             self.assertFalse(any(box.contains(*place) for box in boxes for place in axes.transData.transform(top)))
             way = np.vstack([line.get_xydata() for line in axes.lines])
             self.assertGreater(np.hypot(*(way[:, None] - top).T).min(), 10)
+
+
+class Window(unittest.TestCase):
+    def window(self, low, high):
+        points = np.array([[*low, 0.0], [*high, 0.0]])
+        stage = SimpleNamespace(points=[points], size=(200, 100), pixels=lambda places: places[:, :2])
+        return final.near(stage, SimpleNamespace(body=SimpleNamespace(points=points)))
+
+    def test_about_the_workpiece(self):
+        (left, right), (bottom, top) = self.window((80, 40), (120, 60))
+        self.assertEqual((left, right, bottom), (80 - 6.4, 120 + 6.4, 40 - 6.4))
+        self.assertAlmostEqual(top, 60 + 2 * 6.4)
+
+    def test_a_workpiece_larger_than_the_view_ends_there(self):
+        self.assertEqual(self.window((-4e4, -3e4), (5e4, 2e4)), ((0, 200), (0, 100)))
 
 
 class Pictures(unittest.TestCase):

@@ -13,9 +13,10 @@ ROOM = 0.16           # about the workpiece, over its size in the picture; some 
 
 
 def near(stage, frame, above=2):
-    """Columns and rows (first, last), rows upward, about the workpiece; large tools go on beyond."""
+    """Columns and rows (first, last), rows upward, of the view about the workpiece; large tools go on beyond, and so does a large workpiece."""
     drawn, places = stage.pixels(np.vstack(stage.points)), stage.pixels(scene.corners(frame.body.points))
-    (left, bottom), (right, top) = drawn.min(axis=0) - MARGIN, drawn.max(axis=0) + MARGIN
+    first, last = drawn.min(axis=0), drawn.max(axis=0)
+    (left, bottom), (right, top) = np.where(first < 0, 0, first - MARGIN), np.where(last > stage.size, stage.size, last + MARGIN)
     low, high = places.min(axis=0), places.max(axis=0)
     room = ROOM * (high - low).max()
     return (max(left, low[0] - room), min(right, high[0] + room)), (max(bottom, low[1] - room), min(top, high[1] + above * room))
