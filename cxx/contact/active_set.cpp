@@ -1,11 +1,17 @@
 #include "contact/active_set.hpp"
 #include "contact/pass_choice.hpp"
 #include "contact/tool_support.hpp"
+#include <algorithm>
 
 namespace burnish {
 namespace {
 
 constexpr int MAX_NEUTRAL_TRIALS = 4; // a neutral point is looked for that often (stick_at_neutral_point)
+
+template <int Dim> bool none_sticks(const ContactState<Dim>& state) {
+  return std::none_of(state.nodes.begin(), state.nodes.end(),
+                      [](const auto& node) { return sticks(node.state); });
+}
 
 } // namespace
 
@@ -16,22 +22,22 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   const WindowSolver<Dim> solver(problem);
   ContactState<Dim> trial = state;
   std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
-  const bool turns = solver.held_by_turning();
-  int trials = turns ? MAX_NEUTRAL_TRIALS : 0, supports = turns ? MAX_SUPPORTS : 0;
+  const bool turns = Dim == 3 && !problem.first && none_sticks(state);
+  int trials = turns ? MAX_NEUTRAL_TRIALS : 0, supports = 0;
   PassChoice<Dim> choice(model, *problem.window);
   std::vector<double> severity(state.nodes.size());
   WindowSolution<Dim> best;
   for (solution.passes = 1;; ++solution.passes) {
     if (problem.adapt) relieve_vertices(model, trial);
     while (problem.adapt && (Dim == 2 || supports < MAX_SUPPORTS) &&
-           stick_unsupported(model, *problem.prescribed, trial, refused, true) >= 0)
+           stick_unsupported(model, *problem.prescribed, trial, refused, solver.turning(), true) >= 0)
       ++supports;
     if (problem.adapt && problem.added_stiffness.size() > 0 && trials < MAX_NEUTRAL_TRIALS)
       trials += stick_at_neutral_point(model, trial, refused);
     follow_ends(model, trial);
     if (!solver.solve(trial, solution)) {
       if (Dim == 2 || !problem.adapt || solution.passes >= problem.max_passes) break;
-      if (stick_unsupported(model, *problem.prescribed, trial, refused, true) < 0) break;
+      if (stick_unsupported(model, *problem.prescribed, trial, refused, {}, true) < 0) break;
       continue;
     }
     if (!problem.adapt) break;

@@ -69,10 +69,11 @@ bool under_force(const ContactModel<Dim>& model, const PrescribedValues& prescri
 
 template <int Dim>
 int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                      ContactState<Dim>& state, const std::vector<char>& refused, bool geared) {
+                      ContactState<Dim>& state, const std::vector<char>& refused,
+                      const std::vector<char>& turning, bool geared) {
   const auto poses = model.poses(state.q);
   for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
-    if (model.laws[t].frictionless()) continue;
+    if (model.laws[t].frictionless() || (!turning.empty() && turning[t])) continue;
     const ToolContact contact = contact_of(model, poses, state, t, refused);
     if (!contact.any || contact.sticks) continue;
     for (Eigen::Index k = 0; k < contact.normal.size(); ++k) {
@@ -182,10 +183,10 @@ std::vector<char> held_by_friction(const ContactModel<Dim>& model, const Prescri
 }
 
 template <int Dim>
-bool held_by_turning(const std::vector<char>& by_friction, const ContactState<Dim>& state) {
-  return Dim == 3 && !by_friction.empty() &&
-         std::none_of(state.nodes.begin(), state.nodes.end(),
-                      [&](const auto& node) { return sticks(node.state) && by_friction[node.tool]; });
+std::vector<char> turning_tools(std::vector<char> by_friction, const ContactState<Dim>& state) {
+  for (const auto& node : state.nodes)
+    if (!by_friction.empty() && sticks(node.state)) by_friction[node.tool] = 0;
+  return by_friction;
 }
 
 template <int Dim>
@@ -209,7 +210,7 @@ std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedV
 
 #define BURNISH_INSTANTIATE(Dim)                                                                             \
   template int stick_unsupported<Dim>(const ContactModel<Dim>&, const PrescribedValues&, ContactState<Dim>&, \
-                                      const std::vector<char>&, bool);                                       \
+                                      const std::vector<char>&, const std::vector<char>&, bool);             \
   template void relieve_vertices<Dim>(const ContactModel<Dim>&, ContactState<Dim>&);                         \
   template bool stick_at_neutral_point<Dim>(const ContactModel<Dim>&, ContactState<Dim>&,                    \
                                             const std::vector<char>&);                                       \
@@ -219,7 +220,7 @@ std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedV
                                                   const ContactState<Dim>&);                                 \
   template std::vector<char> held_by_friction<Dim>(const ContactModel<Dim>&, const PrescribedValues&,        \
                                                    const ContactState<Dim>&);                                \
-  template bool held_by_turning<Dim>(const std::vector<char>&, const ContactState<Dim>&);                    \
+  template std::vector<char> turning_tools<Dim>(std::vector<char>, const ContactState<Dim>&);                \
   template std::vector<int> sole_supports<Dim>(const ContactModel<Dim>&, const PrescribedValues&,            \
                                                const ContactState<Dim>&);
 BURNISH_INSTANTIATE(2)

@@ -11,12 +11,14 @@ constexpr int MAX_SUPPORTS = 8;
 /// Makes one node of a tool stick where a coordinate under force would otherwise only meet sliding friction:
 /// the sliding node with the smallest slip.
 /// @param refused per candidate: sticking was tried and exceeded the friction, taken last; may be empty
+/// @param turning per tool: 1, none of it has to stick, see turning_tools; empty: none
 /// @param geared  of a tool whose coordinate shares its force with another one's through a coupling, too, where that was not refused
 ///        yet: each of them may stick, and one may slide everywhere. With refused
 /// @returns its candidate number or -1 if nothing had to be done
 template <int Dim>
 int stick_unsupported(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
-                      ContactState<Dim>& state, const std::vector<char>& refused = {}, bool geared = false);
+                      ContactState<Dim>& state, const std::vector<char>& refused = {},
+                      const std::vector<char>& turning = {}, bool geared = false);
 
 /// Weightless vertices that were made to stick (ContactNode::bears) slide without friction again where another node of their tool
 /// sticks: what carries friction must not depend on the order in which nodes came (METHOD.md 3.19).
@@ -50,9 +52,10 @@ template <int Dim>
 std::vector<char> held_by_friction(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                    const ContactState<Dim>& state);
 
-/// On every tool that friction alone holds all nodes slide: their turning directions resist it (METHOD.md 5.5).
-/// @param by_friction of held_by_friction; empty, or in the plane: false
-template <int Dim> bool held_by_turning(const std::vector<char>& by_friction, const ContactState<Dim>& state);
+/// Tools that friction alone holds and on which all nodes slide: their turning directions resist it (METHOD.md 5.5).
+/// @param by_friction of held_by_friction, or empty @returns per tool 0 or 1, or empty
+template <int Dim>
+std::vector<char> turning_tools(std::vector<char> by_friction, const ContactState<Dim>& state);
 
 /// Candidates whose stick is the only one that supports their tool.
 template <int Dim>

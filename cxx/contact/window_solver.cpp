@@ -40,12 +40,9 @@ WindowSolver<Dim>::WindowSolver(const WindowProblem<Dim>& problem)
     : m_problem(problem), m_model(*problem.model), m_body(*problem.body), m_window(*problem.window) {
   if (Dim == 3 && problem.adapt)
     m_by_friction = held_by_friction(m_model, *problem.prescribed, *problem.start);
+  if (!problem.first) m_turning = turning_tools(m_by_friction, *problem.start);
   if (!m_by_friction.empty() && problem.added_stiffness.size() > 0) // as is a body between tools
     m_by_friction.assign(m_by_friction.size(), 1);
-}
-
-template <int Dim> bool WindowSolver<Dim>::held_by_turning() const {
-  return !m_problem.first && burnish::held_by_turning(m_by_friction, *m_problem.start);
 }
 
 // The window's nodes that the block is made of: in contact, or with added stiffness.

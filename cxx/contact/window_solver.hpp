@@ -47,9 +47,9 @@ template <int Dim> class WindowSolver {
 public:
   /// @param problem must outlive it
   explicit WindowSolver(const WindowProblem<Dim>& problem);
-  /// Not in the first iteration of a step: on every tool that friction alone holds all nodes slide at the start. Their turning
-  /// directions resist it then (METHOD.md 5.5).
-  bool held_by_turning() const;
+  /// Tools whose nodes all slide at the start, in turning directions that resist (METHOD.md 5.5); none in the first iteration of a
+  /// step. Empty in the plane.
+  const std::vector<char>& turning() const { return m_turning; }
   /// Solves with the states of the trial. @returns false if it cannot be done; out tells why, and keeps its passes
   bool solve(const ContactState<Dim>& trial, WindowSolution<Dim>& out) const;
   /// Tests every node of the window. @param trial the states that were solved with; changed
@@ -74,7 +74,7 @@ private:
   const ContactModel<Dim>& m_model;
   const BodyView<Dim>& m_body;
   const std::vector<int>& m_window;
-  std::vector<char> m_by_friction; // per tool, in space; empty: states stay
+  std::vector<char> m_by_friction, m_turning; // per tool, in space; empty: states stay
 };
 
 } // namespace burnish

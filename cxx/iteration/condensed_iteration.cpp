@@ -54,7 +54,8 @@ template <int Dim> void CondensedIteration<Dim>::begin_passes() {
   m_iteration.state_problem(problem);
   if (Dim == 3 && problem.adapt)
     m_by_friction = held_by_friction(m_iteration.model(), m_iteration.prescribed(), m_iteration.state());
-  m_supports = !problem.first && held_by_turning(m_by_friction, m_iteration.state()) ? MAX_SUPPORTS : 0;
+  m_turning = problem.first ? std::vector<char>() : turning_tools(m_by_friction, m_iteration.state());
+  m_supports = 0;
 }
 
 template <int Dim> void CondensedIteration<Dim>::prepare() {
@@ -63,7 +64,7 @@ template <int Dim> void CondensedIteration<Dim>::prepare() {
   if (problem.adapt) relieve_vertices(m_iteration.model(), m_iteration.state());
   while (problem.adapt && (Dim == 2 || m_supports < MAX_SUPPORTS) &&
          stick_unsupported(m_iteration.model(), m_iteration.prescribed(), m_iteration.state(), m_refused,
-                           true) >= 0)
+                           m_turning, true) >= 0)
     ++m_supports;
   follow_ends(m_iteration.model(), m_iteration.state());
 }

@@ -34,7 +34,7 @@ private:
   int m_passes = 0, m_supports = 0; // changes of states, and nodes made to stick, since u has moved
   std::optional<PassChoice<Dim>> m_choice;
   std::vector<char> m_refused; // nodes that could not stick since then
-  std::vector<char> m_by_friction;
+  std::vector<char> m_by_friction, m_turning;
 };
 
 } // namespace burnish
