@@ -1,6 +1,7 @@
 #include "iteration/predictor.hpp"
 #include "contact/coupling.hpp"
 #include "contact/tied_edges.hpp"
+#include "contact/tool_support.hpp"
 #include <cmath>
 
 namespace burnish {
@@ -83,6 +84,18 @@ std::vector<Vector<Dim>> reference_places(const ContactModel<Dim>& model, const 
   std::vector<Vector<Dim>> places;
   for (const int node : model.candidates) places.push_back(body.X.template segment<Dim>(Dim * node));
   return places;
+}
+
+// Per tool whether motions lead it along the surface that it is on: nodes that enter do so where they touch.
+template <int Dim>
+std::vector<char> led_by_motions(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
+                                 const ContactState<Dim>& state) {
+  std::vector<char> led(model.tools.size(), 0);
+  for (const auto& node : state.nodes)
+    if (in_contact(node.state)) led[node.tool] = 1;
+  const std::vector<char> held = held_by_friction(model, prescribed, state);
+  for (std::size_t t = 0; t < led.size(); ++t) led[t] = led[t] && !held[t];
+  return led;
 }
 
 } // namespace
@@ -244,8 +257,10 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
   result.u = u;
   result.entry = entry_places(state, u);
   result.state.nodes = result.entry.nodes;
-  if (!states.tied)
-    result.entry.records.assign(state.nodes.size(), {}); // without ties it is their projection
+  const std::vector<char> led =
+      states.tied ? led_by_motions(m_model, prescribed, state) : std::vector<char>(m_model.tools.size(), 0);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) // others enter at their projection
+    if (const int tool = result.entry.nodes[i].tool; tool < 0 || !led[tool]) result.entry.records[i] = {};
   result.state.q = predict_coordinates(prescribed, state.q, history, ratio);
   follow(m_model, result.state.q);
   for (auto& node : result.state.nodes)

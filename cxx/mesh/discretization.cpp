@@ -9,19 +9,11 @@ namespace {
 constexpr const char* TRIANGLES = "triangles";
 constexpr const char* TETRAHEDRA = "tetrahedra";
 
-/// Signed area or volume of an element's simplex and the gradients of its barycentric coordinates.
+/// Area or volume of an element's simplex and the gradients of its barycentric coordinates.
 template <int Dim> struct Simplex {
   double size;
   std::array<Vector<Dim>, Dim + 1> vertex, gradient;
 };
-
-double signed_size(const std::array<Vector<2>, 3>& vertex) {
-  const Vector<2> a = vertex[1] - vertex[0], b = vertex[2] - vertex[0];
-  return 0.5 * (a[0] * b[1] - a[1] * b[0]);
-}
-double signed_size(const std::array<Vector<3>, 4>& vertex) {
-  return (vertex[1] - vertex[0]).cross(vertex[2] - vertex[0]).dot(vertex[3] - vertex[0]) / 6;
-}
 
 void set_gradients(Simplex<2>& t) { // normal of the opposite edge, inwards, over twice the area
   for (int v = 0; v < 3; ++v) {
@@ -37,24 +29,10 @@ void set_gradients(Simplex<3>& t) { // normal of the opposite face, inwards, ove
   }
 }
 
-[[noreturn]] void fail_size(const Simplex<2>& t, int e) {
-  std::ostringstream what;
-  what << "area of element " << e << " = " << t.size << ", expected > 0 (vertices counter-clockwise)";
-  fail(TRIANGLES, what.str());
-}
-[[noreturn]] void fail_size(const Simplex<3>& t, int e) {
-  const Vector<3> center = (t.vertex[0] + t.vertex[1] + t.vertex[2] + t.vertex[3]) / 4;
-  std::ostringstream what;
-  what << "volume of element " << e << " at (" << center[0] << ", " << center[1] << ", " << center[2]
-       << ") = " << t.size << ", expected > 0 (seen from vertex 3 the others are counter-clockwise)";
-  fail(TETRAHEDRA, what.str());
-}
-
 template <int Dim> Simplex<Dim> simplex(const Discretization<Dim>& mesh, int e) {
   Simplex<Dim> t;
   for (int v = 0; v <= Dim; ++v) t.vertex[v] = mesh.node(mesh.element(e)[v]);
-  t.size = signed_size(t.vertex);
-  if (!(t.size > 0)) fail_size(t, e);
+  t.size = signed_size(mesh, e);
   set_gradients(t);
   return t;
 }

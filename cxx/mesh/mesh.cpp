@@ -41,6 +41,24 @@ template <int Dim> void check_elements(const Mesh<Dim>& mesh, const char* where)
       require(node >= 0 && node < mesh.num_nodes, where, "node of a facet", node, "0 <= node < num_nodes");
 }
 
+void check_size(const Mesh<2>& mesh, int e, const char* where) {
+  const double size = signed_size(mesh, e);
+  if (size > 0) return;
+  std::ostringstream what;
+  what << "area of element " << e << " = " << size << ", expected > 0 (vertices counter-clockwise)";
+  fail(where, what.str());
+}
+void check_size(const Mesh<3>& mesh, int e, const char* where) {
+  const double size = signed_size(mesh, e);
+  if (size > 0) return;
+  Vector<3> center = Vector<3>::Zero();
+  for (int v = 0; v < 4; ++v) center += mesh.node(mesh.element(e)[v]) / 4;
+  std::ostringstream what;
+  what << "volume of element " << e << " at (" << center[0] << ", " << center[1] << ", " << center[2]
+       << ") = " << size << ", expected > 0 (seen from vertex 3 the others are counter-clockwise)";
+  fail(where, what.str());
+}
+
 template <int Dim> void check_radii(const Mesh<Dim>& mesh, const char* where) {
   double size = 0;
   for (const double x : mesh.X) size = std::max(size, std::abs(x));
@@ -94,10 +112,22 @@ private:
 
 } // namespace
 
+template <> double signed_size(const Mesh<2>& mesh, int element) {
+  const int* n = mesh.element(element);
+  const Vector<2> a = mesh.node(n[1]) - mesh.node(n[0]), b = mesh.node(n[2]) - mesh.node(n[0]);
+  return 0.5 * (a[0] * b[1] - a[1] * b[0]);
+}
+template <> double signed_size(const Mesh<3>& mesh, int element) {
+  const int* n = mesh.element(element);
+  const Vector<3> x = mesh.node(n[0]);
+  return (mesh.node(n[1]) - x).cross(mesh.node(n[2]) - x).dot(mesh.node(n[3]) - x) / 6;
+}
+
 template <int Dim> void require_valid(const Mesh<Dim>& mesh, const char* where) {
   check_nodes(mesh, where);
   check_elements(mesh, where);
   if (mesh.axisymmetric) check_radii(mesh, where);
+  for (int e = 0; e < mesh.num_elements; ++e) check_size(mesh, e, where);
 }
 
 template <int Dim>

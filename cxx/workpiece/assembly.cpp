@@ -1,14 +1,17 @@
 #include "workpiece/assembly.hpp"
+#include "base/error.hpp"
+#include "base/sentence.hpp"
+#include <limits>
 
 namespace burnish {
 namespace {
 
 // Hoop = 1: with the gradients N/R out of the plane, of the radial component. Mirror: sign of the transposed blocks.
 template <int Hoop, int Mirror, int Dim>
-void add_point(const Discretization<Dim>& mesh, int point, const int* slot, const PiolaTangent<Dim>& A,
-               NodeBlockMatrix<Dim>& matrix) {
+void add_point(const Discretization<Dim>& mesh, int point, const std::uint16_t* slot,
+               const PiolaTangent<Dim>& A, NodeBlockMatrix<Dim>& matrix) {
   using Block = Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>;
-  const int nodes = mesh.nodes_per_element;
+  const int nodes = mesh.nodes_per_element, *node = mesh.element(point / mesh.points_per_element);
   const double *gradient = mesh.gradients(point), *shape = mesh.shapes(point);
   const double inverse_radius = Hoop ? mesh.inverse_radius(point) : 0;
   for (int b = 0; b < nodes; ++b) {
@@ -24,9 +27,9 @@ void add_point(const Discretization<Dim>& mesh, int point, const int* slot, cons
       for (int i = 0; i < Dim; ++i)
         block.row(i).noalias() = grad_a.transpose() * column.template middleRows<Dim>(Dim * i);
       if constexpr (Hoop) block.row(0) += shape[a] * inverse_radius * column.template bottomRows<1>();
-      Eigen::Map<Block>(matrix.block(slot[a * nodes + b])) += block;
+      Eigen::Map<Block>(matrix.block(matrix.row_start[node[a]] + slot[a * nodes + b])) += block;
       if (a == b) continue;
-      Eigen::Map<Block> mirrored(matrix.block(slot[b * nodes + a]));
+      Eigen::Map<Block> mirrored(matrix.block(matrix.row_start[node[b]] + slot[b * nodes + a]));
       if constexpr (Mirror > 0)
         mirrored += block.transpose();
       else
@@ -57,11 +60,18 @@ template <int Dim> TangentAssembly<Dim>::TangentAssembly(const Discretization<Di
   const int nodes = mesh.nodes_per_element;
   m_pattern = pattern_from_elements<Dim>(mesh.num_nodes, nodes, mesh.connectivity);
   m_pattern.value = std::vector<double>();
+  const std::vector<int>& start = m_pattern.row_start;
+  for (int i = 0; i < mesh.num_nodes; ++i)
+    if (const int most = std::numeric_limits<std::uint16_t>::max(); start[i + 1] - start[i] > most)
+      fail("TangentAssembly", sentence("nodes in elements with node ", i, " = ", start[i + 1] - start[i],
+                                       ", expected at most ", most));
   m_slot.reserve(mesh.connectivity.size() * nodes);
-  for (int e = 0; e < mesh.num_elements; ++e)
+  for (int e = 0; e < mesh.num_elements; ++e) {
+    const int* node = mesh.element(e);
     for (int a = 0; a < nodes; ++a)
       for (int b = 0; b < nodes; ++b)
-        m_slot.push_back(m_pattern.find(mesh.element(e)[a], mesh.element(e)[b]));
+        m_slot.push_back(static_cast<std::uint16_t>(m_pattern.find(node[a], node[b]) - start[node[a]]));
+  }
 }
 
 template <int Dim> bool TangentAssembly<Dim>::fits(const NodeBlockMatrix<Dim>& matrix) const {
@@ -73,7 +83,7 @@ template <int Mirror>
 void TangentAssembly<Dim>::add_mirrored(const Discretization<Dim>& mesh, int point,
                                         const PiolaTangent<Dim>& A, NodeBlockMatrix<Dim>& matrix) const {
   const int nodes = mesh.nodes_per_element, element = point / mesh.points_per_element;
-  const int* slot = m_slot.data() + static_cast<std::size_t>(element) * nodes * nodes;
+  const std::uint16_t* slot = m_slot.data() + static_cast<std::size_t>(element) * nodes * nodes;
   const PiolaTangent<Dim> weighted = mesh.weight[point] * A;
   if constexpr (PointTraits<Dim>::has_hoop) {
     if (mesh.axisymmetric) return add_point<1, Mirror>(mesh, point, slot, weighted, matrix);

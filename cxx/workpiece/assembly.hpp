@@ -3,6 +3,7 @@
 #include "material/piola.hpp"
 #include "mesh/discretization.hpp"
 #include "solver/node_block_matrix.hpp"
+#include <cstdint>
 
 namespace burnish {
 
@@ -15,6 +16,7 @@ void add_force(const Discretization<Dim>& mesh, int point, const Gradient<Dim>& 
 template <int Dim> class TangentAssembly {
 public:
   TangentAssembly() = default;
+  /// @throws std::invalid_argument for a node with more neighbors than m_slot can count (names it)
   explicit TangentAssembly(const Discretization<Dim>& mesh);
   /// Without values.
   const NodeBlockMatrix<Dim>& pattern() const { return m_pattern; }
@@ -34,7 +36,7 @@ private:
                     NodeBlockMatrix<Dim>& matrix) const;
 
   NodeBlockMatrix<Dim> m_pattern;
-  std::vector<int> m_slot; // element x node x node: block in the pattern
+  std::vector<std::uint16_t> m_slot; // element x node x node: block in the first node's row of the pattern
 };
 
 } // namespace burnish

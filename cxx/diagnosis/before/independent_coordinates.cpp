@@ -18,6 +18,7 @@ struct Combination {
   Eigen::VectorXd part; ///< of each; length 1, per unit of motion
   double motion = 1;    ///< of the tool
   int turns = 0;        ///< coordinates that turn the tool about its origin only
+  bool moves = true;    ///< each of them moves the tool at this pose
 };
 
 template <int Dim> Eigen::VectorXd motion_of(const Vector<Dim>& origin, const Tensor<Dim>& R, double lever) {
@@ -26,28 +27,38 @@ template <int Dim> Eigen::VectorXd motion_of(const Vector<Dim>& origin, const Te
   return motion;
 }
 
+// How coordinate k moves the tool; where it does not, how it will once another free one has moved: a quaternion of no turn.
+template <int Dim>
+Eigen::VectorXd motion_of(const Pose<Dim>& pose, const std::vector<int>& free, int k, double lever) {
+  Eigen::VectorXd motion = motion_of<Dim>(pose.origin_q[k], turn_and_growth(pose, k), lever);
+  for (const int m : free)
+    if (motion.isZero(0)) motion = motion_of<Dim>(pose.origin_qq[k][m], pose.R_qq[k][m], lever);
+  return motion;
+}
+
 template <int Dim> Combination weakest(const Pose<Dim>& pose, const std::vector<int>& free, double lever) {
   Combination result;
   std::vector<Eigen::VectorXd> motions;
   for (const int k : free) {
-    const Eigen::VectorXd motion = motion_of<Dim>(pose.origin_q[k], turn_and_growth(pose, k), lever);
-    if (motion.norm() == 0) continue;
-    motions.push_back(motion / motion.norm());
+    motions.push_back(motion_of(pose, free, k, lever));
+    if (motions.back().isZero(0)) {
+      motions.pop_back();
+      continue;
+    }
     result.coordinates.push_back(k);
     result.turns += pose.origin_q[k].isZero(0);
+    result.moves = result.moves && !(pose.origin_q[k].isZero(0) && turn_and_growth(pose, k).isZero(0));
   }
   if (motions.size() < 2) return result;
   Eigen::MatrixXd columns(Dim + Dim * Dim, motions.size());
-  for (std::size_t i = 0; i < motions.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = motions[i];
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    columns.col(static_cast<Eigen::Index>(i)) = motions[i].normalized();
   const RightSingular singular = right_singular(columns);
   const auto last = columns.cols() - 1;
   result.motion = last < singular.values.size() ? singular.values[last] : 0;
   result.part = singular.vectors.col(last);
   for (std::size_t i = 0; i < motions.size(); ++i) // per unit of the coordinate
-    result.part[static_cast<Eigen::Index>(i)] /=
-        motion_of<Dim>(pose.origin_q[result.coordinates[i]], turn_and_growth(pose, result.coordinates[i]),
-                       lever)
-            .norm();
+    result.part[static_cast<Eigen::Index>(i)] /= motions[i].norm();
   return result;
 }
 
@@ -92,7 +103,7 @@ void check_independent(const ContactSetup<Dim>& setup, const ContactState<Dim>& 
           std::abs(weak.part[static_cast<Eigen::Index>(i)]) > TAKES_PART * weak.part.cwiseAbs().maxCoeff())
         list += (list.empty() ? "\"" : ", \"") + names[static_cast<std::size_t>(weak.coordinates[i])] + "\"";
     std::string cure;
-    if (Dim == 3 && weak.turns >= 2 && weak.turns <= 3) {
+    if (Dim == 3 && weak.moves && weak.turns >= 2 && weak.turns <= 3) {
       const int m = deciding(poses[t], weak, lever);
       cure = sentence(", or, as axes of turns are parallel near \"", names[static_cast<std::size_t>(m)],
                       "\" = ", state.q[first + m],

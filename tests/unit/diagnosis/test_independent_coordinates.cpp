@@ -9,8 +9,8 @@ using namespace burnish::test;
 
 namespace {
 
-/// x, y, z under motion, all numbers of the rotation under force.
-void check(const std::string& rotation, const std::vector<double>& numbers) {
+/// x, y, z under motion, all numbers of the rotation but one, `given`, under force.
+void check(const std::string& rotation, const std::vector<double>& numbers, int given = -1) {
   Call call;
   call.text("rotation", rotation);
   const PressedPrism scene(0.3, make_coordinates<3>("plane", "cartesian", call, {}));
@@ -19,6 +19,7 @@ void check(const std::string& rotation, const std::vector<double>& numbers) {
   state.q.tail(count) = Eigen::Map<const Eigen::VectorXd>(numbers.data(), count);
   PrescribedValues prescribed{{1, 1, 1}, Eigen::VectorXd::Zero(3 + count)};
   prescribed.is_motion.resize(static_cast<std::size_t>(3 + count), 0);
+  if (given >= 0) prescribed.is_motion[static_cast<std::size_t>(3 + given)] = 1;
   check_independent(*scene.setup, state, prescribed);
 }
 
@@ -47,14 +48,19 @@ TEST(IndependentCoordinates, EulersAnglesNearParallelAxes) {
 }
 
 TEST(IndependentCoordinates, AQuaternionHasOneNumberTooMany) {
-  try {
-    check("quaternion: w, a, b, c", {1, 0.5, -0.5, 0.7});
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("coordinates \"w\", \"a\", \"b\", \"c\" of tool \"plane\" are under force"),
-              std::string::npos)
-        << text;
-    EXPECT_EQ(text.find("parallel"), std::string::npos) << "at every pose";
+  const std::string quaternion = "quaternion: w, a, b, c";
+  for (const int given : {0, 3}) EXPECT_NO_THROW(check(quaternion, {1, 0.5, -0.5, 0.7}, given));
+  EXPECT_NO_THROW(check(quaternion, {1, 0, 0, 0}, 0));
+  for (const bool turned : {true, false}) { // without a turn the length, w, moves nothing yet
+    try {
+      check(quaternion, turned ? std::vector<double>{1, 0.5, -0.5, 0.7} : std::vector<double>{1, 0, 0, 0});
+      FAIL();
+    } catch (const std::invalid_argument& error) {
+      const std::string text = error.what();
+      const std::string list = turned ? R"("w", "a", "b", "c")" : R"("w", "a")";
+      EXPECT_NE(text.find("coordinates " + list + " of tool \"plane\" are under force"), std::string::npos)
+          << text;
+      EXPECT_EQ(text.find("parallel"), std::string::npos) << "at every pose";
+    }
   }
 }

@@ -1,6 +1,7 @@
 // Internal force and tangent: patch test, finite differences, kinds of tangent, units.
 #include "unit/material/j2/point_walk.hpp"
 #include "unit/workpiece/patch.hpp"
+#include "workpiece/assembly.hpp"
 #include "workpiece/point_fields.hpp"
 
 using namespace burnish;
@@ -267,4 +268,13 @@ TEST(Assembly, Errors) {
                  "Workpiece::point_moduli: point = 8, expected 0 <= point < num_points");
   expect_invalid([&] { body.point_moduli(0, TangentKind::RATE, -1); },
                  "Workpiece::point_moduli: elastic_blend = -1");
+  const int around = 65535; // triangles in a fan, their tip has one neighbor more
+  std::vector<double> X{0, 0, 1, 0};
+  std::vector<int> triangle;
+  for (int i = 1; i <= around; ++i) {
+    X.insert(X.end(), {std::cos(6. * i / around), std::sin(6. * i / around)});
+    triangle.insert(triangle.end(), {0, i, i + 1});
+  }
+  expect_invalid([&] { TangentAssembly<2>(triangles(3, X, triangle)); },
+                 "TangentAssembly: nodes in elements with node 0 = 65537, expected at most 65535");
 }
