@@ -13,10 +13,12 @@
 //     ! is cut off
 //     ! is damaged
 //     ! is no checkpoint of Burnish
-//   S.checkpointdue   the time of option -checkpoint is over since the last one, Ctrl-C came, or the run is at its end and has had one
+//   S.checkpointdue   the time of option -checkpoint is over since the last one, Ctrl-C came (in the middle of a step: less than
+//     five seconds ago), or the run is at its end and has had one
 //   internal: rcResumeOption rcResumable rcNoteVariables rcOutdated rcRunFile
 #include "checkpoint.hpp"
 #include "base/error.hpp"
+#include "base/stop_request.hpp"
 #include "checkpoint/identity.hpp"
 #include "named.hpp"
 #include "parallel/first_rank.hpp"
@@ -229,7 +231,8 @@ bool checkpoint_due(StepControlHandle* const& h) {
     const ControlObject& object = h->get();
     const double minutes = minutes_option();
     if (minutes == 0) return false;
-    if (interrupt_came() || (object.checkpointed && object.now().finished())) return true;
+    if (interrupt_came()) return object.task == Task::RECORD || !interrupt_is_old();
+    if (object.checkpointed && object.now().finished()) return true;
     const std::chrono::duration<double, std::ratio<60>> since = RunClock::now() - last_written();
     return first_rank_says(since.count() >= minutes);
   });
@@ -269,8 +272,14 @@ void accept_checkpoint_options() {
   for (const char* name : {"-checkpoint", "-resume"}) script_options().accept(name);
 }
 
+// In the middle of a step: without a checkpoint at once, else when the step has taken too long to wait for its end.
+bool run_shall_stop() {
+  return run_catches_interrupt() && interrupt_came() && (minutes_option() == 0 || interrupt_is_old());
+}
+
 void register_checkpoint() {
   last_written();
+  set_stop_asked(run_shall_stop);
   add_method<StepControlHandle, CheckpointTag>(
       "checkpoint", [] { return new SeesVariables<checkpoint_here, Checkpointing, string*>; });
   add_method<StepControlHandle, ResumeTag>(

@@ -36,6 +36,10 @@ private:
 
 /// Whether Ctrl-C, SIGTERM or SIGHUP came since rcCatchInterrupt, to one of the ranks; all of them ask.
 bool interrupt_came();
+/// Whether it came so long ago that a step is not waited for any more; all ranks ask.
+bool interrupt_is_old();
+/// Whether a run looks at it, between rcCatchInterrupt and rcReleaseInterrupt.
+bool run_catches_interrupt();
 
 /// Runs f; turns every std::exception into a PluginError.
 template <class F> auto guarded(F&& f) -> decltype(f()) {

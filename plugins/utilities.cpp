@@ -47,16 +47,20 @@ namespace burnish {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+bool catching = false; // a run looks at it
 timespec first_signal{};
 constexpr double SAME_REQUEST = 1; // [s] timeout(1) signals the program and its group
-void note_signal(int) {
+constexpr double PATIENCE = 5;     // [s] a step may take to its end and checkpoint when the run shall end
+double since_first_signal() {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
-  if (!interrupted) first_signal = now;
+  return static_cast<double>(now.tv_sec - first_signal.tv_sec) +
+         1e-9 * static_cast<double>(now.tv_nsec - first_signal.tv_nsec);
+}
+void note_signal(int) {
+  if (!interrupted) clock_gettime(CLOCK_MONOTONIC, &first_signal);
   interrupted = 1;
-  const double since = static_cast<double>(now.tv_sec - first_signal.tv_sec) +
-                       1e-9 * static_cast<double>(now.tv_nsec - first_signal.tv_nsec);
-  if (since > SAME_REQUEST) std::_Exit(130); // asked twice: leave at once
+  if (since_first_signal() > SAME_REQUEST) std::_Exit(130); // asked twice: leave at once
 }
 
 // Taken, not only read: an error of FreeFEM's own leaves no text, and must not be reported by the text of an older one.
@@ -104,11 +108,13 @@ constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGUSR1, SIGHUP}, NUM_SIGNALS = 4;
 void (*handlers[])(int) = {SIG_DFL, SIG_DFL, SIG_DFL, SIG_DFL};
 bool catch_interrupt(const long&) {
   interrupted = 0;
+  catching = true;
   for (int k = 0; k < NUM_SIGNALS; ++k) handlers[k] = std::signal(SIGNALS[k], note_signal);
   if (handlers[NUM_SIGNALS - 1] == SIG_IGN) std::signal(SIGHUP, SIG_IGN); // nohup
   return true;
 }
 bool release_interrupt(const long&) {
+  catching = false;
   for (int k = 0; k < NUM_SIGNALS; ++k) std::signal(SIGNALS[k], handlers[k]);
   return true;
 }
@@ -130,6 +136,8 @@ bool is_terminal(const long&) {
 } // namespace
 
 bool interrupt_came() { return ranks().least(interrupted ? 0 : 1) == 0; }
+bool interrupt_is_old() { return ranks().least(interrupted && since_first_signal() > PATIENCE ? 0 : 1) == 0; }
+bool run_catches_interrupt() { return catching; }
 
 void register_tools_of_the_trade() {
   Global.Add("rcLastError", "(", new OneOperator1s_<string*, long>(last_error_text));

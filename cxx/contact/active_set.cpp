@@ -1,4 +1,5 @@
 #include "contact/active_set.hpp"
+#include "base/stop_request.hpp"
 #include "contact/pass_choice.hpp"
 #include "contact/tool_support.hpp"
 #include <algorithm>
@@ -7,6 +8,16 @@ namespace burnish {
 namespace {
 
 constexpr int MAX_NEUTRAL_TRIALS = 4; // a neutral point is looked for that often (stick_at_neutral_point)
+// In space: passes without a better set after which they go round. Those that end in a solution need a few for the next better one.
+constexpr int STALLED = 20;
+
+// Nodes that could not stick.
+template <int Dim>
+void note_refused(const ContactState<Dim>& before, const ContactState<Dim>& after,
+                  std::vector<char>& refused) {
+  for (std::size_t i = 0; i < refused.size(); ++i)
+    refused[i] = refused[i] || (sticks(before.nodes[i].state) && after.nodes[i].state == NodeState::SLIDING);
+}
 
 template <int Dim> bool none_sticks(const ContactState<Dim>& state) {
   return std::none_of(state.nodes.begin(), state.nodes.end(),
@@ -19,7 +30,7 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   WindowSolution<Dim> solution;
   const ContactModel<Dim>& model = *problem.model;
   const ContactState<Dim>& state = *problem.start;
-  const WindowSolver<Dim> solver(problem);
+  WindowSolver<Dim> solver(problem);
   ContactState<Dim> trial = state;
   std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
   const bool turns = Dim == 3 && !problem.first && none_sticks(state);
@@ -45,11 +56,11 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
     solution.left = solver.test(solution, trial, severity);
     if (solution.left == 0) break;
     if (best.F.size() == 0 || solution.left < best.left) best = solution;
-    if (solution.passes >= problem.max_passes) break;
+    if (solution.passes >= problem.max_passes || (Dim == 3 && solution.passes > best.passes + STALLED)) break;
+    if ((solution.stopped = stop_asked())) return solution;
     choice.choose(before, severity, trial);
-    for (std::size_t i = 0; i < refused.size(); ++i)
-      refused[i] =
-          refused[i] || (sticks(before.nodes[i].state) && trial.nodes[i].state == NodeState::SLIDING);
+    solver.note_released(before, trial);
+    note_refused(before, trial, refused);
   }
   // The one that contradicts itself least; in space also where a body between tools has none that sticks left, since what has not
   // pressed yet does not turn (METHOD.md 3.12): the next iteration knows forces.

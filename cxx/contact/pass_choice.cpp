@@ -29,25 +29,47 @@ typename PassChoice<Dim>::Kind PassChoice<Dim>::kind_of(const ContactNode<Dim>& 
   return turns ? Kind::TURNS : Kind::NONE;
 }
 
-// Of every run of neighbors of a kind; candidates that turn, one by one.
-template <int Dim> std::vector<int> PassChoice<Dim>::worst_of_runs(const std::vector<double>& severity) {
-  std::vector<int> chosen, run;
+// Candidates that turn, one by one; of those that enter or leave every worst one: in the plane of its run, in space next to it.
+template <int Dim> std::vector<int> PassChoice<Dim>::worst_of(const std::vector<double>& severity) const {
+  std::vector<int> chosen;
   std::vector<char> done(m_kind.size(), 0);
   for (const int first : m_window) {
     if (m_kind[first] == Kind::NONE || done[first]) continue;
-    run.assign(1, first);
-    done[first] = 1;
-    int worst = first;
-    for (std::size_t k = 0; k < run.size() && m_kind[first] != Kind::TURNS && !m_model.neighbors.empty(); ++k)
-      for (const int next : m_model.neighbors[run[k]]) {
-        if (m_kind[next] != m_kind[first] || done[next]) continue;
-        done[next] = 1;
-        run.push_back(next);
-        if (severity[next] > severity[worst]) worst = next;
-      }
-    chosen.push_back(worst);
+    if (m_kind[first] == Kind::TURNS || m_model.neighbors.empty())
+      chosen.push_back(first);
+    else if (Dim == 2)
+      chosen.push_back(worst_of_run(first, severity, done));
+    else if (is_worst_nearby(first, severity))
+      chosen.push_back(first);
   }
   return chosen;
+}
+
+// A patch of a surface has as many nodes as its row has, squared: one of it a pass would take as many passes.
+template <int Dim>
+bool PassChoice<Dim>::is_worst_nearby(int candidate, const std::vector<double>& severity) const {
+  for (const int next : m_model.neighbors[candidate]) {
+    if (m_kind[next] != m_kind[candidate]) continue;
+    if (severity[next] > severity[candidate] || (severity[next] == severity[candidate] && next < candidate))
+      return false;
+  }
+  return true;
+}
+
+template <int Dim>
+int PassChoice<Dim>::worst_of_run(int first, const std::vector<double>& severity,
+                                  std::vector<char>& done) const {
+  std::vector<int> run(1, first);
+  done[first] = 1;
+  int worst = first;
+  for (std::size_t k = 0; k < run.size(); ++k)
+    for (const int next : m_model.neighbors[run[k]]) {
+      if (m_kind[next] != m_kind[first] || done[next]) continue;
+      done[next] = 1;
+      run.push_back(next);
+      if (severity[next] > severity[worst]) worst = next;
+    }
+  return worst;
 }
 
 template <int Dim> bool PassChoice<Dim>::seen_before(const ContactState<Dim>& state) {
@@ -64,7 +86,7 @@ template <int Dim>
 void PassChoice<Dim>::choose(const ContactState<Dim>& before, const std::vector<double>& severity,
                              ContactState<Dim>& trial) {
   for (const int i : m_window) m_kind[i] = kind_of(before.nodes[i], trial.nodes[i]);
-  std::vector<int> chosen = worst_of_runs(severity);
+  std::vector<int> chosen = worst_of(severity);
   if (seen_before(before)) m_alone = ALONE;
   if (m_alone > 0 && !chosen.empty()) {
     --m_alone;

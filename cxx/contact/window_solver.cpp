@@ -37,7 +37,8 @@ template <int Dim> Eigen::VectorXd of_nodes(const Eigen::VectorXd& window, const
 
 template <int Dim>
 WindowSolver<Dim>::WindowSolver(const WindowProblem<Dim>& problem)
-    : m_problem(problem), m_model(*problem.model), m_body(*problem.body), m_window(*problem.window) {
+    : m_problem(problem), m_model(*problem.model), m_body(*problem.body), m_window(*problem.window),
+      m_released(problem.start->nodes.size(), 0) {
   if (Dim == 3 && problem.adapt)
     m_by_friction = held_by_friction(m_model, *problem.prescribed, *problem.start);
   if (!problem.first) m_turning = turning_tools(m_by_friction, *problem.start);
@@ -79,8 +80,9 @@ std::vector<NodeLinearization<Dim>> WindowSolver<Dim>::linearize(const ContactSt
                                                                  const std::vector<int>& active,
                                                                  Eigen::VectorXd& offset) const {
   const auto poses = m_model.poses(m_problem.start->q);
-  const auto force = [&](int candidate) { // a node that touches now carried no force yet
-    if (!in_contact(m_problem.start->nodes[candidate].state)) return Vector<Dim>(Vector<Dim>::Zero());
+  const auto force = [&](int candidate) { // a node that touches now, or again, carries no force yet
+    if (!in_contact(m_problem.start->nodes[candidate].state) || m_released[candidate])
+      return Vector<Dim>(Vector<Dim>::Zero());
     return Vector<Dim>(m_problem.R->template segment<Dim>(Dim * m_model.candidates[candidate]));
   };
   const std::vector<DecidingForce<Dim>> deciding = deciding_at(trial, poses, active, force);
@@ -191,6 +193,15 @@ int WindowSolver<Dim>::test(const WindowSolution<Dim>& solution, ContactState<Di
     changes += test(i, solved, F, deciding[i], x, trial.nodes[i]);
   }
   return changes;
+}
+
+// In the plane a force gives a node that comes back no more than the turn of its tangent; in space also the stiffness across
+// its slip, which holds it off its cone, so that it would be released and touch again without end.
+template <int Dim>
+void WindowSolver<Dim>::note_released(const ContactState<Dim>& before, const ContactState<Dim>& after) {
+  if (Dim == 2) return;
+  for (const int i : m_window)
+    if (in_contact(before.nodes[i].state) && !in_contact(after.nodes[i].state)) m_released[i] = 1;
 }
 
 template class WindowSolver<2>;

@@ -37,6 +37,7 @@ template <int Dim> struct WindowSolution {
       false; ///< singular, since a part of the flexibility is not positive definite: the body is not
   int weakest_coordinate = -1;
   int passes = 0;
+  bool stopped = false; ///< the run shall end (stop_asked): no solution
   int left = 0; ///< states that contradict the forces in the last pass; 0: it is a solution of the window
   ContactState<Dim> state; ///< states, places moved by the slips, q + dq
   Eigen::VectorXd F;       ///< contact force on the window, Dim*window [force]
@@ -58,6 +59,8 @@ public:
   /// @returns the number of changes
   int test(const WindowSolution<Dim>& solution, ContactState<Dim>& trial,
            std::vector<double>& severity) const;
+  /// After a pass: nodes that it has released come back, if they do, without the force that they had at the start.
+  void note_released(const ContactState<Dim>& before, const ContactState<Dim>& after);
 
 private:
   std::vector<int> active_positions(const ContactState<Dim>& trial) const;
@@ -74,6 +77,7 @@ private:
   const ContactModel<Dim>& m_model;
   const BodyView<Dim>& m_body;
   const std::vector<int>& m_window;
+  std::vector<char> m_released;               // per candidate, by a pass, in space
   std::vector<char> m_by_friction, m_turning; // per tool, in space; empty: states stay
 };
 

@@ -219,6 +219,7 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
     const CpuTimer timer(m_iteration.counts().condensation_seconds);
     const WindowProblem<Dim> problem = window_problem(u, R, load);
     solution = solve_window(problem);
+    if (solution.stopped) return StepStatus::ITERATE; // with the iterate as it is: the run ends
     if (solution.indefinite && !m_floating && !m_indefinite && m_tangent->solver->symmetric()) {
       m_indefinite = true;
       m_has_factor = false;
