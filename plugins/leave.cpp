@@ -1,6 +1,7 @@
 #include "leave.hpp"
 #include "parallel/ranks.hpp"
 #include "plugin.hpp"
+#include "script_options.hpp"
 
 #include <cstdlib>
 #include <unistd.h>
@@ -32,6 +33,7 @@ struct Leave : Error {
 
 int owed = 0;
 void pay(int status, void*) {
+  if (status == 0 && owed == 0 && ignores_option()) owed = 20;
   const bool pays = status == 0 && owed != 0;
   if (!pays && ranks().size() == 1) return;
   cout.flush();
@@ -49,6 +51,9 @@ void leave(int status) {
 
 void owe(int status) { owed = status; }
 
-void register_end() { on_exit(pay, nullptr); }
+void register_end() {
+  script_options(); // made before, gone after
+  on_exit(pay, nullptr);
+}
 
 } // namespace burnish

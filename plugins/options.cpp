@@ -31,7 +31,8 @@
 //     names     "-R -E", options read before
 //   rcOptionsEnd()   refuses unknown options; those named like a setting of rcContact, stepcontrol or rcMaterial, -stepsperfactor 2, go
 //       before what the script gives there; with -h the help is printed and the script ends there, with -options list
-//       all options with their values, as one line of JSON
+//       all options with their values, as one line of JSON. A script without it that is given options: status 20, before it
+//       runs if it reads none, at its end if it has not read that one; unless it has ARGV or PETSc, which take words, too
 //   rcOptionsEnd(dummy)   the same, of older scripts
 //     dummy     not read
 //   rcOptionUsed(name, words)   whether the script uses one of the names, outside of comments; if not, the option is refused
@@ -121,10 +122,13 @@ bool options_end() {
   });
 }
 bool options_end_of_older(const long&) { return options_end(); }
+bool uses(const std::string& words) {
+  const char* path = std::getenv("FF_INCLUDEPATH");
+  return script_uses(script_options().script(), words, path ? path : "");
+}
 bool option_used(string* const& name, string* const& words) {
   return guarded([&] {
-    const char* path = std::getenv("FF_INCLUDEPATH");
-    const bool used = script_uses(script_options().script(), *words, path ? path : "");
+    const bool used = uses(*words);
     if (!used && script_options().given(*name))
       throw std::invalid_argument("option " + *name + " is given, but the script does not use it: " + *words +
                                   " occurs nowhere in " + script_options().script());
@@ -138,6 +142,22 @@ bool positive(string* const& names) {
   return guarded([&] { return script_options().positive(*names), true; });
 }
 string* script_folder(Stack stack, const long&) { return new_string(stack, script_options().folder()); }
+
+// The script has been given options, reads some, and has no rcOptionsEnd; found while it is loaded, as a search at its end may not be.
+bool never_ended = false;
+
+// What nothing reads would change nothing, silently.
+void refuse_options_of_no_reader() {
+  const ScriptOptions& options = script_options();
+  const std::string first = options.wants_help() ? "-h" : options.first_given();
+  if (first.empty() || uses("rcOptionsEnd ARGV getARGV PETSc SLEPc hpddm")) return;
+  never_ended = !options.wants_help() && uses("rcReal rcInt rcText");
+  if (never_ended) return; // the end of the script will show which
+  cout << "burnish: option " << first << " is given, but " << options.script()
+       << (options.wants_help() ? " does not list its options" : " reads no options")
+       << ": expected rcReal, rcInt or rcText for each of them, then rcOptionsEnd()" << endl;
+  leave(20);
+}
 
 // FreeFEM says "syntax error" alone.
 void refuse_names_of_types() {
@@ -153,8 +173,21 @@ void refuse_names_of_types() {
 
 } // namespace
 
+bool ignores_option() {
+  if (!never_ended) return false;
+  try {
+    script_options().refuse_unknown();
+  } catch (const std::exception& unknown) {
+    cout << "burnish: " << unknown.what() << "; it was ignored, as " << script_options().script()
+         << " has no rcOptionsEnd() after its options" << endl;
+    return true;
+  }
+  return false;
+}
+
 void register_options() {
   refuse_names_of_types();
+  refuse_options_of_no_reader();
   Global.Add("rcReal", "(", new OneOperator2_<double, string*, double>(real_option));
   Global.Add("rcReal", "(", new OneOperator4_<double, string*, double, string*, string*>(real_with_help));
   Global.Add("rcInt", "(", new OneOperator2_<long, string*, long>(int_option));

@@ -29,7 +29,7 @@ def named(length, stress, whole=False):
 # What a column is; the kinds of the default history
 LENGTH, ANGLE, FORCE, MOMENT, NODES, STRESS, STRAIN, TIME, OTHER = (
     "length", "angle", "force", "moment", "nodes", "stress", "strain", "time", "other")
-ANGLES = ("angle", "theta", "phi", "psi", "alpha", "beta", "turn")
+ANGLES = ("angle", "theta", "phi", "psi", "alpha", "beta", "turn", "spinx", "spiny", "spinz")
 LENGTHS = ("x", "y", "r")  # of "cartesian" and "polar"
 
 
@@ -131,9 +131,9 @@ def named_unit(bare):
 
 def describe(names, units, given=None, lengths=None):
     """{name: Column} of a history with these columns. given: {name or bare name: (label, unit, factor)} of the case,
-    for its own columns and where the defaults are wrong: coordinates called angle, theta, phi, psi, alpha, beta or
-    turn are angles, shown in degrees; all others are taken as lengths, or only those in lengths. None in place of the
-    three: left out of the pictures."""
+    for its own columns and where the defaults are wrong: coordinates called angle, theta, phi, psi, alpha, beta,
+    turn, spinx, spiny or spinz are angles, shown in degrees; all others are taken as lengths, or only those in lengths.
+    None in place of the three: left out of the pictures."""
     given = given or {}
     coordinates = {split_name(n)[1][2:] for n in names if n.startswith("Q_")}
     factor = {LENGTH: units.length, ANGLE: 180 / np.pi, FORCE: units.force, MOMENT: units.moment, STRESS: units.stress}

@@ -9,6 +9,7 @@ import os
 
 from request import read_text, words_of
 from study import ended, finished, read_again
+from values import SweepError
 
 
 def read_summary(folder):
@@ -72,6 +73,23 @@ def rows_of(study):
     last = [c for c in ("steps", "cpu_seconds", "again", "reason") if c in columns]
     between = [c for c in columns if c not in own and c not in last]
     return [p["name"] for p in study.parameters] + ["status", *own, *between, *last], rows
+
+
+def asked_columns(study):
+    """Columns that -draw names; [] as long as no variant has finished.
+
+    Raises SweepError for one that is no result.
+    """
+    columns, rows = rows_of(study)
+    if not any(row["status"] == "finished" for row in rows):
+        return []
+    text, own = study.request.draw, {p["name"] for p in study.parameters} | {"status", "t", "reason", "again"}
+    columns = [c for c in columns if c not in own]
+    asked = [name.strip() for name in text.split(";" if ";" in text else ",") if name.strip()]
+    missing = [name for name in asked if name not in columns]
+    if missing:
+        raise SweepError(f"-draw: no result {', '.join(missing)}; there are: {', '.join(columns)}")
+    return asked
 
 
 def write_csv(path, columns, rows):

@@ -1,11 +1,12 @@
 """The pictures of -draw in a study's folder: sweep.png; cost.png, error against CPU seconds, where an option of mesh, steps or solver
 is varied and results with expected values change (plotting/cost.py). A panel for each result asked for (names with commas, or with
-semicolons where a name has a comma) against the first varied option, a line for each combination of the others. Exit status 1 if a
-result is not there.
+semicolons where a name has a comma) against the first varied option, a line for each combination of the others.
 """
 import os
 import re
 import sys
+
+from gather import asked_columns
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir))
 try:
@@ -34,15 +35,6 @@ def units_of(sweep):
     for results in results_of(sweep):
         units.update({name: entry.get("unit", "") for name, entry in results.items()})
     return units
-
-
-def chosen(text, columns):
-    """Quantities to draw."""
-    asked = [name.strip() for name in text.split(";" if ";" in text else ",") if name.strip()]
-    missing = [name for name in asked if name not in columns]
-    if missing:
-        raise LookupError(f"-draw: no result {', '.join(missing)}; there are: {', '.join(columns)}")
-    return asked
 
 
 def axis(name, unit):
@@ -92,16 +84,11 @@ def figure_of(sweep, rows, quantities, units):
 
 def draw_asked(study, columns, rows):
     """Draws what -draw names and prints the paths. @returns the exit status"""
-    names = [p["name"] for p in study.parameters]
     good = [(name, row) for name, row in zip(study.variants, rows) if row["status"] == "finished"]
     if not good:
         print("burnish sweep: nothing to draw, no variant finished", file=sys.stderr)
         return 1
-    try:
-        asked = chosen(study.request.draw, [c for c in columns if c not in (*names, "status", "t", "reason", "again")])
-    except LookupError as error:
-        print(f"burnish sweep: {error.args[0]}", file=sys.stderr)
-        return 1
+    asked = asked_columns(study)
     shown = [{n: "" if row.get(n) is None else str(row.get(n, "")) for n in columns} for _, row in good]
     sweep = {"case": study.request.name, "parameters": study.parameters, "variants": [{"folder": study.place_of(n)} for n, _ in good]}
     apply_style()

@@ -7,9 +7,10 @@ import subprocess
 import sys
 import time
 
-from gather import read_summary, why
+from gather import asked_columns, read_summary, why
 from request import read_text
 from study import ended, finished
+from values import SweepError
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PAUSE = 0.3       # seconds between two looks
@@ -149,7 +150,8 @@ def raise_stopped(*_):
 
 
 def run(study, listed, quiet=False):
-    """Runs these variants to their ends. Stopped: by a signal; the same command goes on."""
+    """Runs these variants to their ends. Stopped: by a signal; the same command goes on. SweepError: -draw names what the first of them
+    to finish does not have; the others are ended."""
     for name in [n for n in listed if not os.path.exists(os.path.join(study.place_of(n), "run-1.checkpoint"))]:
         log = os.path.join(study.place_of(name), "log.txt")
         if os.path.exists(log):
@@ -159,9 +161,11 @@ def run(study, listed, quiet=False):
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, raise_stopped)
     process, progress = started(study, listed), Progress(study, listed, quiet)
+    unseen = bool(study.request.draw)
     try:
         while process.poll() is None:
             progress.look()
+            unseen = unseen and not asked_columns(study)
             time.sleep(PAUSE if not quiet else PAUSE / 6)
         progress.look()
         progress.clear()
@@ -169,6 +173,10 @@ def run(study, listed, quiet=False):
         progress.clear()
         stop(process)
         raise Stopped from None
+    except SweepError:
+        progress.clear()
+        stop(process)
+        raise
     if progress.waiting:
         told = read_text(os.path.join(study.folder, "parallel.txt")).strip().splitlines()
         sys.exit(f"burnish sweep: {len(progress.waiting)} variants did not run: " + (told[-1] if told else "GNU parallel was ended") +

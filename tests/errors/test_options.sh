@@ -38,6 +38,16 @@ printf 'include "burnish.idp"\nfunc real material(real x) { return x; }\n' >"$SC
 refuse 20 'name.edp: material in line 2 is the name of a type of Burnish|such as material1' "$BURNISH" "$SCRATCH/name.edp"
 printf 'include "burnish.idp"\nmesh Th = square(2, 2);\nfespace Vh(Th, P1);\nVh u, contact = x;\n' >"$SCRATCH/name.edp"
 refuse 20 'name.edp: contact in line 4 is the name of a type of Burnish|such as contact1' "$BURNISH" "$SCRATCH/name.edp"
+printf 'include "burnish.idp"\ncout << "LET THROUGH" << endl;\n' >"$SCRATCH/none.edp"
+refuse 20 'option -mu is given|none.edp reads no options|then rcOptionsEnd()' "$BURNISH" "$SCRATCH/none.edp" -mu 0.3
+refuse 20 'option -h is given|none.edp does not list its options' "$BURNISH" "$SCRATCH/none.edp" -h
+"$BURNISH" "$SCRATCH/none.edp" -mu 0.3 | grep -q 'LET THROUGH' && { echo "FAILED: ran with an option that nothing reads"; failures=$((failures + 1)); }
+printf 'include "burnish.idp"\nreal mu = rcReal("-mu", 0.1);\n' >"$SCRATCH/open.edp"
+refuse 20 'unknown option -nu, expected one of -mu|it was ignored|no rcOptionsEnd()' "$BURNISH" "$SCRATCH/open.edp" -mu 0.2 -nu 0.3
+printf 'include "burnish.idp"\ninclude "getARGV.idp"\ncout << getARGV("-mu", 0.1) << endl;\n' >"$SCRATCH/argv.edp"
+for words in "none.edp -v 0 -ns" "open.edp -mu 0.2" "argv.edp -mu 0.2"; do
+  "$BURNISH" "$SCRATCH/"$words >"$SCRATCH/out" 2>&1 || { echo "FAILED: $words"; head -n 5 "$SCRATCH/out"; failures=$((failures + 1)); }
+done
 rolling 20 'option -steps is 0|expected 1 to 1e+06' -steps 0
 rolling 20 'option -inner is 1|expected 2 to' -inner 1
 rolling 20 'option -graded is -1|expected 0 to 0.0012' -graded -1

@@ -121,6 +121,13 @@ class Scene(unittest.TestCase):
         names = [name for _, names, _ in curves.default_panels(run) for name in names]
         self.assertEqual([name for name in ("Q_y", "Q_turn", "Q_lean", "turn", "lean") if name not in names], ["Q_turn"])
 
+    def test_moments_have_a_panel_of_their_own(self):
+        names = ["t", "z", "spinx", "ball.spinz", "Q_z", "Q_spinx", "Q_ball.spinz"]
+        found = units.describe(names, units.named("mm", "MPa", whole=True))
+        self.assertEqual([found[n].kind for n in names],
+                         [units.TIME, units.LENGTH, units.ANGLE, units.ANGLE, units.FORCE, units.MOMENT, units.MOMENT])
+        self.assertEqual((found["Q_z"].unit, found["Q_spinx"].unit, found["spinx"].unit), ("N", r"N$\cdot$mm", "deg"))
+
     def test_units_of_columns(self):
         """Of the script's columns: what their names end with; none is made up."""
         found = units.describe(["t", "depth_mm", "way_um", "pull_N", "energy", "e_over_a"], units.named("mm", "MPa"))

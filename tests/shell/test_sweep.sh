@@ -169,6 +169,9 @@ assert not re.search(r'(src|href)="https?:', page) and len(re.search('<script id
 END
 sweep 0 draw a=1,2 b=1,2 -draw "sum;product"
 holds draw /sweep.png
+sweep 20 undrawn a=1:40:40 b=1:20:20 -draw foo -study undrawn
+holds undrawn "burnish sweep: -draw: no result foo; there are: bowl"
+[ "$(runs out/sweep/undrawn)" -lt 400 ] || fail "undrawn: all variants ran"
 
 # 8. Refused before anything runs
 refused() { local n=$1 w=$2; shift 2; sweep 20 "$n" "$@"; holds "$n" "$w"; }
