@@ -106,8 +106,6 @@ bool options_end() {
   return guarded([&] {
     const std::string list =
         script_options().text("-options", "", "", "list: prints all options with their values, as JSON");
-    accept_settings();
-    accept_checkpoint_options();
     script_options().refuse_unknown();
     if (script_options().wants_help()) {
       cout << "options of " << script_options().script() << ", with defaults and units:\n"
@@ -148,8 +146,10 @@ bool never_ended = false;
 
 // What nothing reads would change nothing, silently.
 void refuse_options_of_no_reader() {
+  accept_settings();
+  accept_checkpoint_options();
   const ScriptOptions& options = script_options();
-  const std::string first = options.wants_help() ? "-h" : options.first_given();
+  const std::string first = options.wants_help() ? "-h" : options.first_unknown();
   if (first.empty() || uses("rcOptionsEnd ARGV getARGV PETSc SLEPc hpddm")) return;
   never_ended = !options.wants_help() && uses("rcReal rcInt rcText");
   if (never_ended) return; // the end of the script will show which

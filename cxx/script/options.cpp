@@ -159,16 +159,21 @@ std::string ScriptOptions::text(const std::string& name, const std::string& othe
   return value;
 }
 
-void ScriptOptions::refuse_unknown() const {
+std::string ScriptOptions::first_unknown() const {
   for (const Given& given : m_given) {
-    std::string list;
-    bool known = among(m_accepted, given.name);
-    for (const Option& option : m_options) {
-      known = known || option.name == given.name;
-      list += " " + option.name;
-    }
-    if (!known) throw std::invalid_argument("unknown option " + given.name + ", expected one of" + list);
+    const auto asked = [&](const Option& option) { return option.name == given.name; };
+    if (!among(m_accepted, given.name) && std::none_of(m_options.begin(), m_options.end(), asked))
+      return given.name;
   }
+  return "";
+}
+
+void ScriptOptions::refuse_unknown() const {
+  const std::string unknown = first_unknown();
+  if (unknown.empty()) return;
+  std::string list;
+  for (const Option& option : m_options) list += " " + option.name;
+  throw std::invalid_argument("unknown option " + unknown + ", expected one of" + list);
 }
 
 bool ScriptOptions::reads_setting(const std::string& name) {

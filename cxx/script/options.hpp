@@ -23,8 +23,8 @@ public:
   std::string found(const std::string& file) const;
 
   bool given(const std::string& name) const { return find(name) != nullptr; } ///< it is among the words
-  /// Name of the first word that is none of FreeFEM's own, "" if there is none.
-  std::string first_given() const { return m_given.empty() ? "" : m_given.front().name; }
+  /// Name of the first word that is no option that was asked for or accepted, nor FreeFEM's own; "" if there is none.
+  std::string first_unknown() const;
   /// Value of an option, or the default. @param name with its dash; @param unit, meaning for the help; may be empty
   /// @throws std::invalid_argument for a name that FreeFEM takes for itself, an option without a value, a value that is
   ///         no number, or no whole one

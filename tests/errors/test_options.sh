@@ -45,7 +45,8 @@ refuse 20 'option -h is given|none.edp does not list its options' "$BURNISH" "$S
 printf 'include "burnish.idp"\nreal mu = rcReal("-mu", 0.1);\n' >"$SCRATCH/open.edp"
 refuse 20 'unknown option -nu, expected one of -mu|it was ignored|no rcOptionsEnd()' "$BURNISH" "$SCRATCH/open.edp" -mu 0.2 -nu 0.3
 printf 'include "burnish.idp"\ninclude "getARGV.idp"\ncout << getARGV("-mu", 0.1) << endl;\n' >"$SCRATCH/argv.edp"
-for words in "none.edp -v 0 -ns" "open.edp -mu 0.2" "argv.edp -mu 0.2"; do
+printf 'include "burnish.idp"\nstepcontrol S(1.);\n' >"$SCRATCH/plain.edp" # its settings need no reader
+for words in "none.edp -v 0 -ns" "open.edp -mu 0.2" "argv.edp -mu 0.2" "plain.edp -dtmax 0.1"; do
   "$BURNISH" "$SCRATCH/"$words >"$SCRATCH/out" 2>&1 || { echo "FAILED: $words"; head -n 5 "$SCRATCH/out"; failures=$((failures + 1)); }
 done
 rolling 20 'option -steps is 0|expected 1 to 1e+06' -steps 0
