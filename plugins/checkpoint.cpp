@@ -14,7 +14,7 @@
 //     ! is damaged
 //     ! is no checkpoint of Burnish
 //   S.checkpointdue   the time of option -checkpoint is over since the last one, Ctrl-C came (in the middle of a step: less than
-//     five seconds ago), or the run is at its end and has had one
+//       five seconds ago), or the run is at its end and has had one
 //   internal: rcResumeOption rcResumable rcNoteVariables rcOutdated rcRunFile
 #include "checkpoint.hpp"
 #include "base/error.hpp"

@@ -8,8 +8,6 @@ namespace burnish {
 namespace {
 
 constexpr int MAX_NEUTRAL_TRIALS = 4; // a neutral point is looked for that often (stick_at_neutral_point)
-// In space: passes without a better set after which they go round. Those that end in a solution need a few for the next better one.
-constexpr int STALLED = 20;
 
 // Nodes that could not stick.
 template <int Dim>
@@ -56,7 +54,7 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
     solution.left = solver.test(solution, trial, severity);
     if (solution.left == 0) break;
     if (best.F.size() == 0 || solution.left < best.left) best = solution;
-    if (solution.passes >= problem.max_passes || (Dim == 3 && solution.passes > best.passes + STALLED)) break;
+    if (solution.passes >= problem.max_passes) break;
     if ((solution.stopped = stop_asked())) return solution;
     choice.choose(before, severity, trial);
     solver.note_released(before, trial);

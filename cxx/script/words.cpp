@@ -56,7 +56,7 @@ public:
     for (std::sregex_iterator found(code.begin(), code.end(), INCLUDE), last; found != last; ++found) {
       const std::string name = (*found)[1];
       if (name == LIBRARY) continue;
-      if (finds(own + name)) return true;
+      if (finds(own + name) || finds(name)) return true; // beside it, or in the present folder
       for (const std::string& folder : m_folders)
         if (finds(folder + "/" + name)) return true;
     }
