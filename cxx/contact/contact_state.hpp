@@ -76,13 +76,6 @@ struct PrescribedValues {
   /// Per coordinate: 1 if its own force resists it (held_by_drive), it needs no contact then. Empty: none.
   std::vector<char> held = {};
   bool is_held(Eigen::Index k) const { return !held.empty() && held[static_cast<std::size_t>(k)]; }
-  /// Some coordinate is under a force by formula, or other than zero.
-  bool has_force() const {
-    for (std::size_t k = 0; k < is_motion.size(); ++k)
-      if (!is_motion[k] && ((!formula.empty() && formula[k]) || value[static_cast<Eigen::Index>(k)] != 0))
-        return true;
-    return false;
-  }
 };
 
 } // namespace burnish

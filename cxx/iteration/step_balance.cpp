@@ -16,11 +16,10 @@ Eigen::VectorXd larger(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 
 } // namespace
 
-// A billionth of what rounding leaves is no load at all: a tool under zero force. Before anything is loaded rounding is all there is.
+// A billionth of what rounding leaves is no load at all: a tool under zero force.
 template <int Dim> double StepBalance<Dim>::allowed(double scale) const {
   const double capped = std::min(m_memory.rounding, IterationOptions().tolerance * scale);
-  const double least = m_unloaded ? 1 : LEAST_LOAD;
-  return std::max({m_options.tolerance * scale, capped, least * m_memory.rounding});
+  return std::max({m_options.tolerance * scale, capped, LEAST_LOAD * m_memory.rounding});
 }
 
 // A tool that carries less than others is held to its own load, but to no less than what rounding leaves.
@@ -56,7 +55,6 @@ template <int Dim> Tolerances StepBalance<Dim>::state_tolerances() const {
 template <int Dim>
 void StepBalance<Dim>::look(const ContactState<Dim>& state, const PrescribedValues& prescribed,
                             const Eigen::VectorXd& u, const Eigen::VectorXd& R) {
-  m_unloaded = m_memory.scale <= m_memory.rounding && !prescribed.has_force();
   double scale = m_memory.scale;
   Eigen::VectorXd tools = m_memory.tools;
   for (int pass = 0; pass < 2; ++pass) {

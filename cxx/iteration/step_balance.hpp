@@ -30,7 +30,7 @@ public:
   /// Load of the last look: that of the memory, or of the iterate if it is larger [force].
   double scale() const { return std::max(m_memory.scale, m_last.load); }
   /// Largest residual that counts as balance there [force]: the tolerance of the load, or what rounding leaves, but of that
-  /// no more than the default tolerance of the load, and a billionth of it in any case; all of it before anything is loaded.
+  /// no more than the default tolerance of the load, and a billionth of it in any case.
   double allowed() const { return allowed(scale()); }
   /// Tolerances of the last look. Those of the state tests are tighter.
   Tolerances tolerances() const;
@@ -50,7 +50,6 @@ private:
   const IterationOptions& m_options;
   LoadMemory m_memory;
   double m_held = 0;
-  bool m_unloaded = false; // no tool is under a force, no step had a load above what rounding leaves
   Balance m_last;
 };
 

@@ -139,8 +139,7 @@ void look_at_tools(const AcceptedStep<Dim>& step, std::vector<UnmetState>& all, 
 // that is none (a law or an assembly of a script).
 template <int Dim> void BalanceCheck<Dim>::look(const AcceptedStep<Dim>& step, FindingList& findings) {
   const double load = std::max(step.allowed.load, step.R.cwiseAbs().maxCoeff());
-  const bool forced = !step.prescribed || step.prescribed->has_force();
-  if (!(load > (forced ? 0 : step.allowed.rounding))) return; // nothing is loaded
+  if (!(load > 0)) return;
   Vector<Dim> middle;
   const double size = size_of_body(step, middle);
   const Eigen::VectorXd held = contact_forces(step.model(), step.contact, step.R) +
