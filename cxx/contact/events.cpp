@@ -7,27 +7,9 @@
 namespace burnish {
 
 const char* name_of(EventKind kind) {
-  switch (kind) {
-  case EventKind::TOUCH:
-    return "touch";
-  case EventKind::RELEASE:
-    return "release";
-  case EventKind::SLIP_TO_STICK:
-    return "slip-to-stick";
-  case EventKind::STICK_TO_SLIP:
-    return "stick-to-slip";
-  case EventKind::NEXT_PIECE:
-    return "next-piece";
-  case EventKind::JUMP:
-    return "jump";
-  case EventKind::YIELD:
-    return "yield";
-  case EventKind::UNLOADING:
-    return "unloading";
-  case EventKind::USER:
-    return "user";
-  }
-  return "?";
+  static constexpr const char* NAMES[] = {"touch", "release", "slip-to-stick", "stick-to-slip", "next-piece",
+                                          "jump",  "yield",   "unloading",     "user"};
+  return NAMES[static_cast<int>(kind)];
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #include "solver/column_factor.hpp"
 #include "base/error.hpp"
+#include <Eigen/SparseCore>
 #include <cmath>
 #include <cstdint>
 
@@ -103,13 +104,11 @@ template <int Dim> bool ColumnFactor<Dim>::Impl::is_symmetric() const {
 }
 
 template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::Impl::product(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd y = Eigen::VectorXd::Zero(x.size());
-  for (int i = 0; i < rows.n; ++i)
-    for (int k = rows.row_start[i]; k < rows.row_start[i + 1]; ++k) {
-      y[i] += value[k] * x[rows.col[k]];
-      if (rows.symmetric && rows.col[k] != i) y[rows.col[k]] += value[k] * x[i];
-    }
-  return y;
+  const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> K(
+      rows.n, rows.n, static_cast<Eigen::Index>(value.size()), rows.row_start.data(), rows.col.data(),
+      value.data());
+  if (rows.symmetric) return K.template selfadjointView<Eigen::Lower>() * x;
+  return K * x;
 }
 
 // A right-hand side without symmetry, and its solution as the next one: softest motions come out of an inverse iteration, a
@@ -141,18 +140,15 @@ template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::Impl::solve_free(Eigen::Ve
 template <int Dim>
 Eigen::VectorXd ColumnFactor<Dim>::Impl::gathered(const Eigen::VectorXd& b, const char* where) const {
   require(static_cast<std::size_t>(b.size()) == fixed.size(), where, "b.size()", b.size(), "Dim*num_nodes");
-  Eigen::VectorXd part(static_cast<Eigen::Index>(free.size()));
-  for (std::size_t k = 0; k < free.size(); ++k) {
-    part[static_cast<Eigen::Index>(k)] = b[free[k]];
-    if (!std::isfinite(b[free[k]]))
-      fail(where, "b[" + std::to_string(free[k]) + "] is not finite, expected finite numbers");
-  }
-  return part;
+  for (const int d : free)
+    if (!std::isfinite(b[d]))
+      fail(where, "b[" + std::to_string(d) + "] is not finite, expected finite numbers");
+  return b(free);
 }
 
 template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::Impl::scattered(const Eigen::VectorXd& x) const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fixed.size()));
-  for (std::size_t k = 0; k < free.size(); ++k) all[free[k]] = x[static_cast<Eigen::Index>(k)];
+  all(free) = x;
   return all;
 }
 
