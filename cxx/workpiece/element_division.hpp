@@ -1,29 +1,17 @@
 #pragma once
 // How the work on the elements is divided among the ranks, and how what they find comes to all of them (ALGORITHMS.md 20).
-#include "material/point_step.hpp"
+#include "mesh/discretization.hpp"
 #include "solver/node_block_matrix.hpp"
-#include "workpiece/workpiece_state.hpp"
 
 namespace burnish {
 
-/// Points are divided by batches of elements in turn, sums over nodes by rows: a rank sums over all elements of its nodes in the
-/// order in which one rank alone does. So the bits do not depend on the number of ranks. A body that is not divided() has
-/// all of it on every rank, and nothing is exchanged.
+/// Sums over nodes are divided by rows: a rank sums over all elements of its nodes in the order in which one rank alone does, so
+/// the bits do not depend on the number of ranks. A body that is not divided() has all of it on every rank, and nothing is
+/// exchanged.
 template <int Dim> class ElementDivision {
 public:
   /// @param mesh valid; is not kept
   explicit ElementDivision(const Discretization<Dim>& mesh);
-  bool divided() const { return m_divided; }
-
-  /// Batches of successive elements; that of number b ends where the next begins.
-  int num_batches() const;
-  int first_element(int batch) const;
-  bool is_mine(int batch) const;
-  /// What each rank has found at the points of its batches.
-  void share_points(WorkpieceState<Dim>& state, std::vector<PointTrial>& trial) const;
-  /// The failure of the first point of all. @param point of this rank's first failure, -1: none; in and out, with the others
-  /// @returns its batch, -1: no point failed
-  int share_failure(int& point, UpdateStatus& status, double& value) const;
 
   /// Calls f for the points of all elements at this rank's nodes, ascending.
   template <class F> void for_points(F&& f) const {

@@ -6,6 +6,8 @@
 namespace burnish {
 namespace {
 
+constexpr int ELEMENTS_AT_A_TIME = 64; // moved and updated while they are in the nearest cache
+
 template <int Dim> Discretization<Dim> valid(Discretization<Dim> mesh) {
   require_sizes(mesh, "Workpiece");
   return mesh;
@@ -103,7 +105,7 @@ template <int Dim> UpdateResult Workpiece<Dim>::update_points(int first, int end
   return {found.result.status, first + found.point, found.result.value};
 }
 
-/// Deformation gradients and law of some elements, one after the other as long as both are in the nearest cache.
+/// Deformation gradients and law of some elements.
 template <int Dim>
 UpdateResult Workpiece<Dim>::update_batch(int first_element, int end_element, int iteration) {
   const int per_element = m_discretization.points_per_element;
@@ -114,23 +116,14 @@ UpdateResult Workpiece<Dim>::update_batch(int first_element, int end_element, in
   return updated.status != UpdateStatus::OK ? updated : deformed;
 }
 
-/// All elements up to the first that fails: those of this rank here, the others by the other ranks. A law that is given from outside
-/// is that of all points on every rank.
-template <int Dim> UpdateResult Workpiece<Dim>::update_divided(int iteration) {
-  const bool alone = !m_division.divided() || m_user;
-  const std::vector<PointTrial> before = alone ? std::vector<PointTrial>() : m_trial;
-  UpdateResult found;
-  for (int b = 0; b < m_division.num_batches() && found.status == UpdateStatus::OK; ++b)
-    if (alone || m_division.is_mine(b))
-      found = update_batch(m_division.first_element(b), m_division.first_element(b + 1), iteration);
-  if (alone) return found;
-  m_division.share_points(m_state, m_trial);
-  const int failed = m_division.share_failure(found.point, found.status, found.value);
-  if (failed < 0) return {};
-  const std::size_t untouched =
-      static_cast<std::size_t>(m_division.first_element(failed + 1)) * m_discretization.points_per_element;
-  std::copy(before.begin() + untouched, before.end(), m_trial.begin() + untouched);
-  return found;
+/// All elements up to the first that fails.
+template <int Dim> UpdateResult Workpiece<Dim>::update_elements(int iteration) {
+  const int count = m_discretization.num_elements;
+  for (int first = 0; first < count; first += ELEMENTS_AT_A_TIME)
+    if (const auto found = update_batch(first, std::min(first + ELEMENTS_AT_A_TIME, count), iteration);
+        found.status != UpdateStatus::OK)
+      return found;
+  return {};
 }
 
 template <int Dim>
@@ -148,7 +141,7 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
   m_updated = true;
   if (m_user) m_user->expire();
   m_integrity.move(m_state_old, m_state);
-  const UpdateResult found = update_divided(iteration);
+  const UpdateResult found = update_elements(iteration);
   if (found.status != UpdateStatus::OK) return found;
   // a node of no element
   if (!displacement.allFinite())

@@ -107,7 +107,7 @@ private:
   }
   UpdateResult deform(int first_element, int end_element);
   UpdateResult update_batch(int first_element, int end_element, int iteration);
-  UpdateResult update_divided(int iteration);
+  UpdateResult update_elements(int iteration);
   UpdateResult update_points(int first, int end, int iteration);
   PiolaTangent<Dim> moduli(int point, TangentKind kind, double elastic_blend) const;
   PiolaTangent<Dim> exact_moduli(int point, TangentKind kind, double elastic_blend) const;
