@@ -45,6 +45,7 @@
   X(largest_values)                                                                                          \
   X(unused_yield)                                                                                            \
   X(unused_friction)                                                                                         \
+  X(idle_tools)                                                                                              \
   X(unmoved_coordinates)                                                                                     \
   X(idle_mesh)                                                                                               \
   X(short_steps)                                                                                             \

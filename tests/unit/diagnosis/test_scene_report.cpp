@@ -11,14 +11,14 @@ namespace {
 
 /// Block 4 x 1.5 under a rough roller.
 struct Reported : Scene {
-  Reported() : Scene(block_mesh(8, 3, 2, 4, 1.5), elastic_material(), {}) {
+  explicit Reported(bool near = true) : Scene(block_mesh(8, 3, 2, 4, 1.5), elastic_material(), {}) {
     add_tool(std::make_shared<Circle>(3.), std::make_shared<Cartesian>(), 0.3);
     place({1.7, 4.9, 0});
-    contact().approach(0, "y", u);
+    if (near) contact().approach(0, "y", u);
   }
-  void press(int step) {
+  void press(int step, double height = 4.5) {
     tool->prescription().move("x", 1.7 + 0.05 * step);
-    tool->prescription().move("y", 4.5 - 0.02 * step);
+    tool->prescription().move("y", height - 0.02 * step);
     tool->prescription().move("angle", -0.01 * step);
     EXPECT_EQ(converge(*this, step, 1, Stepping::IMPLICIT), StepStatus::CONVERGED) << why();
     accept(*this, {});
@@ -58,6 +58,17 @@ TEST(SceneReport, StepsTooFineAreSaidWhereTheirErrorIsKnown) {
   for (std::size_t i = 1; i < said.size(); ++i) EXPECT_GE(said[i - 1].importance, said[i].importance);
   scene.diagnosis.set_checks(false);
   EXPECT_TRUE(with(5e-4, 1e-2).empty());
+}
+
+TEST(SceneReport, NamesAToolThatTouchesNothing) {
+  Reported scene(false);
+  scene.diagnosis.begin(scene.step());
+  scene.press(1, 4.9);
+  scene.diagnosis.look(scene.step());
+  EXPECT_NE(find(scene.diagnosis.report(scene.step(), {}), "tool tool"), nullptr);
+  scene.press(2);
+  scene.diagnosis.look(scene.step());
+  EXPECT_EQ(find(scene.diagnosis.report(scene.step(), {}), "tool tool"), nullptr);
 }
 
 // What every observer remembers goes along: findings, measured numbers and statements are those of one that saw all.
