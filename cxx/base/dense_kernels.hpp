@@ -6,7 +6,7 @@ namespace burnish {
 
 /// Rows from which on LAPACK takes no more than half of the time of Eigen, which is compiled for any machine of its kind: L L' of 256 rows
 /// .23 for .49 ms, of 1024 rows 11 for 30; L U of 2048 rows 160 for 1060.
-constexpr Eigen::Index LARGE_BLOCK = 256;
+constexpr Eigen::Index LARGE_BLOCK = 64;
 
 /// A = L L' in place; only the lower triangle is read and written. @returns false if A is not positive definite
 /// @param A [n x n] symmetric
