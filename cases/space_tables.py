@@ -1,5 +1,5 @@
 """What cases/tables.py measures of the cases in space: ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch,
-plate-rolling."""
+plate-rolling, ring-rolling."""
 from measured import brief, off as apart, run, table
 
 
@@ -139,7 +139,30 @@ def plate_rolling():
                   "volume off", "steps (rejected)", "CPU s", ""], rows)
 
 
+RING = (("volume over that before", "volume over that before"), ("mean diameter", "mean diameter"),
+        ("turn of the ring over that of the roll", "turn of the ring over that of the roll"),
+        ("turn of the mandrel over that of the ring", "of the mandrel over that of the ring"),
+        ("turn of the cone over that of the ring", "of a cone over that of the ring"),
+        ("radius where the cone does not slip", "radius where the cones do not slip"))
+
+
+def ring_rolling():
+    """The default against what is known."""
+    return table(["", "Computed", "Expected", "Off", "Allowed"], checked(run("ring-rolling", "-check 0"), RING))
+
+
+def ring_rolling_read():
+    """What is only read of the same run, and what it costs."""
+    r = run("ring-rolling", "-check 0")
+    pick = lambda name, digits: f"{r.result(name):.{digits}f}"
+    row = [r.nodes, pick("turn of the ring", 3), pick("torque of the roll", 0), pick("force of the mandrel", 1), pick("force of the cone", 1), pick("wall", 3),
+           pick("half height behind the roll", 3), pick("half height behind the cone", 3), f"{r.steps} ({r.counts['rejected_steps']})", r.cpu, r.stopped()]
+    return table(["nodes", "turns of the ring", "torque of the roll N mm", "force of the mandrel N", "of a cone N", "mean wall", "half height behind the roll",
+                  "behind the cones", "steps (rejected)", "CPU s", ""], [row])
+
+
 TABLES = {"ball": {"known": ball}, "ball-rolling": {"known": ball_rolling}, "burnishing": {"meshes": burnishing},
           "slab": {"plane": slab, "meshes": slab_meshes}, "block-upsetting": {"known": block_upsetting},
           "tilted-punch": {"known": tilted_punch, "meshes": tilted_punch_meshes},
-          "plate-rolling": {"runs": plate_rolling}}
+          "plate-rolling": {"runs": plate_rolling},
+          "ring-rolling": {"known": ring_rolling, "read": ring_rolling_read}}

@@ -77,6 +77,8 @@ upsetting -a 0
 plate-rolling -h1 2
 plate-rolling -drive up
 plate-rolling -ratio -1e300
+ring-rolling -r 26
+ring-rolling -draft 8
 END
 echo "$failures failed"
 [ "$failures" = 0 ]

@@ -1,6 +1,6 @@
 """Arrows of what the program prescribes, over a picture in space: plotting/arrows.py finds and places them, here they are projected."""
 import numpy as np
-from matplotlib.tri import Triangulation
+from matplotlib.path import Path
 
 from plotting import arrows, maps
 from plotting.space import files
@@ -14,14 +14,17 @@ MOST_POINTS = 3000             # of a tool
 INNER = np.array([(i, j, 6 - i - j) for i in range(7) for j in range(7 - i)]) / 6    # points of a triangle
 
 
-class Hull:
-    """What a tool covers in the picture, taken as convex."""
-
-    def __init__(self, points):
-        self.found = Triangulation(*points.T).get_trifinder()
-
-    def contains_points(self, points):
-        return self.found(*points.T) >= 0
+def hull(points):
+    """What a tool covers in the picture, taken as convex: the outline, from left to right below and back above."""
+    outline, ordered = [], np.unique(points, axis=0)
+    for way in (ordered, ordered[::-1]):
+        half = []
+        for x, y in way:
+            while len(half) > 1 and ((half[-1][0] - half[-2][0]) * (y - half[-2][1]) <= (half[-1][1] - half[-2][1]) * (x - half[-2][0])):
+                half.pop()
+            half.append((x, y))
+        outline += half[:-1]
+    return Path(outline + outline[:1])
 
 
 def projected(shape, eye, up):
@@ -52,7 +55,7 @@ def seen_tools(run, frame, scene, grid):
     for number, points, _, _ in files.tool_parts(frame.tools):
         points = without_image(run, points)
         places = scene.pixels(points[:: len(points) // MOST_POINTS + 1])
-        region = Hull(places)
+        region = hull(places)
         inside = grid[region.contains_points(grid)]
         inside = inside if len(inside) else places[maps.inside(places, np.column_stack([grid.min(axis=0), grid.max(axis=0)]).ravel())]   # a small one
         if len(inside):
