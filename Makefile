@@ -113,6 +113,7 @@ case-%: build ## run cases/NAME/NAME.edp, options in OPTIONS="..."
 
 figures: packages ## draw all pictures of out/CASE, CASE=rolling unless given; CASE=all: runs of cases/figures.csv, pictures in the tree
 	$(if $(filter all,$(CASE)),@BURNISH='$(abspath $(WRAPPER))' JOBS='$(JOBS)' $(PYTHON) cases/figures.py '$(OPTIONS)',\
+	  $(if $(wildcard out/$(CASE)),,$(error out/$(CASE): no run to draw; make case-$(CASE) makes it))\
 	  $(PYTHON) $(or $(wildcard cases/$(CASE)/plot.py),cases/plotting/scene.py) out/$(CASE))
 
 tables: build ## measure the tables in the READMEs of rolling, planetary, bending, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch, plate-rolling, ring-rolling again, OPTIONS="--keep rolling"

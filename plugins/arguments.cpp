@@ -1,4 +1,5 @@
 #include "arguments.hpp"
+#include "callables.hpp"
 
 namespace burnish {
 namespace {
@@ -35,21 +36,26 @@ void take(const Named& named, const Parameter& parameter, Arguments& arguments) 
   }
 }
 
+[[noreturn]] void refuse_unknown(const std::string& name, const basicAC_F0::name_and_type* names, int n) {
+  std::string list;
+  for (int i = 0; i < n; ++i) list += std::string(i ? ", " : "") + names[i].name;
+  throw PluginError("unknown named parameter " + name + "=, expected " +
+                    (n > 0 ? "one of " + list : std::string("none")));
+}
+
 } // namespace
 
-void refuse_unknown(const basicAC_F0& args, const basicAC_F0::name_and_type* names, int n) {
+void refuse_unfit(const basicAC_F0& args, const basicAC_F0::name_and_type* names, int n) {
   if (!args.named_parameter) return;
   for (const auto& given : *args.named_parameter) {
     const std::string name = given.first;
-    std::string list;
-    bool known = false;
-    for (int i = 0; i < n; ++i) {
-      known = known || name == names[i].name;
-      list += std::string(i ? ", " : "") + names[i].name;
-    }
-    if (known) continue;
-    throw PluginError("unknown named parameter " + name + "=, expected " +
-                      (n > 0 ? "one of " + list : std::string("none")));
+    const auto* const known =
+        std::find_if(names, names + n, [&](const auto& one) { return name == one.name; });
+    if (known == names + n) refuse_unknown(name, names, n);
+    const aType type = map_type[known->type->name()], value = given.second.left();
+    if (type && value && !type->CastingFrom(value))
+      throw PluginError("named parameter " + name + "= is of type " + type_name(value->name()) +
+                        ", expected " + type_name(type->name()));
   }
 }
 

@@ -45,39 +45,6 @@ std::set<std::string> global_names() {
   return names;
 }
 
-// FreeFEM's C++ types in the words of a script.
-std::string type_name(const char* name) {
-  static const std::map<std::string, std::string> words{{typeid(double).name(), "real"},
-                                                        {typeid(long).name(), "int"},
-                                                        {typeid(bool).name(), "bool"},
-                                                        {typeid(string*).name(), "string"},
-                                                        {typeid(string).name(), "string"},
-                                                        {typeid(KN_<double>).name(), "real[int]"},
-                                                        {typeid(KN_<long>).name(), "int[int]"},
-                                                        {typeid(NumberList*).name(), "numbers"},
-                                                        {typeid(E_Array).name(), "[...]"},
-                                                        {typeid(pfes*).name(), "fespace"},
-                                                        {typeid(pfes3*).name(), "fespace in space"},
-                                                        {typeid(::Mesh).name(), "mesh"},
-                                                        {typeid(::Mesh3).name(), "mesh3"},
-                                                        {typeid(Fem2D::MeshS).name(), "meshS"},
-                                                        {typeid(KNM<double>*).name(), "real[int,int]"},
-                                                        {typeid(Matrice_Creuse<double>*).name(), "matrix"},
-                                                        {typeid(newpMatrice_Creuse<double>).name(), "matrix"},
-                                                        {typeid(std::ostream**).name(), "ofstream"},
-                                                        {typeid(Made<ContactObject>).name(), "contact"},
-                                                        {typeid(Made<MaterialObject>).name(), "material"}};
-  for (const auto& [word, entry] : zzzfff->*reveal(Keywords{}))
-    if (entry.second && std::string(entry.second->name()) == name) return word;
-  const auto found = words.find(name);
-  if (found != words.end()) return found->second;
-  int status = 0;
-  const std::unique_ptr<char, void (*)(void*)> plain(abi::__cxa_demangle(name, nullptr, nullptr, &status),
-                                                     std::free);
-  return status == 0 ? plain.get() : name;
-}
-std::string type_name(aType type) { return type_name(type->name()); }
-
 struct OperatorArguments : OneOperator { // never made: opens what OneOperator protects
   static std::vector<aType> of(const OneOperator& op) {
     aType* const first = op.*(&OperatorArguments::t);
@@ -101,8 +68,8 @@ void add_call(std::set<std::string>& lines, const std::string& kind, const std::
   std::string line = kind + " " + name + "(";
   const std::vector<aType> arguments = OperatorArguments::of(op);
   for (std::size_t i = hidden; i < arguments.size(); ++i)
-    line += (i == hidden ? "" : ", ") + type_name(arguments[i]);
-  lines.insert(line + ") -> " + type_name(static_cast<aType>(op)));
+    line += (i == hidden ? "" : ", ") + type_name(arguments[i]->name());
+  lines.insert(line + ") -> " + type_name(static_cast<aType>(op)->name()));
   if (const auto* takes = dynamic_cast<const NamedParameters*>(&op))
     for (const auto& parameter : takes->named())
       lines.insert("parameter " + name + " " + parameter.name + "= " + type_name(parameter.type->name()));
@@ -113,7 +80,7 @@ void add_globals(std::set<std::string>& lines) {
     if (!known_after.count(name) || known_before.count(name)) continue;
     const auto* table = dynamic_cast<const Polymorphic*>(value.second);
     if (!table) {
-      lines.insert(std::string("constant ") + name + " " + type_name(value.first));
+      lines.insert(std::string("constant ") + name + " " + type_name(value.first->name()));
       continue;
     }
     for (const OneOperator* op : overloads(*table, "(")) add_call(lines, "function", name, *op, 0);
@@ -133,7 +100,7 @@ void add_member(std::set<std::string>& lines, const std::string& name, const Pol
     const aType result = *dot;
     const bool ours = std::string(result->name()).find("burnish") != std::string::npos;
     const Polymorphic* calls = ours ? table_of(result, "(") : nullptr;
-    if (!calls) lines.insert("member " + name + " -> " + type_name(result));
+    if (!calls) lines.insert("member " + name + " -> " + type_name(result->name()));
     if (calls)
       for (const OneOperator* op : overloads(*calls, "")) add_call(lines, "method", name, *op, 1);
   }
@@ -164,6 +131,40 @@ string* callables(Stack stack, const long&) {
 }
 
 } // namespace
+
+std::string type_name(const char* name) {
+  static const std::map<std::string, std::string> words{{typeid(double).name(), "real"},
+                                                        {typeid(long).name(), "int"},
+                                                        {typeid(bool).name(), "bool"},
+                                                        {typeid(string*).name(), "string"},
+                                                        {typeid(string).name(), "string"},
+                                                        {typeid(char).name(), "string"}, // one in quotes
+                                                        {typeid(KN_<double>).name(), "real[int]"},
+                                                        {typeid(KN_<long>).name(), "int[int]"},
+                                                        {typeid(KN<double>*).name(), "real[int]"},
+                                                        {typeid(KN<long>*).name(), "int[int]"},
+                                                        {typeid(NumberList*).name(), "numbers"},
+                                                        {typeid(E_Array).name(), "[...]"},
+                                                        {typeid(pfes*).name(), "fespace"},
+                                                        {typeid(pfes3*).name(), "fespace in space"},
+                                                        {typeid(::Mesh).name(), "mesh"},
+                                                        {typeid(::Mesh3).name(), "mesh3"},
+                                                        {typeid(Fem2D::MeshS).name(), "meshS"},
+                                                        {typeid(KNM<double>*).name(), "real[int,int]"},
+                                                        {typeid(Matrice_Creuse<double>*).name(), "matrix"},
+                                                        {typeid(newpMatrice_Creuse<double>).name(), "matrix"},
+                                                        {typeid(std::ostream**).name(), "ofstream"},
+                                                        {typeid(Made<ContactObject>).name(), "contact"},
+                                                        {typeid(Made<MaterialObject>).name(), "material"}};
+  for (const auto& [word, entry] : zzzfff->*reveal(Keywords{}))
+    if (entry.second && std::string(entry.second->name()) == name) return word;
+  const auto found = words.find(name);
+  if (found != words.end()) return found->second;
+  int status = 0;
+  const std::unique_ptr<char, void (*)(void*)> plain(abi::__cxa_demangle(name, nullptr, nullptr, &status),
+                                                     std::free);
+  return status == 0 ? plain.get() : name;
+}
 
 void note_names_before() { known_before = global_names(); }
 void register_callables() {

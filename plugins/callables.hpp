@@ -1,5 +1,6 @@
 #pragma once
-// The list of what the plugin registers.
+// The list of what the plugin registers, and the words of its types.
+#include <string>
 
 namespace burnish {
 
@@ -7,5 +8,8 @@ namespace burnish {
 void note_names_before();
 /// After the last one.
 void register_callables();
+
+/// FreeFEM's type in the words of a script: "int[int]". @param name  type_info::name() of it
+std::string type_name(const char* name);
 
 } // namespace burnish

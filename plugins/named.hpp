@@ -63,8 +63,8 @@ private:
   int m_n;
 };
 
-/// @throws PluginError naming a named parameter that is none of these; FreeFEM's own message does not
-void refuse_unknown(const basicAC_F0& args, const basicAC_F0::name_and_type* names, int n);
+/// @throws PluginError naming a named parameter that is none of these or of a wrong type; FreeFEM's own message does not
+void refuse_unfit(const basicAC_F0& args, const basicAC_F0::name_and_type* names, int n);
 
 /// What a list of all callables asks an operator (callables.cpp).
 struct NamedParameters {
@@ -83,7 +83,7 @@ public:
     std::vector<Expression> nargs;
     Expression positional[sizeof...(Args)];
     Op(const basicAC_F0& args, aType* types) : nargs(static_cast<std::size_t>(Spec::n), nullptr) {
-      refuse_unknown(args, Spec::names, Spec::n);
+      refuse_unfit(args, Spec::names, Spec::n);
       args.SetNameParam(Spec::n, Spec::names, nargs.data());
       for (std::size_t i = 0; i < sizeof...(Args); ++i)
         positional[i] = types[i]->CastTo(args[static_cast<int>(i)]);

@@ -10,6 +10,8 @@ namespace {
 
 /// A radius may be negative by this fraction of the largest coordinate: rounding.
 constexpr double RADIUS_ROUNDING = 1e-12;
+/// Share of inverted elements from which the mesh as a whole is mirrored.
+constexpr double MIRRORED = 0.9;
 
 template <int Dim> void check_nodes(const Mesh<Dim>& mesh, const char* where) {
   require(mesh.X.size() == static_cast<std::size_t>(Dim) * mesh.num_nodes, where, "size of X", mesh.X.size(),
@@ -41,22 +43,32 @@ template <int Dim> void check_elements(const Mesh<Dim>& mesh, const char* where)
       require(node >= 0 && node < mesh.num_nodes, where, "node of a facet", node, "0 <= node < num_nodes");
 }
 
-void check_size(const Mesh<2>& mesh, int e, const char* where) {
-  const double size = signed_size(mesh, e);
-  if (size > 0) return;
+std::string size_text(const Mesh<2>&, int e, double size) {
   std::ostringstream what;
   what << "area of element " << e << " = " << size << ", expected > 0 (vertices counter-clockwise)";
-  fail(where, what.str());
+  return what.str();
 }
-void check_size(const Mesh<3>& mesh, int e, const char* where) {
-  const double size = signed_size(mesh, e);
-  if (size > 0) return;
+std::string size_text(const Mesh<3>& mesh, int e, double size) {
   Vector<3> center = Vector<3>::Zero();
   for (int v = 0; v < 4; ++v) center += mesh.node(mesh.element(e)[v]) / 4;
   std::ostringstream what;
   what << "volume of element " << e << " at (" << center[0] << ", " << center[1] << ", " << center[2]
        << ") = " << size << ", expected > 0 (seen from vertex 3 the others are counter-clockwise)";
-  fail(where, what.str());
+  return what.str();
+}
+/// What to do where so many elements are inverted that it is the map of the mesh; empty for fewer.
+template <int Dim> std::string mirror_text(const Mesh<Dim>& mesh) {
+  int inverted = 0;
+  for (int e = 0; e < mesh.num_elements; ++e) inverted += signed_size(mesh, e) < 0 ? 1 : 0;
+  if (inverted < MIRRORED * mesh.num_elements) return "";
+  return "; " + std::to_string(inverted) + " of " + std::to_string(mesh.num_elements) +
+         " elements are negative: the map of the mesh mirrors it, exchange two directions or change one sign";
+}
+template <int Dim> void check_sizes(const Mesh<Dim>& mesh, const char* where) {
+  for (int e = 0; e < mesh.num_elements; ++e) {
+    const double size = signed_size(mesh, e);
+    if (!(size > 0)) fail(where, size_text(mesh, e, size) + mirror_text(mesh));
+  }
 }
 
 template <int Dim> void check_radii(const Mesh<Dim>& mesh, const char* where) {
@@ -127,7 +139,7 @@ template <int Dim> void require_valid(const Mesh<Dim>& mesh, const char* where) 
   check_nodes(mesh, where);
   check_elements(mesh, where);
   if (mesh.axisymmetric) check_radii(mesh, where);
-  for (int e = 0; e < mesh.num_elements; ++e) check_size(mesh, e, where);
+  check_sizes(mesh, where);
 }
 
 template <int Dim>

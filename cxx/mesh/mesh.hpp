@@ -37,8 +37,8 @@ template <> double signed_size(const Mesh<2>& mesh, int element);
 template <> double signed_size(const Mesh<3>& mesh, int element);
 
 /// @throws std::invalid_argument "where: ..." for a bad size, an index out of range, a coordinate that is not finite,
-///         an inverted element (names its number, size and, in space, place), or, axisymmetric, a node at x < 0 by more
-///         than rounding (names it)
+///         an inverted element (names its number, size and, in space, place; where nearly all are, that the mesh is
+///         mirrored), or, axisymmetric, a node at x < 0 by more than rounding (names it)
 template <int Dim> void require_valid(const Mesh<Dim>& mesh, const char* where);
 
 /// Facets that bear one of the labels, in the order of the mesh.

@@ -89,6 +89,15 @@ include "burnish.idp"
 tool t(circle=1, shade=2);
 END
 refuse 20 'unknown named parameter shade=|expected one of' "$BURNISH" "$SCRATCH/named.edp"
+cat >"$SCRATCH/typed.edp" <<'END'
+include "burnish.idp"
+mesh Th = square(1, 1);
+fespace Vh(Th, [P1, P1]);
+contact C = rcContact(Vh, labels=6);
+END
+refuse 20 'named parameter labels= is of type int, expected int[int]' "$BURNISH" "$SCRATCH/typed.edp"
+sed 's/labels=6/label="top"/' "$SCRATCH/typed.edp" >"$SCRATCH/worded.edp"
+refuse 20 'named parameter label= is of type string, expected int' "$BURNISH" "$SCRATCH/worded.edp"
 cat >"$SCRATCH/shell.edp" <<'END'
 include "burnish.idp"
 load "msh3"

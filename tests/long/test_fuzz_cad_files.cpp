@@ -96,6 +96,7 @@ std::string outcome(const std::string& path) {
 std::string outcome_apart(const std::string& path) {
   int ends[2];
   if (pipe(ends) != 0) return "NO PIPE";
+  std::cout << std::flush; // what is left in it a child would say again
   const pid_t child = fork();
   if (child == 0) {
     alarm(LIMIT);

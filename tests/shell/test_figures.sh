@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Every picture that a page shows is made by make figures or another target (figures.py); wrong pages are found.
+# Every picture that a page shows is made by make figures or another target (figures.py); wrong pages are found. A case without a run says what
+# makes one.
 set -u
 wrong=0
 fail() { echo "FAILED: $1"; wrong=1; }
@@ -11,4 +12,6 @@ printf '![a](own.png) ![b](nothing.png)\n' >"$SCRATCH/pages/page.md"
 for text in "own.png is made by no line" "nothing.png is not there"; do
   grep -q "$text" "$SCRATCH/wrong.txt" || fail "not found: $text"
 done
+make -s PACKAGES=true CASE=never-run figures >"$SCRATCH/wrong.txt" 2>&1 && fail "pictures of no run"
+grep -q "out/never-run: no run to draw; make case-never-run makes it" "$SCRATCH/wrong.txt" || fail "what makes the run is not said"
 exit $wrong

@@ -47,6 +47,7 @@ judge further 0 "$early|went on, status 5"
 
 # Ctrl-C
 made interrupted 's/dtmax=0.05/dtmax=1e-4/'
+: >"$SCRATCH/interrupted.log" # there before it is looked into
 (cd "$SCRATCH" && exec "$BURNISH" interrupted.edp >interrupted.log 2>&1 </dev/null) &
 process=$!
 for _ in {1..300}; do

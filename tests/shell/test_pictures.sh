@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # rcCaseEnd's pictures for a script outside the tree: final.png, with -pictures 2 those of any scene, also of a run that stopped early; a plot.py
-# beside the script goes first; one that fails only warns. Then the parts, and what is refused as a picture: pictures.py.
+# beside the script goes first; one that fails only warns. Then each picture, and what is refused as one: pictures.py,
+# and the parts: picture_parts.py.
 set -eu
 fail() { echo "FAILED: $1"; tail -n 30 "$SCRATCH/log.txt"; exit 1; }
 # run STATUS NAME OPTIONS: the scene into the folder NAME; output in log.txt
@@ -84,3 +85,4 @@ sed '/rcCaseOptions/d; /rcInt/d; /rcOptionsEnd/d; /fails/d; s/^rcLeastSteps/rcEl
 [ -s "$SCRATCH/out/final.vtu" ] || fail "plain: no results in out"
 
 "$PYTHON" tests/shell/pictures.py "$SCRATCH"
+"$PYTHON" tests/shell/picture_parts.py "$SCRATCH"

@@ -19,7 +19,8 @@ sed 's#</body>#<script>{ const wait = setInterval(() => { if (!document.body.dat
   byId("result").selectedIndex = byId("result").options.length - 1; byId("result").dispatchEvent(new Event("change")); \
   element(document.body, "pre", {id: "tried"}, JSON.stringify({csv: csv(), markdown: markdown(), marked: [...marked].map(labelOf), \
     curves: byId("historyplot").data.length, effects: data.parameters.map((_, k) => byId(`effect-${k}`).data[1].y.length), \
-    result: resultName(), contour: byId("surfaceplot").data[0].type, front: byId("front").textContent})); }, 50); }</script></body>#' "$top/index.html" >"$top/tried.html"
+    result: resultName(), contour: byId("surfaceplot").data[0].type, front: byId("front").textContent, \
+    page: document.scrollingElement.scrollWidth - innerWidth, table: byId("rows").closest(".wide").scrollWidth - innerWidth})); }, 50); }</script></body>#' "$top/index.html" >"$top/tried.html"
 dom "$top/tried.html" "" >page
 "$PYTHON" - "$top" <<'END' || fail "what the page of a sweep shows"
 import csv, html, io, json, re, sys
@@ -45,6 +46,7 @@ for line in saved[1:7]:
 assert tried["markdown"].count("\n") == 11 and tried["markdown"].startswith("| tan | nx |")
 assert tried["effects"] == [6, 6] and tried["curves"] == 6 and tried["contour"] == "contour", tried
 assert tried["front"].startswith("On the front: tan = ")
+assert tried["table"] > 0 >= tried["page"], tried   # only the table scrolls sideways in a window of 800 pixels
 assert page.count('class="main-svg"') >= 8, page.count('class="main-svg"')
 assert not re.search("NaN|undefined|Infinity", re.sub("<script.*?</script>|<[^>]*>", " ", page, flags=re.S)), "numbers missing"
 END

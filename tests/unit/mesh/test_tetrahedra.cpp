@@ -199,6 +199,10 @@ TEST(Tetrahedra, Errors) {
          "are");
   expect(linear_tetrahedra({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, {0, 1, 2, 3}),
          "volume of element 0 at (0.5, 0.5, 0) = 0, expected > 0");
+  const std::string one = "volume of element 0 at (0.25, 0.25, 0.25) = -0.166667, expected > 0 (seen from "
+                          "vertex 3 the others are counter-clockwise)";
+  expect(linear_tetrahedra(CORNER, {0, 2, 1, 3, 0, 2, 1, 3}), // mirrored as a whole
+         (one + "; 2 of 2 elements are negative: the map of the mesh mirrors it").c_str());
   expect(linear_tetrahedra(CORNER, {0, 1, 2, 4}), "node of element 0 = 4, expected 0 <= node < 4");
   Mesh<3> wrong = good;
   wrong.nodes_per_element = 5;
