@@ -142,8 +142,7 @@ def peers(rows, quantities):
     """Every peer beside ours: on its mesh, and the fastest of ours whose error is not above the peer's, quantity by quantity."""
     names = {m["name"] for m in methods() if m["program"]}
     ours = [r for r in rows if r["whose"] == "ours"]
-    lines = ["| Peer | s | over implicit, same mesh | " + " | ".join(f"{MEANING.get(q, q)}: peer, implicit; times ours at most as far off"
-                                                                for q in quantities) + " |", "|---" * (3 + len(quantities)) + "|"]
+    lines = ["| Peer | s | over implicit, same mesh | " + " | ".join(MEANING.get(q, q) for q in quantities) + " |", "|---" * (3 + len(quantities)) + "|"]
     for r in sorted((r for r in rows if r["method"] in names), key=lambda r: (r["method"], r["element"], r["n"])):
         same = next((o for o in ours if (o["method"], o["element"], o["n"]) == (BASE, r["element"], r["n"])), None)
         cells = []
