@@ -9,7 +9,8 @@ from scene_files import curve_error, field_error, methods, read_curves, read_fie
 RUNS = [
     ("partial-slip", "P1", 6, 2, "condensed", {"depth_2": 0.03, "depth_4": 0.03, "shift_4": 0.03, "pressure": 0.15, "traction": 0.35},
      {"multiplier": 1e-6, "augmented": 1e-4, "penalty 100": 1e-3}),
-    ("ball", "P2", 4, 1, "implicit", {"depth": 0.01}, {"condensed": 1e-5, "penalty 100": 0.005}),
+    ("ball", "P1", 4, 1, "implicit", {"depth": 0.1}, {"multiplier": 1e-6, "augmented": 1e-5, "penalty 100": 0.01}),
+    ("ball", "P2", 4, 1, "implicit", {"depth": 0.01}, {"condensed": 1e-5, "penalty 100": 0.005, "multiplier": 0.005}),
     ("indentation", "P1", 10, 10, "implicit", {"depth_1": 0.1, "depth_2": 0.1, "depth_3": 0.1, "width": 0.1},
      {"multiplier": 0.002, "augmented": 0.002, "penalty 100": 0.002}),
     ("indentation", "P2", 20, 10, "implicit", {"depth_1": 0.01, "depth_2": 0.01, "depth_3": 0.015, "width": 0.01},

@@ -11,7 +11,8 @@ from report import MEANING, front
 
 COLORS = {"implicit": "#08519c", "implicit, default": "#00b8b8", "implicit, graded": "#8c2d04", "implicit, accuracy": "#e31a1c",
           "event": "#6baed6", "condensed": "#238b45", "condensed, graded": "#66c2a4", "penalty 1": "#fdbe85", "penalty 10": "#fd8d3c",
-          "penalty 100": "#d9a400", "multiplier": "#6a3d9a", "augmented": "#c51b8a", "CalculiX": "#000000", "Ipopt": "#8c6d31"}
+          "penalty 100": "#d9a400", "multiplier": "#6a3d9a", "augmented": "#c51b8a", "CalculiX": "#000000", "CalculiX, nodes": "#7f7f7f",
+          "Ipopt": "#8c6d31"}
 MARKERS = {"P1": "o", "P2": "s"}
 MOST = 300  # [%] shown
 WIDE = 8.2  # [inches] of a picture of one panel: read at half its size, its fonts are larger

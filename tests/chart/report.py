@@ -138,6 +138,23 @@ def quarters(rows, known):
     return [*lines, "| the reference's own | | | | " + " | ".join(f"{100 * known[n]:.2f}" for n in names) + " |"]
 
 
+def peers(rows, quantities):
+    """Every peer beside ours: on its mesh, and the fastest of ours whose error is not above the peer's, quantity by quantity."""
+    names = {m["name"] for m in methods() if m["program"]}
+    ours = [r for r in rows if r["whose"] == "ours"]
+    lines = ["| Peer | s | over implicit, same mesh | " + " | ".join(MEANING.get(q, q) for q in quantities) + " |", "|---" * (3 + len(quantities)) + "|"]
+    for r in sorted((r for r in rows if r["method"] in names), key=lambda r: (r["method"], r["element"], r["n"])):
+        same = next((o for o in ours if (o["method"], o["element"], o["n"]) == (BASE, r["element"], r["n"])), None)
+        cells = []
+        for q in quantities:
+            best = min((o["seconds"] for o in ours if o[q] <= r[q]), default=None)
+            own = f"{100 * same[q]:.2g} %" if same else "-"
+            cells.append(f"{100 * r[q]:.2g} %, {own}; " + (f"{r['seconds'] / best:.3g}" if best else "none of the runs"))
+        ratio = f"{r['seconds'] / same['seconds']:.3g}" if same else "-"
+        lines.append(f"| {run_name(r)} | {r['seconds']:.2f} | {ratio} | {' | '.join(cells)} |")
+    return lines
+
+
 def use(cases):
     """Lines of the project's README.md; cases: scene, words for it, quantity, what n is, levels, rows."""
     lines = ["| Error | Set | Ours | Forms of the script, `condensed` | Best rival |", "|---|---|---|---|---|"]

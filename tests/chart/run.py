@@ -36,6 +36,7 @@ from store import read, store, write
 WRONG, WRONG_QUICK = 0.1, 0.4
 GLOBAL = {"depth", "shift", "rotation", "torque", "a", "width"}
 ONCE = 4  # [s]
+PAIRED = {"ball"}  # scenes whose peers stand beside ours here, the others' in tests/peers/README.md
 
 
 def repeat_all(tasks, times):
@@ -143,6 +144,8 @@ def show(scene, folder, bound):
     tables["forms"] += ["", f"Finished, and off by more than {100 * bound:g} %: {'; '.join(wrong)}."] if wrong else []
     if len(parts) > 2:
         tables["quarters"] = report.quarters(done, parts)
+    if scene["name"] in PAIRED:
+        tables["peers"] = report.peers(done, quantities)
     text = report.report(scene["name"], rows, done, quantities, tables)
     if scene["name"] == criterion.SCENE and os.path.exists(os.path.join(folder, "criterion.csv")):
         tables["criterion"] = criterion.table(read(os.path.join(folder, "criterion.csv")))

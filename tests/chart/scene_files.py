@@ -28,8 +28,8 @@ def rows_of(name, width):
 
 def methods():
     """Peers, other programs, are rivals with a program."""
-    return [{"name": n, "whose": "rival" if w == "peer" else w, "kernel": k, "program": o if w == "peer" else "",
-             "options": [] if w == "peer" else o.split(), "meaning": meaning}
+    return [{"name": n, "whose": "rival" if w == "peer" else w, "kernel": k, "program": o.split()[0] if w == "peer" else "",
+             "options": o.split()[w == "peer":], "meaning": meaning}
             for n, w, k, o, meaning in rows_of("methods.csv", 5)]
 
 

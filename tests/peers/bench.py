@@ -23,8 +23,9 @@ from run import errors_of  # noqa: E402
 from scene_files import installed, methods, own_runs, read_curves, read_fields, read_references, run, scenes  # noqa: E402
 
 ONCE, LONGEST = 10, 3000  # [s]
-SHOWN = {"hertz": ["pressure", "pressure_inner"], "indentation": ["depth", "strain"], "rolling": ["depth", "torque", "strain"]}
+SHOWN = {"hertz": ["pressure", "pressure_inner"], "ball": ["pressure_inner", "depth"], "indentation": ["depth", "strain"], "rolling": ["depth", "torque", "strain"]}
 LADDER = {"hertz": [("P1", n, 0) for n in (4, 6, 8, 12, 16, 24, 32)] + [("P2", n, 0) for n in (2, 4, 8, 10, 12, 16, 20, 24, 32, 40)],
+          "ball": [(e, n, 0) for e in ("P1", "P2") for n in (2, 3, 4, 5, 6, 8, 10)] + [("P1", 12, 0), ("P1", 16, 0)],
           "indentation": [(e, n, k) for e in ("P1", "P2") for n, k in ((10, 5), (10, 10), (20, 10), (20, 30), (40, 30))],
           "rolling": [(e, n, k) for e in ("P1", "P2") for n, k in ((20, 30), (30, 60), (60, 60), (90, 90))]}
 # with --exact, and ours for the same error: where the peer comes to 0.2 % in the pressure of Hertz

@@ -1,8 +1,8 @@
 """A scene of the chart by CalculiX: same options, same lines `result NAME VALUE`, `curve NAME x value ...`, `field NAME value ...`.
 
-calculix.py SCENE [-element P1|P2] [-n N] [-steps N] [-slope S] [-roll R] [-dense N] [-keep FOLDER]
+calculix.py SCENE [-element P1|P2] [-n N] [-steps N] [-slope S] [-roll R] [-nodes] [-dense N] [-keep FOLDER]
 The scene's script saves the mesh and prints its numbers; -slope: of the penalty, in units of E over the distance of surface nodes;
--roll: of rolling, elements in an increment; -keep: folder for the deck and what CalculiX writes. seconds, megabytes: of the process
+-roll: of rolling, elements in an increment; -nodes: of the ball, ball.py; -keep: folder for the deck and what CalculiX writes. seconds, megabytes: of the process
 ccx, which reads the deck and writes results, too.
 """
 import argparse
@@ -17,6 +17,7 @@ import time
 import numpy as np
 
 import answers
+import ball
 import scenes
 from deck import Deck
 from mesh import Mesh
@@ -40,9 +41,10 @@ def scene_numbers(options, path):
         command += ["-dense", str(options.dense)]
     out = subprocess.run(command, stdout=subprocess.PIPE, text=True).stdout
     fields = {name: np.array(values.split(), float) for name, values in re.findall(r"^field (\S+) (.*)$", out, re.MULTILINE)}
-    if "y" not in fields:
+    numbers = {name: float(value) for name, value in re.findall(r"^result (\S+) (\S+)$", out, re.MULTILINE)}
+    if not numbers:
         sys.exit(f"calculix.py: {' '.join(command)}:\n{out[-2000:]}")
-    return {name: float(value) for name, value in re.findall(r"^result (\S+) (\S+)$", out, re.MULTILINE)}, fields["x"], fields["y"]
+    return numbers, fields.get("x"), fields.get("y")
 
 
 def memory(process):
@@ -56,7 +58,7 @@ def memory(process):
 
 
 def solve(folder):
-    """Runs CalculiX on scene.inp; prints what it took."""
+    """Runs CalculiX on scene.inp; prints what it took; whether it finished."""
     # threads: of BLAS, of CalculiX
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", CCX_NPROC_EQUATION_SOLVER="1")
     with open(os.path.join(folder, "log.txt"), "w+", errors="replace") as log:
@@ -82,6 +84,7 @@ def solve(folder):
     result("outcome", 0 if finished else 3)
     if not finished:
         print("calculix.py: " + "; ".join(dict.fromkeys(s.strip() for s in text.splitlines() if "*ERROR" in s)), file=sys.stderr)
+    return finished
 
 
 class Surface:
@@ -172,6 +175,8 @@ def rolling(states, s, x, y):
 
 def run(options, folder):
     s, x, y = scene_numbers(options, os.path.join(folder, "scene.msh"))
+    if options.scene == "ball":
+        return run_ball(options, folder, s)
     mesh = Mesh(os.path.join(folder, "scene.msh"), options.element == "P2")
     if options.scene == "rolling":
         mesh.xy = np.column_stack(scenes.turned(*mesh.xy.T, s))
@@ -188,14 +193,23 @@ def run(options, folder):
         {"hertz": hertz, "indentation": indentation, "rolling": rolling}[options.scene](states, s, x, y)
 
 
+def run_ball(options, folder, s):
+    mesh = ball.prepare(options, folder, s)
+    result("dofs", 3 * len(mesh.xyz))
+    if solve(folder):
+        for name, value in ball.measures(folder, mesh, s, options.nodes).items():
+            result(name, value)
+
+
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("scene", choices=sorted(scenes.WRITE))
+    parser.add_argument("scene", choices=sorted([*scenes.WRITE, "ball"]))
     parser.add_argument("-element", choices=["P1", "P2"], default="P1")
     parser.add_argument("-n", type=int, default=8)
     parser.add_argument("-steps", type=int, default=10)
     parser.add_argument("-slope", type=float, default=0)
     parser.add_argument("-roll", type=float, default=0.25, help="rolling: elements of roll in an increment, at most")
+    parser.add_argument("-nodes", action="store_true", help="ball: nodes against faces instead of faces against faces")
     parser.add_argument("-dense", type=int, default=1, help="points where fields are compared: so many times more each way")
     parser.add_argument("-keep", default="")
     options = parser.parse_args()
