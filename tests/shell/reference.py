@@ -197,7 +197,8 @@ class Checker:
         listed = {name.split("(")[0] for name in self.entries_of("formula") if "(" in name}
         for name in known ^ (listed - {"sqrt", "pow"}) - {"sqrt", "pow"}:
             self.fail(f"formula {name}: in one of cxx/formula/formula_tape.cpp and the reference only")
-        named = set(re.findall(r'return "([\w-]+)";', read(TOP / "cxx/contact/events.cpp")))
+        names = read(TOP / "cxx/contact/events.cpp").split("NAMES[] = {")[1].split("}")[0]
+        named = set(re.findall(r'"([\w-]+)"', names))
         for name in named ^ self.entries_of("event"):
             self.fail(f"event {name}: in one of cxx/contact/events.cpp and the reference only")
         state = read(TOP / "edp/run/rcRunState.idp").split("func int rcExitStatus")[1].split("\n}")[0]
