@@ -15,7 +15,7 @@ bool cholesky(Eigen::MatrixXd& A);
 /// X = L^-1 X or L'^-1 X. @param L its leading lower triangle counts, as many rows as X has @param X [n x columns]
 void solve_lower(const Eigen::MatrixXd& L, bool transposed, Eigen::MatrixXd& X);
 
-/// (L L')^-1. @param L its leading lower triangle of n rows counts @param n no smaller than LARGE_BLOCK
+/// (L L')^-1. @param L its leading lower triangle of n rows counts
 Eigen::MatrixXd inverse_from_cholesky(const Eigen::MatrixXd& L, Eigen::Index n);
 
 /// A' B; where A is large it is taken for mostly zeros. @param A [n x rows] @param B [n x columns]

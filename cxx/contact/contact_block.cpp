@@ -147,10 +147,13 @@ bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eig
                   Eigen::VectorXd& z, int& weakest) {
   constexpr double least_rcond = 1e-15; // of the scaled matrix: below, it counts as singular
   const Eigen::Index n = matrix.rows();
-  Eigen::VectorXd scale(n);
+  Eigen::VectorXd scale(n), beside = Eigen::VectorXd::Zero(n); // largest entry of row and column
+  for (Eigen::Index j = 0; j < n; ++j) {
+    beside = beside.cwiseMax(matrix.col(j).cwiseAbs());
+    beside[j] = std::max(beside[j], matrix.col(j).cwiseAbs().maxCoeff());
+  }
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double largest = std::max(matrix.row(i).cwiseAbs().maxCoeff(), matrix.col(i).cwiseAbs().maxCoeff());
-    const double d = std::abs(matrix(i, i));
+    const double largest = beside[i], d = std::abs(matrix(i, i));
     scale[i] = largest > 0 ? 1 / std::sqrt(std::max(d, LEAST_DIAGONAL * largest)) : 0;
     if (largest == 0) {
       weakest = i >= first ? static_cast<int>(i - first) : -1;

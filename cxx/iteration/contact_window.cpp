@@ -8,7 +8,7 @@ namespace burnish {
 namespace {
 
 // Margin of the window beyond both ends of a contact: its width times the one plus so many node spacings.
-constexpr double WINDOW_WIDTH = 0.75, WINDOW_NODES = 6;
+constexpr double WINDOW_WIDTH = 0.1, WINDOW_NODES = 2;
 
 template <int Dim>
 std::vector<Vector<Dim>> contact_places(const ContactModel<Dim>& model, const BodyView<Dim>& body,

@@ -3,8 +3,6 @@
 #include "base/error.hpp"
 #include "contact/slip_direction.hpp"
 #include "iteration/contact_window.hpp"
-#include "solver/cholmod_solver.hpp"
-#include "solver/column_factor.hpp"
 #include "solver/schur_factor.hpp"
 #include <algorithm>
 #include <cmath>
@@ -14,8 +12,6 @@ namespace burnish {
 namespace {
 
 constexpr double WINDOW_COVER = 0.3; // part of the window's margin that must be left, else it is chosen anew
-// Nodes of the body per node of the window: with fewer, the window's dense block is most of the factor.
-constexpr int FEW_NODES = 12;
 
 // What rounding leaves of the nodal forces in balance: that of places, times the stiffness [force]. Residuals of
 // a light load on a large body come no lower.
@@ -50,7 +46,7 @@ template <int Dim> void Corrector<Dim>::restore(const FactorMemory<Dim>& memory)
   if (m_has_factor) m_tangent = memory.tangent;
   m_age = memory.age;
   if (m_has_factor && !m_tangent->solver)
-    m_tangent->factorize_again(m_iteration.model(), m_iteration.body(), make_solver(m_tangent->by_columns));
+    m_tangent->factorize_again(m_iteration.model(), m_iteration.body(), make_solver());
 }
 
 template <int Dim> void Corrector<Dim>::set_solver(std::function<std::unique_ptr<BodySolver<Dim>>()> make) {
@@ -75,19 +71,14 @@ template <int Dim> void Corrector<Dim>::take_flexibility() {
 }
 
 // A saved state keeps its factor.
-template <int Dim> void Corrector<Dim>::make_tangent(int num_nodes) {
-  const bool by_columns = FEW_NODES * m_window.size() > static_cast<std::size_t>(num_nodes);
-  if (m_tangent && m_tangent.use_count() == 1 && (m_make_solver || by_columns == m_tangent->by_columns))
-    return;
+template <int Dim> void Corrector<Dim>::make_tangent() {
+  if (m_tangent && m_tangent.use_count() == 1) return;
   m_tangent = std::make_shared<FactoredTangent<Dim>>();
-  m_tangent->by_columns = by_columns;
-  m_tangent->solver = make_solver(by_columns);
+  m_tangent->solver = make_solver();
 }
 
-template <int Dim> std::unique_ptr<BodySolver<Dim>> Corrector<Dim>::make_solver(bool by_columns) const {
-  if (m_make_solver) return m_make_solver();
-  if (by_columns) return std::make_unique<ColumnFactor<Dim>>(std::make_unique<CholmodSolver>(Dim));
-  return std::make_unique<SchurFactor<Dim>>();
+template <int Dim> std::unique_ptr<BodySolver<Dim>> Corrector<Dim>::make_solver() const {
+  return m_make_solver ? m_make_solver() : std::make_unique<SchurFactor<Dim>>();
 }
 
 template <int Dim> bool Corrector<Dim>::serves(const Eigen::VectorXd& u) const {
@@ -108,7 +99,7 @@ template <int Dim> FactorStatus Corrector<Dim>::factorize(NodeBlockMatrix<Dim> K
   it.balance().memory().rounding = rounding_of_forces(K, it.body().X);
   m_age = 0;
   forget_mixing();
-  make_tangent(K.num_nodes);
+  make_tangent();
   m_tangent->window = m_window;
   m_tangent->matrix = m_keeps_matrices ? K : NodeBlockMatrix<Dim>();
   m_tangent->slip_stiffness = it.state().slip_stiffness = slip_stiffness(it.model(), K);

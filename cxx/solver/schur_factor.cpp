@@ -1,13 +1,10 @@
 #include "solver/schur_factor.hpp"
+#include "base/dense_kernels.hpp"
 #include "base/error.hpp"
 #include "solver/ordered_factor.hpp"
 #include "solver/permuted_triangle.hpp"
 #include <cmath>
 #include <utility>
-
-// LAPACK: the inverse of L L' from L, in one triangle.
-extern "C" void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info,
-                        std::size_t uplo_length);
 
 namespace burnish {
 
@@ -209,15 +206,7 @@ Eigen::VectorXd SchurFactor<Dim>::displacement(const SweptLoad& load, const Eige
 
 template <int Dim> Eigen::MatrixXd SchurFactor<Dim>::candidate_flexibility() const {
   m_impl->require_factor("SchurFactor::candidate_flexibility");
-  Eigen::MatrixXd inverse = m_impl->trailing;
-  const int n = static_cast<int>(inverse.rows());
-  if (n > 0) {
-    int info = 0;
-    dpotri_("L", &n, inverse.data(), &n, &info, 1);
-    if (info != 0)
-      throw std::runtime_error("SchurFactor::candidate_flexibility: dpotri info = " + std::to_string(info));
-    inverse.triangularView<Eigen::StrictlyUpper>() = inverse.transpose();
-  }
+  const Eigen::MatrixXd inverse = inverse_from_cholesky(m_impl->trailing, m_impl->trailing.rows());
   return m_impl->with_fixed_dofs(inverse, 0.);
 }
 
