@@ -7,8 +7,7 @@
 namespace burnish {
 namespace {
 
-// Margin of the window beyond both ends of a contact: its width times the one plus so many node spacings.
-constexpr double WINDOW_WIDTH = 0.1, WINDOW_NODES = 2;
+constexpr double WINDOW_NODES = 4; // margin of the window around a contact, in node spacings
 
 template <int Dim>
 std::vector<Vector<Dim>> contact_places(const ContactModel<Dim>& model, const BodyView<Dim>& body,
@@ -64,7 +63,7 @@ std::vector<int> near_contact(const ContactModel<Dim>& model, const BodyView<Dim
   const auto poses = model.poses(state.q);
   for (int t = 0; t < static_cast<int>(model.tools.size()); ++t) {
     auto centers = contact_places(model, body, state, u, t);
-    const double reach = part * WINDOW_WIDTH * least_width(centers) + part * WINDOW_NODES * body.spacing;
+    const double reach = part * WINDOW_NODES * body.spacing;
     double best = std::numeric_limits<double>::infinity();
     Vector<Dim> closest = Vector<Dim>::Zero();
     for (std::size_t i = 0; i < state.nodes.size(); ++i) {

@@ -20,7 +20,7 @@ template <int Dim> double least_width(const std::vector<Vector<Dim>>& places);
 
 /// Candidates within a distance of the contact of each tool, or of its closest free node where nothing is in contact;
 /// and those that penetrate.
-/// @param part of the margin of the window: a tenth of the least width of the contact plus two spacings
+/// @param part of the margin of the window, four spacings of the nodes
 /// @returns candidate numbers, ascending
 template <int Dim>
 std::vector<int> near_contact(const ContactModel<Dim>& model, const BodyView<Dim>& body,
