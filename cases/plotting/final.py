@@ -153,7 +153,7 @@ def draw_panel(axes, shown, box):
     maps.set_view(axes, box, shown.run.units.length_unit)
     axes.grid(False)
     for outline in shown.outlines:
-        draw_tool(axes, shown, outline, 0.025 * max(box[1] - box[0], box[3] - box[2]))
+        draw_tool(axes, shown, outline, 0.04 * max(box[1] - box[0], box[3] - box[2]))
     inches = axes.get_position().width * axes.figure.get_figwidth()
     part = shown.size() / (box[1] - box[0]) * inches / np.sqrt(len(shown.smooth.edges))
     draw_body(axes, shown, float(np.clip(2.0 * part, 0.08, 0.5)))

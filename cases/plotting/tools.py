@@ -72,15 +72,25 @@ def closing(points, mirrors):
     return np.empty((0, 2)) if np.abs(off).min() < room else None
 
 
+def as_far_as(points, mesh, mirrors):
+    """An outline as far as the lines of symmetry, on which it goes on."""
+    for k, places in enumerate((mesh.x, mesh.y)):
+        if any(sign[k] < 0 for sign in mirrors):
+            side = np.sign(places.mean())
+            points = np.where(np.arange(2) == k, side * np.maximum(side * points, 0), points)
+    return points
+
+
 def area_of(points, mesh, width, mirrors=()):
     """Polygon of a tool: within a closed outline or a punch that goes on beyond what is known of it, else a band beside the outline. A workpiece in a
     closed outline is within the tool. mirrors: Run.mirrors"""
     inside = encloses(points, mesh)
     if closed(points) and not inside:
         return points
-    side, rest = side_of_body(points, mesh), None if inside else closing(points, mirrors)
+    side, own = side_of_body(points, mesh), as_far_as(points, mesh, mirrors)
+    rest = None if inside else closing(own, mirrors)
     if rest is not None:
-        whole = np.vstack([points, rest])
+        whole = np.vstack([own, rest])
         ahead = np.roll(whole, -1, axis=0)
         area = 0.5 * side * (whole[:, 0] * ahead[:, 1] - whole[:, 1] * ahead[:, 0]).sum()
         if area < -LEVEL * np.ptp(points, axis=0).max() ** 2:    # the workpiece is on the other side
