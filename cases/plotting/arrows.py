@@ -17,7 +17,8 @@ Arrow = namedtuple("Arrow", "tool what shape both text")
 STRAIGHT, TURN, WAY = "straight", "turn", "way"
 Shape = namedtuple("Shape", "kind points")     # points: of a straight one its direction, of a turn its axis, of a way its places
 
-FAR, TURNED, ROLLED = 0.02, 0.05, 0.2    # motion over the view, turn, free turn [rad], below which there is no arrow
+FAR, TURNED, ROLLED = 0.02, 0.05, 0.2    # motion over the view, turn, free turn [rad], below which there is no arrow,
+NEAR = 1e-3                     # of a run with such arrows; of one without any
 SMALL = 0.2                     # of the largest motion of the run, below which another is none to see: a tool that goes off
 NOISE = 1e-3                    # of the largest force on a tool, below which another is what is out of balance
 BACK = 0.3                      # of the motion, back from its end: an arrow with two heads
@@ -51,7 +52,7 @@ def arrows(run, size):
     largest = max((abs(most) * rates(drive)[0] for _, _, drive, (most, _) in given), default=0) * run.units.length
     length = size / run.units.length
     heaviest = max((load_of({**drive, "force": np.nanmax(np.abs(run.history["Q_" + name]))}, length) for _, name, drive, _ in given), default=0)
-    for least in (FAR * size, 0):           # where nothing goes far, as in a test of a material, what goes
+    for least in (FAR * size, NEAR * size):      # where nothing goes far, as in a test of a material, what goes
         for tool, _, drive, (most, both) in given if not found else ():
             motion = motion_of(run, (tool, drive, most, both), max(least, SMALL * largest))
             force = force_of(run, tool, drive) if load_of(drive, length) > NOISE * heaviest else []

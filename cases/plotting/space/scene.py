@@ -55,9 +55,8 @@ def box_of(frames):
     if size < SMALL * (high - low).max():
         low, high = (f([f(points, axis=0) for points in found], axis=0) for f in (np.min, np.max))
         return low - size, high + size
-    for points in found:
-        low, high = np.minimum(low, np.maximum(points.min(axis=0), low - room)), np.maximum(high, np.minimum(points.max(axis=0), high + room))
-    return low, high
+    ends = [(np.maximum(points.min(axis=0), low - room), np.minimum(points.max(axis=0), high + room)) for points in found]
+    return np.min([low, *(end for end, _ in ends)], axis=0), np.max([high, *(end for _, end in ends)], axis=0)
 
 
 def eye_of(run):
