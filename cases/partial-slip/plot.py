@@ -7,7 +7,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.p
 import numpy as np
 from hertz.halfplane import circle, contact_nodes, curves_figure, number, stress_near
 from plotting.case import main
-from plotting.figure import BLUE, GRAY, GREEN, RED
+from plotting.figure import GRAY, GREEN, RED
 
 
 def near_contact(run):

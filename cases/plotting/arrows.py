@@ -3,6 +3,7 @@ with their values. Each is put where it covers nothing. What they are holds in s
 from collections import namedtuple
 
 import numpy as np
+from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.path import Path
 
@@ -262,12 +263,8 @@ def draw_one(axes, arrow, points, middle, inch):
     if arrow.text:
         corner, size = label_place(points, arrow.text)
         upright = corner[1] < points[:, 1].max()
-        axes.text(*(middle + inch * (corner + (0 if upright else 0.5, 0.5) * size)), arrow.text, ha="left" if upright else "center", va="center", fontsize=10, color=[DARKER * c for c in rgb(color)],
+        axes.text(*(middle + inch * (corner + (0 if upright else 0.5, 0.5) * size)), arrow.text, ha="left" if upright else "center", va="center", fontsize=10, color=[DARKER * c for c in to_rgb(color)],
                   path_effects=maps.WHITE_EDGE, zorder=6.2)
-
-
-def rgb(color):
-    return [int(color[k:k + 2], 16) / 255 for k in (1, 3, 5)]
 
 
 def draw_arrows(axes, run, outlines, mesh, words=("motion", "force", "free turn")):
