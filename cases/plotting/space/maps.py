@@ -191,9 +191,7 @@ def section_panel(axes, run, scale, point, across, title):
     axes.set_xlabel(f"{AXES[shown[0]]} [{run.units.length_unit}]")
     axes.set_ylabel(f"{AXES[shown[1]]} [{run.units.length_unit}]")
     axes.grid(False)
-    bands = None
-    if scale.levels is not None:
-        bands = maps.draw_bands(axes, mesh, np.maximum(scale.factor * values, 0), scale.levels, scale.quantity.colors)
+    bands = fields.fill(axes, mesh, scale.factor * values, scale.levels, scale.quantity.colors)
     maps.draw_outline(axes, mesh)
     axes.add_collection(LineCollection(edges, colors=GRAY, linewidths=1.6, zorder=3.5))
     step = 10.0 ** np.floor(np.log10(1e-2 * (box[1] - box[0])))
