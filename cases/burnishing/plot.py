@@ -52,7 +52,7 @@ def residual_stress(run):
         for axes, normal in zip(row, (0, 1)):
             bands = panel(axes, run, name, normal, strain if plastic else stress, "magma_r" if plastic else "RdBu_r",
                           words[0].upper() + words[1:] + (", section x = 0" if normal == 0 else ", section y = 0"))
-        figure.colorbar(bands, ax=list(row), label="strain [-]" if plastic else "stress [MPa]", format="%.3g", pad=0.01)
+        figure.colorbar(bands, ax=list(row), label="strain [-]" if plastic else "stress [MPa]", format="%.3g", pad=0.01, shrink=0.9)
     return figure
 
 

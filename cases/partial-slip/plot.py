@@ -7,7 +7,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.p
 import numpy as np
 from hertz.halfplane import circle, contact_nodes, curves_figure, number, stress_near
 from plotting.case import main
-from plotting.figure import BLUE, GRAY, RED, SKY
+from plotting.figure import GRAY, GREEN, RED
 
 
 def near_contact(run):
@@ -27,10 +27,10 @@ def traction(run):
     figure = curves_figure([(fine, bound, dict(color=GRAY, linestyle="--", label=r"$\mu p$, Hertz")),
                             (fine, bound - less, dict(color="black", label="traction, Cattaneo and Mindlin")),
                             (x[slide], q[slide], dict(color=RED, label="nodes that slide", **dots)),
-                            (x[stick], q[stick], dict(color=BLUE, label="nodes that stick", **dots))],
+                            (x[stick], q[stick], dict(color=GREEN, label="nodes that stick", **dots))],
                            "x from the cylinder's axis [mm]", "tangential traction [MPa]",
                            f"Tangential traction at Q = {share:g} $\\mu$P")
-    figure.axes[0].axvspan(-c, c, color=SKY, alpha=0.2, linewidth=0, zorder=0)
+    figure.axes[0].axvspan(-c, c, color=GREEN, alpha=0.2, linewidth=0, zorder=0)
     return figure
 
 

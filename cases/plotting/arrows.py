@@ -3,6 +3,7 @@ with their values. Each is put where it covers nothing. What they are holds in s
 from collections import namedtuple
 
 import numpy as np
+from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.path import Path
 
@@ -17,10 +18,13 @@ Arrow = namedtuple("Arrow", "tool what shape both text")
 STRAIGHT, TURN, WAY = "straight", "turn", "way"
 Shape = namedtuple("Shape", "kind points")     # points: of a straight one its direction, of a turn its axis, of a way its places
 
-FAR, TURNED, ROLLED = 0.02, 0.05, 0.2    # motion over the view, turn, free turn [rad], below which there is no arrow
+FAR, TURNED, ROLLED = 0.02, 0.05, 0.2    # motion over the view, turn, free turn [rad], below which there is no arrow,
+NEAR = 1e-3                     # of a run with such arrows; of one without any
 SMALL = 0.2                     # of the largest motion of the run, below which another is none to see: a tool that goes off
 NOISE = 1e-3                    # of the largest force on a tool, below which another is what is out of balance
 BACK = 0.3                      # of the motion, back from its end: an arrow with two heads
+DARKER = 0.6                    # words than their arrow
+BACK_WORDS = ", and back"
 CURVED = 0.02                   # sagitta over length, above which the arrow goes along the way
 LONG, LONGEST, RADIUS = 0.55, 1.1, 0.2       # of an arrow, of one along a way; radius of a turn [inches]
 ROOM = 0.06                     # about an arrow [inches]
@@ -29,6 +33,7 @@ GRID = 45                       # places tried along each side of the view
 COVERED, AWAY = 1.0, 9.0        # cost of a covered point, of the distance over the view,
 OUTSIDE, WITHIN = 2.5, 1.0      # of a place outside of the tool, of one within another
 SIZES, SHORTER = (1.0, 0.75, 0.55, 0.42), 1.0      # of an arrow, tried in this order; cost of being shorter
+UNSAID = 6.0                    # cost of a motion without its value
 COLORS, DASHED = {"motion": ORANGE, "force": GREEN, "free turn": ORANGE}, (0, (1.6, 0.7))
 
 
@@ -48,10 +53,11 @@ def arrows(run, size):
     largest = max((abs(most) * rates(drive)[0] for _, _, drive, (most, _) in given), default=0) * run.units.length
     length = size / run.units.length
     heaviest = max((load_of({**drive, "force": np.nanmax(np.abs(run.history["Q_" + name]))}, length) for _, name, drive, _ in given), default=0)
-    for tool, _, drive, (most, both) in given:
-        motion = motion_of(run, (tool, drive, most, both), max(FAR * size, SMALL * largest))
-        force = force_of(run, tool, drive) if load_of(drive, length) > NOISE * heaviest else []
-        found += force or motion if drive["kind"].startswith("force") else motion or force     # what comes first is what the process is
+    for least in (FAR * size, NEAR * size):      # where nothing goes far, as in a test of a material, what goes
+        for tool, _, drive, (most, both) in given if not found else ():
+            motion = motion_of(run, (tool, drive, most, both), max(least, SMALL * largest))
+            force = force_of(run, tool, drive) if load_of(drive, length) > NOISE * heaviest else []
+            found += force or motion if drive["kind"].startswith("force") else motion or force     # what comes first is what the process is
     return found
 
 
@@ -92,12 +98,25 @@ def motion_of(run, given, least):
     tool, drive, most, both = given
     (velocity, turn), (fast, spin), units = parts(drive), rates(drive), run.units
     if fast * abs(most) * units.length > least:
-        text = rounded(fast * abs(most) * units.length, units.length_unit)
+        far = distance(run, tool) if len(velocity) == 2 and alone(run, tool) else fast * abs(most) * units.length
+        text = rounded(far, units.length_unit) + BACK_WORDS * both
         return [Arrow(tool, "motion", way_or_line(run, tool, np.sign(most) * velocity / fast), both, text)]
     what, least = ("free turn", ROLLED) if drive["kind"] == "force" else ("motion", TURNED)
     if fast == 0 and spin * abs(most) > least:
-        return [Arrow(tool, what, Shape(TURN, np.sign(most) * turn / spin), both, f"{np.degrees(spin * abs(most)):.3g}°")]
+        return [Arrow(tool, what, Shape(TURN, np.sign(most) * turn / spin), both, f"{np.degrees(spin * abs(most)):.3g}°" + BACK_WORDS * both)]
     return []
+
+
+def alone(run, tool):
+    """Whether only one coordinate moves a tool: it may be one of a mechanism, whose rate changes on the way."""
+    moving = [name for name in drives(run) if (split_name(name)[0] or tool) == tool and name in run.history and np.ptp(run.history[name]) > 0]
+    return len(moving) == 1
+
+
+def distance(run, tool):
+    """How far a tool goes that does not turn, from where it begins."""
+    way = way_of(run, tool)
+    return np.hypot(*(way - way[0]).T).max()
 
 
 def way_or_line(run, tool, direction):
@@ -181,16 +200,6 @@ def inches_in(axes, box):
     return max((box[1] - box[0]) / width, (box[3] - box[2]) / height)
 
 
-def regions_of(outlines, mesh, size):
-    """{name: polygon of a tool, of an open one the part beside its outline}."""
-    regions = {}
-    for outline in outlines:
-        solid = tools.closed(outline.points) and not tools.encloses(outline.points, mesh)
-        area = outline.points if solid else tools.band(outline.points, tools.side_of_body(outline.points, mesh), 0.15 * size)
-        regions[outline.name] = Path(area)
-    return regions
-
-
 def obstacles_of(outlines, mesh, box, size):
     """Places that no arrow may cover: outlines of the tools, nodes of the workpiece, points between them on its rim."""
     places = [maps.refined(o.points, 0.006 * size) for o in outlines]
@@ -224,12 +233,13 @@ def place_of(points, text, tool, grid, obstacles, view):
 
 
 def best_place(arrow, tool, grid, obstacles, view):
-    """Points of the arrow in the size that fits best [inches], and where its middle goes."""
+    """Points of the arrow in the size that fits best [inches], where its middle goes, and its value, which is left out of a motion without room."""
     tried = []
     for part in SIZES:
         points = part * points_of(arrow.shape)
-        cost, place = place_of(points, arrow.text, tool, grid, obstacles, view)
-        tried.append((cost + SHORTER * (1 - part), points, place))
+        for text in dict.fromkeys((arrow.text, arrow.text if arrow.what == "force" else "")):
+            cost, place = place_of(points, text, tool, grid, obstacles, view)
+            tried.append((cost + SHORTER * (1 - part) + UNSAID * (text != arrow.text), points, place, text))
     return min(tried, key=lambda one: one[0])[1:]
 
 
@@ -252,20 +262,17 @@ def draw_one(axes, arrow, points, middle, inch):
                       arrowprops={"arrowstyle": "-|>", "color": color, "shrinkA": 0, "shrinkB": 0, "mutation_scale": head, "linewidth": 0})
     if arrow.text:
         corner, size = label_place(points, arrow.text)
-        axes.text(*(middle + inch * (corner + 0.5 * size)), arrow.text, ha="center", va="center", fontsize=10, color=[0.75 * c for c in rgb(color)],
+        upright = corner[1] < points[:, 1].max()
+        axes.text(*(middle + inch * (corner + (0 if upright else 0.5, 0.5) * size)), arrow.text, ha="left" if upright else "center", va="center", fontsize=10, color=[DARKER * c for c in to_rgb(color)],
                   path_effects=maps.WHITE_EDGE, zorder=6.2)
 
 
-def rgb(color):
-    return [int(color[k:k + 2], 16) / 255 for k in (1, 3, 5)]
-
-
-def draw_arrows(axes, run, outlines, mesh, words=("force",)):
+def draw_arrows(axes, run, outlines, mesh, words=("motion", "force", "free turn")):
     """All arrows of a run in the plane into axes with their limits set, over the tools at these places; handles for the key. words: which
     have their values"""
     (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
     box, size = (x0, x1, y0, y1), max(x1 - x0, y1 - y0)
-    grid, regions, seen = grid_of(axes), regions_of(outlines, mesh, size), {}
+    grid, regions, seen = grid_of(axes), {o.name: Path(tools.area_of(o.points, mesh, 0.15 * size, run.mirrors)) for o in outlines}, {}
     for outline in outlines:
         region = regions[outline.name]
         if region.contains_points(grid).any():
@@ -283,7 +290,8 @@ def put(axes, run, found, seen, obstacles, words):
     inch, found = inches_in(axes, box), [arrow if arrow.what in words else arrow._replace(text="") for arrow in found if arrow.tool in seen]
     for arrow in sorted(found, key=lambda one: one.shape.kind != TURN):      # these need a place that is as high as wide
         tool = (*seen[arrow.tool], [region for name, (_, region) in seen.items() if name != arrow.tool])
-        points, middle = best_place(arrow, tool, grid, obstacles, (box, inch))
+        points, middle, text = best_place(arrow, tool, grid, obstacles, (box, inch))
+        arrow = arrow._replace(text=text)
         draw_one(axes, arrow, points, middle, inch)
         low, high = box_about(points, arrow.text)
         taken = np.array([(x, y) for x in np.linspace(low[0], high[0], 9) for y in np.linspace(low[1], high[1], 9)])

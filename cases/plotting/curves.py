@@ -37,7 +37,7 @@ def draw_column(axes, run, column, against, style, change=False, exponent=0):
               linewidth=1.0 if y.kind == u.NODES else 1.5)
 
 
-OF_STATES = {name: color for name, color, _ in contact.STATES.values()}
+OF_STATES = {**{name: color for name, color, _ in contact.STATES.values()}, "in contact": "black"}
 
 
 def styles(labels):
@@ -81,17 +81,18 @@ def label_panel(axes, run, columns, title, change, exponent):
 
 
 APART, MOST = 20.0, 4            # of curves in a panel: their sizes, their number
-NOTHING = 1e-6                   # over the largest of its panel, below which a curve is zero
+NOTHING = 1e-3                   # over the largest of its panel, below which a curve is zero
+LEFT = 1e-2                      # reaction over what is out of balance under a force, from which it is one
 WITHOUT_MEANING = ("x", "angle")  # in axisymmetry a drive force along r or about the axis has no meaning
 RESULTANTS = ("_Fx", "_Fy", "_Fz", "_Mx", "_My", "_Mz")  # of supports and tools: the forces of the drives show the same
 
 
 def out_of_balance(run):
-    """Columns of the drives whose prescribed force is zero: what they show is what is left of the equilibrium."""
+    """Columns of the drives whose prescribed force is zero, or whose reaction is by symmetry: what they show is what is left of the equilibrium."""
     drives = {name: drive for name, drive in arrows.drives(run).items() if "Q_" + name in run.history}
     loads = {name: arrows.load_of({**drive, "force": np.nanmax(np.abs(run.history["Q_" + name]))}, run.size()) for name, drive in drives.items()}
     most = arrows.NOISE * max(loads.values(), default=0)
-    return {"Q_" + name for name, load in loads.items() if drives[name]["kind"] == "force" and load <= most}
+    return {"Q_" + name for name, load in loads.items() if load <= (most if drives[name]["kind"] == "force" else LEFT * most)}
 
 
 def default_panels(run):
@@ -107,7 +108,7 @@ def default_panels(run):
             panels.append((title, names, change))
     own = [n for n, c in run.columns.items() if c.kind == u.OTHER and n != "factorizations"
            and not n.endswith(RESULTANTS) and moves(run.history[n])]
-    return panels + [(run.columns[names[0]].label if len(names) == 1 else "of the script", names, False) for names in grouped(run, own)]
+    return panels + [(run.columns[names[0]].label if len(names) == 1 else "quantities of the script", names, False) for names in grouped(run, own)]
 
 
 def grouped(run, names):
@@ -243,7 +244,7 @@ def expected_row(name, entry):
     value, wanted, tolerance = entry["value"], entry["expected"], entry["tolerance"]
     if value is None:
         return [name, "nan", f"{wanted:.5g}", entry["unit"].strip("-"), "", "", entry["source"]], False
-    error = (value - wanted) / (abs(wanted) or 1)
+    value, error = value + 0.0, (value - wanted) / (abs(wanted) or 1) + 0.0     # not -0
     percent = (lambda number: f"{100 * number:.3g} %") if wanted else (lambda number: f"{number:.3g}")
     texts = [name, f"{value:.5g}", f"{wanted:.5g}", entry["unit"].strip("-"), percent(error), percent(tolerance), entry["source"]]
     return texts, abs(error) <= tolerance
@@ -265,12 +266,13 @@ def expected_figure(run):
     heads = ("", "computed", "expected", "unit", "error", "allowed", "source")
     texts = [list(map(u.plain, row)) for row, _ in rows]
     wide = [max(len(row[k]) for row in (heads, *texts)) + 2 for k in range(len(heads))]
-    figure, axes = new_figure(max(6.0, 0.095 * sum(wide)), max(3.1, 0.75 + 0.32 * (len(rows) + 1)))
+    lines = 0.33 * (len(rows) + 1)
+    high = max(1.8, lines + 0.35)
+    figure, axes = new_figure(max(6.0, 0.095 * sum(wide)), high + 0.4)
     axes.axis("off")
-    table = axes.table(texts, colLabels=heads, colWidths=[w / sum(wide) for w in wide], loc="upper center", cellLoc="right")
+    table = axes.table(texts, colLabels=heads, colWidths=[w / sum(wide) for w in wide], bbox=(0, 1 - lines / high, 1, lines / high), cellLoc="right")
     table.auto_set_font_size(False)
     table.set_fontsize(11)
-    table.scale(1, 1.7)
     for (line, column), cell in table.get_celld().items():
         cell.set_edgecolor("#bbbbbb")
         if column in (0, len(heads) - 1):

@@ -15,7 +15,9 @@ from plotting.units import amount, in_powers, power_of_ten, with_unit
 Quantity = namedtuple("Quantity", "name label colors stress")
 STRESS = Quantity("stress_eq", "von Mises stress", "viridis_r", True)
 STRAIN = Quantity("plastic_strain_eq", "accumulated plastic strain", "magma_r", False)
-ELASTIC = 1e-3  # of the first level of the plastic strain: what is below stays white
+ELASTIC = 1e-3  # of the first level of the plastic strain: what is below keeps the color of the workpiece
+BODY = "#f4f1ea"  # the workpiece below the first level
+MOST_LEVELS = 16
 ERROR = Quantity("stress_error", "estimated stress error", "cividis_r", True)
 
 
@@ -50,12 +52,18 @@ def reflected(mesh, sign):
     return Triangulation(sign[0] * mesh.x, sign[1] * mesh.y, mesh.triangles, mesh.mask)
 
 
+def fill(axes, mesh, values, levels, cmap):
+    """Bands over the color of the workpiece; levels: None for that alone. Returns the bands or None."""
+    if levels is None or levels[0] > 0:
+        axes.tricontourf(mesh, np.zeros(len(mesh.x)), levels=[-1, 1], colors=[BODY], zorder=0.9)
+    return None if levels is None else maps.draw_bands(axes, mesh, np.maximum(values, 0), levels, cmap)
+
+
 def draw_mirrored(axes, mesh, values, levels, outlines, cmap, mirrors, edge=1.0):
     """The parts that symmetry leaves out: bands, outlines, tools; no mesh. Returns the handles for the key."""
     for sign in mirrors:
         other = reflected(mesh, sign)
-        if levels is not None:
-            maps.draw_bands(axes, other, values, levels, cmap)
+        fill(axes, other, values, levels, cmap)
         maps.draw_outline(axes, other, edge)
         tools.draw_tools(axes, [o._replace(points=o.points * sign) for o in outlines], other, mirrors=mirrors)
     return maps.draw_symmetry(axes, mirrors, "symmetry; the mesh is what was computed")
@@ -66,10 +74,7 @@ def draw_map(axes, mesh, values, levels, outlines, box, cmap, unit="mm", mirrors
     edge: width of the outline. Returns (bands or None, handles)."""
     maps.set_view(axes, box, unit)
     axes.grid(False)
-    bands = None
-    if levels is not None:
-        values = np.maximum(values, 0)
-        bands = maps.draw_bands(axes, mesh, values, levels, cmap)
+    bands = fill(axes, mesh, values, levels, cmap)
     axes.triplot(mesh, color="black", linewidth=0.2, alpha=min(0.35, 400 / len(mesh.triangles)), zorder=1.5)
     maps.draw_outline(axes, mesh, edge)
     handles = tools.draw_tools(axes, outlines, mesh, mirrors=mirrors)
@@ -82,7 +87,7 @@ def add_scale(figure, bands, axes, label, shrink=0.9):
     """Color bar with a tick at every level or at every second one."""
     first = 0 if bands.levels[0] == 0 else 1  # of the plastic strain that just above zero is no number to read
     ticks = bands.levels[first:: 1 if len(bands.levels) <= 9 else 2]
-    label += "\nwhite: elastic" if first else ""
+    label += "\nlight: elastic" if first else ""
     figure.colorbar(bands, ax=axes, label=label, shrink=shrink, format="%.4g", ticks=ticks)
 
 
@@ -117,7 +122,7 @@ def field_figure(run, quantity, box=None, width=8.5):
     outlines = tools.at_time(run.tools, run.t)
     box = box or view_of(run, run.mesh, outlines)
     figure, axes = new_figure(width, shape_of(box, width))
-    levels = levels_to(values.max(), quantity=quantity)
+    levels = levels_to(values.max(), MOST_LEVELS, quantity)
     bands, handles = draw_map(axes, run.mesh, values, levels, outlines, box, quantity.colors, run.units.length_unit, run.mirrors)
     if run.has("surface.csv"):
         handles.append(contact.mark_contact(axes, run.surface, letters="", scale=run.units.length))
@@ -157,7 +162,7 @@ def sequence_figure(run, quantity, number=4, width=10.0):
     height = rows * ((width - 2.4) / columns * (box[3] - box[2]) / (box[1] - box[0]) + 0.4) + 0.6
     figure, panels = new_figure(width, float(np.clip(height, 3.5, 12)), nrows=rows, ncols=columns, squeeze=False,
                                 sharex=True, sharey=True)
-    levels = levels_to(max(values.max() for _, _, values in shown), quantity=quantity)
+    levels = levels_to(max(values.max() for _, _, values in shown), MOST_LEVELS, quantity)
     bands = None
     for axes, (t, mesh, values), drawn in zip(panels.flat, shown, outlines):
         mine, _ = draw_map(axes, mesh, values, levels, drawn, box, quantity.colors, run.units.length_unit,

@@ -67,11 +67,11 @@ def key_below(axes, handles, columns, gap=0.13):
                 columnspacing=1.4, handlelength=2.2)
 
 
-def key_under_labels(axes, handles, columns):
+def key_under_labels(axes, handles, columns, size=9):
     """The same at a fixed distance, whatever the height of the axes: below tick labels and axis label."""
     below = axes.transAxes + ScaledTranslation(0, -0.5, axes.figure.dpi_scale_trans)
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), bbox_transform=below, ncol=columns,
-                columnspacing=1.4, handlelength=2.2, fontsize=9)
+                columnspacing=1.4 if size > 8 else 0.8, handlelength=2.2 if size > 8 else 1.4, fontsize=size)
 
 
 def key_of_both(axes, other, **where):

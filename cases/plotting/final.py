@@ -12,12 +12,10 @@ from plotting.border import ABOVE, BELOW, BETWEEN, GALLERY, LEFT, RIGHT, WIDTH, 
 from plotting.figure import BLUE, ORANGE
 from plotting.units import amount, touch_columns
 
-BODY, TOOL, RIM = "#f4f1ea", "#c9d0d8", "#4d5a68"
 LARGE = 4.0                    # a tool over the workpiece, from which only its part near the workpiece is drawn
 FAR = 0.02                     # a way over the view, below which it is not drawn
 ZONE, SMALL = 0.2, 0.25        # of the largest value: what makes the zone; zone over the view, below which it is drawn beside, too
-FEWEST, MOST_LEVELS = 1e-3, 16
-FLOWING = 0.1                  # of the first level, below which the workpiece keeps its color
+FEWEST = 1e-3                  # plastic strain from which it is shown
 GHOST = (0, (4, 2.5))
 Scale = namedtuple("Scale", "quantity unit factor largest levels")
 THIN = 1e-3                    # zone over the view of the gallery by area, below which it shows the stress
@@ -29,7 +27,7 @@ class Shown:
 
     def __init__(self, run, t, field, surface=None, scale=None):
         self.t, self.run, self.surface = t, run, surface
-        scale = scale or scale_of([run], [field], MOST_LEVELS)
+        scale = scale or scale_of([run], [field], fields.MOST_LEVELS)
         self.quantity, self.unit, self.largest, self.levels = scale.quantity, scale.unit, scale.largest, scale.levels
         self.smooth = quadratic.smooth(field, scale.factor * np.nan_to_num(field.data[self.quantity.name]), run.units.length)
         self.outlines, self.first = (tools.at_time(run.tools, when) for when in (t, 0.0))
@@ -75,10 +73,7 @@ def scale_of(runs, listed, number, strain=True):
     top = max(listed, key=lambda field: largest_of([field], quantity.name))
     unit, factor = fields.unit_of(runs[0], quantity, top)
     largest = factor * largest_of(listed, quantity.name)
-    levels = fields.levels_to(largest, number, quantity)
-    if quantity is fields.STRAIN:
-        levels[0] = FLOWING * levels[1]
-    return Scale(quantity, unit, factor, largest, levels)
+    return Scale(quantity, unit, factor, largest, fields.levels_to(largest, number, quantity))
 
 
 def common_view(listed):
@@ -111,12 +106,11 @@ def middle(points):
 def draw_tool(axes, shown, outline, width):
     """A tool with its mirror images, each as far as the line of symmetry, filled where it is closed."""
     mesh = shown.smooth.mesh
-    solid = tools.closed(outline.points) and not tools.encloses(outline.points, mesh)
-    area = outline.points if solid else tools.band(outline.points, tools.side_of_body(outline.points, mesh), width)
+    area = tools.area_of(outline.points, mesh, width, shown.mirrors)
     for sign in [(1, 1), *shown.mirrors]:
         part = tools.own_part(axes, fields.reflected(mesh, sign), shown.mirrors)
-        drawn = axes.fill(*(area * sign).T, facecolor=TOOL, edgecolor="none", zorder=0.5)
-        drawn += axes.plot(*(outline.points * sign).T, color=RIM, linewidth=1.1, zorder=3.5)
+        drawn = axes.fill(*(area * sign).T, facecolor=tools.FACE, edgecolor="none", zorder=0.5)
+        drawn += axes.plot(*(outline.points * sign).T, color=tools.RIM, linewidth=1.1, zorder=3.5)
         for artist in drawn if part else ():
             artist.set_clip_path(part, axes.transData)
 
@@ -135,18 +129,18 @@ def draw_ways(axes, shown):
     before = {outline.name: outline.points for outline in shown.first}
     for now in [o for o in shown.outlines if o.name in shown.seen]:
         if np.abs(middle(before[now.name]) - middle(now.points)).max() > FAR * size:
-            axes.plot(*before[now.name].T, color=RIM, linewidth=0.8, linestyle=GHOST, zorder=0.6)
-            handles.append(Line2D([], [], color=RIM, linewidth=0.8, linestyle=GHOST, label="where it began"))
+            axes.plot(*before[now.name].T, color=tools.RIM, linewidth=0.8, linestyle=GHOST, zorder=0.6)
+            handles.append(Line2D([], [], color=tools.RIM, linewidth=0.8, linestyle=GHOST, label="where it began"))
     return list({h.get_label(): h for h in handles}.values())
 
 
 def draw_body(axes, shown, thin):
     """Field, edges of the elements, outline, and the parts that symmetry leaves out. thin: width of the edges"""
     mesh = shown.smooth.mesh
-    levels, colors = [-1.0, 1e300], [BODY]
+    levels, colors = [-1.0, 1e300], [fields.BODY]
     if shown.levels is not None:      # below the first level the workpiece has its own color
         levels = [-1.0, *shown.levels]
-        colors = [BODY, *fields.band_colors(shown.quantity, shown.levels).colors]
+        colors = [fields.BODY, *fields.band_colors(shown.quantity, shown.levels).colors]
     for sign in [(1, 1), *shown.mirrors]:
         other = mesh if sign == (1, 1) else fields.reflected(mesh, sign)
         axes.tricontourf(other, shown.smooth.values, levels=levels, colors=colors, zorder=1)
@@ -159,7 +153,7 @@ def draw_panel(axes, shown, box):
     maps.set_view(axes, box, shown.run.units.length_unit)
     axes.grid(False)
     for outline in shown.outlines:
-        draw_tool(axes, shown, outline, 0.025 * max(box[1] - box[0], box[3] - box[2]))
+        draw_tool(axes, shown, outline, 0.04 * max(box[1] - box[0], box[3] - box[2]))
     inches = axes.get_position().width * axes.figure.get_figwidth()
     part = shown.size() / (box[1] - box[0]) * inches / np.sqrt(len(shown.smooth.edges))
     draw_body(axes, shown, float(np.clip(2.0 * part, 0.08, 0.5)))
@@ -170,7 +164,7 @@ def draw_panel(axes, shown, box):
             mark = contact.mark_contact(axes, other, letters="", scale=shown.run.units.length)
         handles.append(mark)
     handles += maps.draw_symmetry(axes, shown.mirrors)
-    return [Line2D([], [], color=TOOL, linewidth=7, label=tools.label_of(shown.outlines))] * bool(shown.outlines) + handles
+    return [Line2D([], [], color=tools.FACE, linewidth=7, label=tools.label_of(shown.outlines))] * bool(shown.outlines) + handles
 
 
 def layout(whole, zone):
@@ -265,7 +259,7 @@ def gallery_figure(run):
     shown = Shown(run, *now)
     box = cropped(fields.view_of(run, shown.smooth.mesh, shown.outlines), shown.outlines)
     if shown.levels is not None and share_of_zone(shown, fitted(box, GALLERY[0] / GALLERY[1])) < THIN:
-        shown = Shown(run, *now, scale=scale_of([run], [now[1]], MOST_LEVELS, strain=False))
+        shown = Shown(run, *now, scale=scale_of([run], [now[1]], fields.MOST_LEVELS, strain=False))
     figure = bare_figure(shown, box)
     arrows.draw_arrows(figure.axes[0], run, shown.outlines, shown.smooth.mesh, words=())
     return figure

@@ -123,13 +123,13 @@ class Screen:
     def layout(self, panels):
         """Axes of the map, and of the curves: below a flat map, else beside it."""
         flat = (self.box[1] - self.box[0]) > 1.7 * (self.box[3] - self.box[2])
-        number = max(1, len(panels))
+        number, lines = max(1, len(panels)), [0.14 * -(-len(names) // 2) * (len(names) > 1) for _, names, _ in panels] or [0]   # of the keys [inches]
         if flat:
-            self.figure = FigureCanvasAgg(Figure(figsize=(8.5, 6.2), dpi=PIXELS)).figure
+            self.figure = FigureCanvasAgg(Figure(figsize=(8.5, 6.2 + max(lines)), dpi=PIXELS)).figure
             grid = self.figure.add_gridspec(2, number, height_ratios=(1.6, 1))
             return (self.figure.add_subplot(grid[0, :]),
                     [self.figure.add_subplot(grid[1, k]) for k in range(len(panels))])
-        self.figure = FigureCanvasAgg(Figure(figsize=(9.4, 5.5), dpi=PIXELS)).figure
+        self.figure = FigureCanvasAgg(Figure(figsize=(9.4, 5.5 + sum(lines)), dpi=PIXELS)).figure
         grid = self.figure.add_gridspec(number, 2, width_ratios=(1.7, 1))
         return (self.figure.add_subplot(grid[:, 0]),
                 [self.figure.add_subplot(grid[k, 1]) for k in range(len(panels))])
@@ -143,7 +143,7 @@ class Screen:
             curves.label_panel(axes, self.run, names, title, change, exponent)
         else:
             axes.set_title(u.with_unit(title, u.in_powers(exponent, self.run.columns[names[0]].unit)), loc="left", fontsize=10)
-            axes.legend(fontsize=8, loc="best", framealpha=0.7, borderpad=0.2, labelspacing=0.1)
+            key_under_labels(axes, axes.get_legend_handles_labels()[0], 2, 7)
         return axes.axvline(0, color="black", linewidth=1.6, alpha=0.7)
 
     def show(self, frame):

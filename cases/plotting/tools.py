@@ -5,11 +5,11 @@ import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.path import Path
 
-from plotting.figure import GRAY
 from plotting.inputs import read_table
 from plotting.units import plain
 
-FACE = "#d9d9d9"
+FACE, RIM = "#c9d0d8", "#4d5a68"
+LEVEL = 0.05     # of the size: ends of an outline at one height or on a line of symmetry
 
 Outline = namedtuple("Outline", "name t points")  # points: n x 2, in the length unit of the pictures
 
@@ -61,6 +61,43 @@ def band(points, side, width):
     return np.vstack([points, (points + side * width * np.column_stack([along[:, 1], -along[:, 0]]))[::-1]])
 
 
+def closing(points, mirrors):
+    """What closes an open outline: the straight line between ends beside or above one another, of one that begins on a line of symmetry the
+    corner on that line beside its other end; None where neither is."""
+    off, room = points[-1] - points[0], LEVEL * np.ptp(points, axis=0).max()
+    for k in (0, 1):
+        for end, other in ((points[0], points[-1]), (points[-1], points[0])):
+            if any(sign[k] < 0 for sign in mirrors) and abs(end[k]) < room:
+                return np.where(np.arange(2) == k, end, other)[None]
+    return np.empty((0, 2)) if np.abs(off).min() < room else None
+
+
+def as_far_as(points, mesh, mirrors):
+    """An outline as far as the lines of symmetry, on which it goes on."""
+    for k, places in enumerate((mesh.x, mesh.y)):
+        if any(sign[k] < 0 for sign in mirrors):
+            side = np.sign(places.mean())
+            points = np.where(np.arange(2) == k, side * np.maximum(side * points, 0), points)
+    return points
+
+
+def area_of(points, mesh, width, mirrors=()):
+    """Polygon of a tool: within a closed outline or a punch that goes on beyond what is known of it, else a band beside the outline. A workpiece in a
+    closed outline is within the tool. mirrors: Run.mirrors"""
+    inside = encloses(points, mesh)
+    if closed(points) and not inside:
+        return points
+    side, own = side_of_body(points, mesh), as_far_as(points, mesh, mirrors)
+    rest = None if inside else closing(own, mirrors)
+    if rest is not None:
+        whole = np.vstack([own, rest])
+        ahead = np.roll(whole, -1, axis=0)
+        area = 0.5 * side * (whole[:, 0] * ahead[:, 1] - whole[:, 1] * ahead[:, 0]).sum()
+        if area < -LEVEL * np.ptp(points, axis=0).max() ** 2:    # the workpiece is on the other side
+            return whole
+    return band(points, side, width)
+
+
 def widened(box, outlines, part=0.3):
     """Limits that show the tools too, but not more than a part of the larger side beyond each side of the box; a third
     of that for open outlines, which go on anyway."""
@@ -99,13 +136,11 @@ def draw_tools(axes, outlines, mesh, names=True, mirrors=()):
     width = 0.03 * max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
     part = own_part(axes, mesh, mirrors)
     for outline in outlines:
-        solid = closed(outline.points) and not encloses(outline.points, mesh)
-        area = outline.points if solid else band(outline.points, side_of_body(outline.points, mesh), width)
-        drawn = axes.fill(*area.T, facecolor=FACE, edgecolor="none", zorder=0.5)
-        drawn += axes.plot(*outline.points.T, color=GRAY, linewidth=1.2, zorder=3.5)
+        drawn = axes.fill(*area_of(outline.points, mesh, width, mirrors).T, facecolor=FACE, edgecolor="none", zorder=0.5)
+        drawn += axes.plot(*outline.points.T, color=RIM, linewidth=1.2, zorder=3.5)
         for artist in drawn if part else ():
             artist.set_clip_path(part, axes.transData)
             artist.set_in_layout(False)  # matplotlib 3.6 fails where the view and this part share nothing of it
     if not outlines or not names:
         return []
-    return [Line2D([], [], color=GRAY, linewidth=1.2, label=label_of(outlines))]
+    return [Line2D([], [], color=FACE, linewidth=7, label=label_of(outlines))]

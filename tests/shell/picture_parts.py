@@ -10,7 +10,7 @@ from matplotlib.tri import Triangulation
 from plotting import contact, fields, quadratic
 from plotting.figure import new_figure, save
 from plotting.labels import place_labels
-from plotting.tools import Outline, own_part
+from plotting.tools import Outline, area_of, own_part
 from plotting.vtu import Field
 
 FOLDER = Path(sys.argv.pop(1))
@@ -63,6 +63,28 @@ class Mirrored(unittest.TestCase):
         part = own_part(axes, mesh, [(-1, 1)])
         self.assertTrue(part.contains_point((1.5, 2.9)) and not part.contains_point((-0.1, 1)))
         self.assertIsNone(own_part(axes, mesh, []))
+
+
+class Areas(unittest.TestCase):
+    """What is filled of a tool over the block -1 to 1, -1 to 0, whose outlines have it at their left: within a punch, beside a die."""
+
+    MESH = Triangulation([-1, 1, 1, -1], [-1, -1, 0, 0], [[0, 1, 2], [0, 2, 3]])
+    HALF = Triangulation([0, 1, 1, 0], [-1, -1, 0, 0], [[0, 1, 2], [0, 2, 3]])
+    PUNCH = np.array([[0.5, 3], [0.5, 0], [-0.5, 0], [-0.5, 3]])
+
+    def area(self, points, mesh, mirrors=()):
+        x, y = area_of(np.array(points, float), mesh, 0.1, mirrors).T
+        return 0.5 * abs((x * np.roll(y, -1) - np.roll(x, -1) * y).sum())
+
+    def test_punch(self):
+        self.assertAlmostEqual(self.area(self.PUNCH, self.MESH), 3, delta=1e-12)
+        for points in (self.PUNCH, self.PUNCH[:3], [[0.5, 3], [0.5, 0], [0, 0]]):       # as far as the line of symmetry or beyond it
+            self.assertAlmostEqual(self.area(points, self.HALF, [(-1, 1)]), 1.5, delta=1e-12)
+
+    def test_die(self):
+        """A plane and a groove over the block: bands."""
+        self.assertAlmostEqual(self.area([[2, 0], [-2, 0]], self.MESH), 0.4, delta=1e-12)
+        self.assertLess(self.area([[2, 0], [0.5, 0], [0.5, 1], [-0.5, 1], [-0.5, 0], [-2, 0]], self.MESH), 1)
 
 
 class Quadratic(unittest.TestCase):

@@ -16,7 +16,7 @@ from plotting.figure import new_figure, save
 from plotting.inputs import InputError
 from plotting.run import Run
 from plotting.start import start_figure
-from plotting.tools import at_time
+from plotting.tools import Outline, at_time
 
 FOLDER = Path(sys.argv.pop(1))
 FINISHED = FOLDER / "finished"
@@ -207,12 +207,25 @@ class Arrows(unittest.TestCase):
         self.assertEqual(self.found(x=("motion", along, lambda t: 0.01 * np.sin(2 * np.pi * t)))[0][2], True)
         self.assertEqual(self.found(x=("follows", along, lambda t: 0.01 * t), y=("motion", up, lambda t: 1e-3 * t)),
                          [("straight", [1, 0], False, "motion")])                    # the second is small beside it
-        self.assertEqual(self.found(x=("motion", along, lambda t: 1e-4 * t)), [])   # both, beside the view
+        self.assertEqual(self.found(x=("motion", along, lambda t: 1e-4 * t)), [("straight", [1, 0], False, "motion")])     # nothing else goes
+        self.assertEqual(self.found(x=("motion", along, lambda t: 1e-4 * t), angle=("motion", turn, lambda t: -t)), [("turn", [-1], False, "motion")])
+        self.assertEqual(self.found(x=("motion", along, lambda t: 1e-5 * t)), [])   # small beside the view
         self.assertEqual(self.found(x=("force", along, lambda t: 0.01 * t)), [])    # without a force, free
         self.assertEqual(self.found(angle=("motion", turn, lambda t: -t)), [("turn", [-1], False, "motion")])
         self.assertEqual(self.found(angle=("force", turn, lambda t: -t)), [("turn", [-1], False, "free turn")])     # it idles
         self.assertEqual(self.found(angle=("force", turn, lambda t: 0.1 * t)), [])
         self.assertEqual(arrows.arrows(self.run_with(), 40.0), [])                  # of older files
+
+    def test_how_far(self):
+        """A motion and its way back say the length, a turn the angle; of the only coordinate of a tool it is what the outlines of the tool went."""
+        along, turn = [1.0, 0, 0], [0, 0, 1.0]
+        length = lambda number: units.amount(number, Run(str(FINISHED)).units.length_unit)
+        text = lambda **drives: [a.text for a in arrows.arrows(self.run_with(**drives), 40.0)]
+        self.assertEqual(text(x=("motion", along, lambda t: 0.01 * t), angle=("motion", turn, lambda t: -t)), [length(10), "57.3°"])
+        self.assertEqual(text(x=("motion", along, lambda t: 0.01 * np.sin(2 * np.pi * t)), angle=("motion", turn, lambda t: 0.1 * t))[0][-10:], ", and back")
+        run = self.run_with(x=("motion", along, lambda t: 0.01 * t))
+        run.tools = [Outline("roller", t, o.points + [3.0 * t**2, 4.0 * t**2]) for o in run.tools[:1] for t in (0.0, 0.5, 1.0)]
+        self.assertEqual([a.text for a in arrows.arrows(run, 40.0)], [length(5)])
 
     def test_nothing_is_covered(self):
         """Neither the value nor the arrow lies on a node, an outline or the other arrow."""

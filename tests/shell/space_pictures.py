@@ -18,7 +18,7 @@ from plotting import arrows, case
 from plotting.border import new_figure
 from plotting.inputs import InputError
 from plotting.run import Run
-from plotting.space import files, final, maps, scene
+from plotting.space import contact_view, edge_labels, files, maps, scene
 from plotting.space.arrows import draw_arrows, projected
 from plotting.space.run import SpaceRun
 from space_run import DEPTH, FRAMES, write_run
@@ -176,7 +176,7 @@ class Arrows(unittest.TestCase):
             image, placed = scene.picture(self.run_, frame, scene.box_of([frame]), scene.scale_of(self.run_, [frame]))
             figure = new_figure(5.0)
             axes = figure.add_axes((0, 0, 1, 1))
-            scene.show(axes, image, scene.window_of([placed]))
+            scene.show(axes, image, scene.near(placed, frame.body))
             self.assertEqual([h.get_label() for h in draw_arrows(axes, self.run_, frame, placed, words)], ["motion", "force"])
             figure.draw_without_rendering()
             boxes = [text.get_window_extent() for text in axes.texts if text.get_text()]
@@ -189,11 +189,64 @@ class Arrows(unittest.TestCase):
             self.assertGreater(np.hypot(*(way[:, None] - top).T).min(), 10)
 
 
+class ContactViews(unittest.TestCase):
+    """A tool that presses along a normal at four places of the plane x y."""
+
+    def seen(self, normals, symmetry=(), points=((0, 1, 0), (2, 1, 0), (0, 3, 0), (2, 3, 0))):
+        run = SimpleNamespace(up=np.array([0, 0, 1.0]), along=np.array([1.0, 0, 0]), symmetry=symmetry)
+        normals = np.resize(np.array(normals, float), (4, 3))
+        data = {"state": np.full(4, 2), "tool": np.zeros(4), "pressure": np.array([1, 1, 1, 3.0]), "traction_tangential": np.tile([0.1, 0, 0], (4, 1))}
+        data["traction"] = data["traction_tangential"] - data["pressure"][:, None] * normals
+        surface = files.Surface(np.array(points, float), np.array([[0, 1, 2], [1, 3, 2]]), data, {})
+        mine = contact_view.nodes_of(run, surface, 0)
+        return contact_view.view_of(run, surface, mine), mine, surface
+
+    def test_along_an_axis(self):
+        for normal, axes, labels, words in (((0, 0, -1), [[1, 0, 0], [0, 1, 0]], ["x", "y"], "along z"), ((0.02, 1, 0), [[1, 0, 0], [0, 0, 1]], ["x", "z"], "along y"),
+                                            ((1, 0, 0), [[0, 1, 0], [0, 0, 1]], ["y", "z"], "along x")):
+            view, _, surface = self.seen([np.array(normal) / np.linalg.norm(normal)])
+            np.testing.assert_array_equal(view.axes, axes)
+            self.assertEqual((view.labels, view.words), (labels, words))
+            np.testing.assert_array_equal(contact_view.places_in(view, surface.points), surface.points @ np.array(axes).T)
+
+    def test_between_axes(self):
+        """Upright stays upright; lengths across it are from the middle, (4/3, 7/3) weighted by the pressure."""
+        view, _, surface = self.seen([(0.6, -0.8, 0)])
+        np.testing.assert_allclose(view.axes, [[0.8, 0.6, 0], [0, 0, 1]], atol=1e-12)
+        self.assertEqual((view.labels, view.words), (["from the middle of the contact toward +x and +y", "z"], "along its normal (0.6, -0.8, 0)"))
+        np.testing.assert_allclose(contact_view.places_in(view, surface.points)[3], [0.8 * 2 / 3 + 0.6 * 2 / 3, 0], atol=1e-12)
+
+    def test_around(self):
+        """Without a side of its own it is seen from above."""
+        self.assertEqual(self.seen([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1 / 3, 0)])[0].words, "along z")
+
+    def test_symmetry(self):
+        """Of a contact beside the plane of symmetry what was computed, one that meets the plane as a whole."""
+        self.assertEqual(list(self.seen([(0, 0, 1)], [(0, 1)], ((1, 0, 0), (2, 0, 0), (-1, 0, 0), (-2, 0, 0)))[1]), [True, True, False, False])
+        self.assertTrue(self.seen([(0, 0, 1)], [(0, 1)])[1].all())
+
+
+class EdgeLabels(unittest.TestCase):
+    def test_seen_and_apart(self):
+        """In a view that is too narrow for them there is room for all words; none lies on those of another edge."""
+        run = said("mm", "MPa")
+        frame, wide = run.view(-1), 3.4
+        stage = scene.staged(run, frame, scene.box_of([frame]), scene.scale_of(run, [frame]), scene.SIZE)
+        window = edge_labels.with_room(run, [frame], [stage], ((500, 600), (400, 500)), wide, 8)
+        labels = edge_labels.edge_labels(run, frame, stage, (window[0][1] - window[0][0]) / (72 * wide), 8)
+        self.assertEqual([label.text for label in labels], ["x: 0 to 1 [mm]", "y: 0 to 1 [mm]", "z: 0 to 0.9 [mm]"])
+        for k, label in enumerate(labels):
+            for axis in (0, 1):
+                self.assertTrue(window[axis][0] - 9 < label.covers[:, axis].min() and label.covers[:, axis].max() < window[axis][1] + 9)
+            for other in labels[:k]:
+                self.assertGreater(np.hypot(*(label.covers[:, None] - other.covers).T).min(), 4)
+
+
 class Window(unittest.TestCase):
     def window(self, low, high):
         points = np.array([[*low, 0.0], [*high, 0.0]])
         stage = SimpleNamespace(points=[points], size=(200, 100), pixels=lambda places: places[:, :2])
-        return final.near(stage, SimpleNamespace(body=SimpleNamespace(points=points)))
+        return scene.near(stage, SimpleNamespace(points=points))
 
     def test_about_the_workpiece(self):
         (left, right), (bottom, top) = self.window((80, 40), (120, 60))

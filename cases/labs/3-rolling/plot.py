@@ -28,7 +28,7 @@ def creep_along_way(axes, run, expected):
 
 def traction(axes, table):
     axes.plot(table["x"], table["expected"], color="black", label="Carter")
-    for state, color, name in ((2, RED, "nodes that slide"), (3, BLUE, "nodes that stick"), (0, GRAY, "free nodes")):
+    for state, color, name in ((2, RED, "nodes that slide"), (3, GREEN, "nodes that stick"), (0, GRAY, "free nodes")):
         chosen = table["state"] == state
         axes.plot(table["x"][chosen], table["traction"][chosen], color=color, marker="o", markersize=4.5, linestyle="none", label=name)
     axes.set(xlabel="x from the axis, rolling to the right [mm]", ylabel="traction on the block [MPa]", title="Traction at the end")

@@ -11,6 +11,7 @@ OPEN = np.radians(np.linspace(-140, 140, 40))   # of a turn, from what of it fac
 ROUND = 1.3                    # its radius over that in the plane
 CELL = 0.012                   # of the view: size of the cells that the workpiece covers
 MOST_POINTS = 3000             # of a tool
+WORDS = 3                      # weight of a place of words over that of the workpiece
 INNER = np.array([(i, j, 6 - i - j) for i in range(7) for j in range(7 - i)]) / 6    # points of a triangle
 
 
@@ -73,9 +74,11 @@ def covered(axes, frame, scene, size):
     return CELL * size * (0.5 + np.unique(cells, axis=0))
 
 
-def draw_arrows(axes, run, frame, scene, words=("motion", "force")):
-    """All arrows of a run into axes with their limits set and the picture of this frame; handles for the key."""
+def draw_arrows(axes, run, frame, scene, words=("motion", "force"), taken=np.empty((0, 2))):
+    """All arrows of a run into axes with their limits set and the picture of this frame; handles for the key. taken: places of words, which no arrow
+    may cover"""
     size = max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
     length = np.ptp(np.vstack([frame.body.points.min(axis=0), frame.body.points.max(axis=0)]), axis=0).max()
     found = [arrow._replace(shape=projected(arrow.shape, scene.eye, run.up)) for arrow in arrows.arrows(run, length)]
-    return arrows.put(axes, run, found, seen_tools(run, frame, scene, arrows.grid_of(axes)), covered(axes, frame, scene, size), words)
+    return arrows.put(axes, run, found, seen_tools(run, frame, scene, arrows.grid_of(axes)),
+                      np.vstack([covered(axes, frame, scene, size), np.repeat(taken, WORDS, axis=0)]), words)

@@ -5,21 +5,11 @@ from plotting import border
 from plotting.space import scene
 from plotting.space.arrows import draw_arrows
 from plotting.space.display import start_display
+from plotting.space.edge_labels import draw_labels, with_room
 from plotting.units import amount
 
 SIZE = (1300, 1000)   # pixels of the view of all, of which a part is drawn
-MARGIN = 45           # pixels about what is drawn
-ROOM = 0.16           # about the workpiece, over its size in the picture; some times that above it
-
-
-def near(stage, frame, above=2):
-    """Columns and rows (first, last), rows upward, of the view about the workpiece; large tools go on beyond, and so does a large workpiece."""
-    drawn, places = stage.pixels(np.vstack(stage.points)), stage.pixels(scene.corners(frame.body.points))
-    first, last = drawn.min(axis=0), drawn.max(axis=0)
-    (left, bottom), (right, top) = np.where(first < 0, 0, first - MARGIN), np.where(last > stage.size, stage.size, last + MARGIN)
-    low, high = places.min(axis=0), places.max(axis=0)
-    room = ROOM * (high - low).max()
-    return (max(left, low[0] - room), min(right, high[0] + room)), (max(bottom, low[1] - room), min(top, high[1] + above * room))
+FONT = 9              # of the words at the edges
 
 
 def final_figure(run, k=-1):
@@ -28,8 +18,8 @@ def final_figure(run, k=-1):
     frame = run.view(k)
     scale = scene.scale_of(run, [frame])
     stage = scene.staged(run, frame, scene.box_of([frame]), scale, SIZE)
-    (left, right), (bottom, top) = window = near(stage, frame)
     room = border.WIDTH - border.RIGHT - 0.3
+    (left, right), (bottom, top) = window = with_room(run, [frame], [stage], scene.near(stage, frame.body), room, FONT)
     height = float(np.clip(room * (top - bottom) / (right - left), 2.5, 6.0))
     key = scene.key_of(run, frame)
     below = border.key_height(key) + 0.05
@@ -40,7 +30,7 @@ def final_figure(run, k=-1):
     wide = 150 * min(room, height * (right - left) / (top - bottom))
     stage.narrow(*window, (round(wide), round(wide * (top - bottom) / (right - left))))
     scene.show(axes, stage.image())
-    scene.label_edges(axes, run, frame, stage)
+    draw_labels(axes, run, frame, stage, FONT)
     label, values = scale.quantity.label, scene.values_of(frame, scale)
     unit = scene.unit_of(run, scale)
     border.add_title(figure, f"{label[0].upper() + label[1:]} at t = {frame.t:.4g}, largest {amount(values.max(), unit)}")
@@ -55,7 +45,7 @@ def gallery_figure(run, shared=None):
     frame, (wide, high) = run.view(-1), border.GALLERY
     scale = scene.Scale(shared.quantity, "", shared.factor, shared.levels) if shared else scene.scale_of(run, [frame])
     stage = scene.staged(run, frame, scene.box_of([frame]), scale, (2 * wide, 2 * high))
-    (left, right), (bottom, top) = near(stage, frame, above=3)
+    (left, right), (bottom, top) = scene.near(stage, frame.body, above=3)
     figure = border.new_figure(high / 150, wide / 150)
     figure.shaded = True
     axes = figure.add_axes((0, 0, 1, 1))

@@ -92,7 +92,7 @@ function show() {
   if (showTools.checked) {
     gl.enable(gl.BLEND); gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA); gl.depthMask(false);
     for (const tool of frame.tools) {
-      draw(tool.place, null, tool.index, gl.TRIANGLES, {color: [.5, .55, .63], opacity: .35, nearer: -2e-4});
+      draw(tool.place, null, tool.index, gl.TRIANGLES, {color: [.5, .55, .63], opacity: .2, nearer: -2e-4});
       draw(tool.place, null, tool.edges, gl.LINES, {color: [.3, .34, .4], opacity: .15, lit: false});
     }
   }

@@ -10,6 +10,7 @@ from plotting.figure import ORANGE
 from plotting.space import files
 from plotting.space.arrows import draw_arrows
 from plotting.space.display import start_display
+from plotting.space.edge_labels import corners, draw_labels, with_room
 from plotting.space.render import APART, BODY, STEEL, Scene
 from plotting.space.run import unit
 from plotting.units import plain
@@ -24,8 +25,9 @@ FLOWING = 1e-6     # plastic strain from which it is shown
 LEAST_WAY = 1e-2   # of the largest side, below which no way is drawn
 LIFTED = 3e-3      # of the largest side, above its lowest place: the tool is on its way to the next track
 TRACK = 0.006      # radius of a track over the largest side
-SIZE, WORDS = (1100, 900), 75  # pixels of a view of all, of which a part is drawn, with this much about it for words
-COLUMNS = 2        # of pictures
+SIZE, MARGIN = (1100, 900), 45   # pixels of a view of all, of which a part is drawn; about what is drawn
+ROOM, OVER = 0.16, 4             # about the workpiece, over its size in the picture; times that above it, where arrows are
+COLUMNS, FONT = 2, 8             # of pictures, of the words in them
 
 
 def scale_of(run, frames):
@@ -53,9 +55,8 @@ def box_of(frames):
     if size < SMALL * (high - low).max():
         low, high = (f([f(points, axis=0) for points in found], axis=0) for f in (np.min, np.max))
         return low - size, high + size
-    for points in found:
-        low, high = np.minimum(low, np.maximum(points.min(axis=0), low - room)), np.maximum(high, np.minimum(points.max(axis=0), high + room))
-    return low, high
+    ends = [(np.maximum(points.min(axis=0), low - room), np.minimum(points.max(axis=0), high + room)) for points in found]
+    return np.min([low, *(end for end, _ in ends)], axis=0), np.max([high, *(end for _, end in ends)], axis=0)
 
 
 def eye_of(run):
@@ -123,32 +124,6 @@ def show(axes, image, window=None):
     axes.set_axis_off()
 
 
-def corners(points):
-    """Of their box, 8 x 3: bit a of the number is the end along axis a."""
-    ends = np.array([points.min(axis=0), points.max(axis=0)])
-    return np.array([[ends[k >> axis & 1, axis] for axis in range(3)] for k in range(8)])
-
-
-def label_edges(axes, run, frame, scene, font=9):
-    """What the edges of the box measure, in words, at those below and at the left."""
-    ends = corners(frame.body.points)
-    places = scene.pixels(ends)
-    nearest = int(np.argmax(ends @ (1e-2 * eye_of(run) - run.up)))  # of the corners below
-    for axis in range(3):
-        first = nearest
-        if abs(run.up[axis]) > 0.5:                 # the edge upward: the outermost one at the left
-            first = int(np.argmin(places[:, 0] - 1e-3 * places[:, 1]))
-        a, b = places[first], places[first ^ 1 << axis]
-        a, b = (a, b) if a[0] <= b[0] else (b, a)
-        out = 0.5 * (a + b) - places.mean(axis=0)
-        way = np.array([-(b - a)[1], (b - a)[0]]) / np.hypot(*(b - a))
-        way *= np.sign(way @ out)
-        turn = np.degrees(np.arctan2(*(b - a)[::-1]))
-        low, high = (end if abs(end) > 1e-4 * np.ptp(ends, axis=0).max() else 0.0 for end in (ends[:, axis].min(), ends[:, axis].max()))
-        axes.annotate(f"{'xyz'[axis]}: {low:.3g} to {high:.3g} [{run.units.length_unit}]", 0.5 * (a + b), 14 * way,
-                      textcoords="offset points", ha="center", va="center", rotation=turn, rotation_mode="anchor", fontsize=font, annotation_clip=True)
-
-
 def key_of(run, frame, more=()):
     """more: further handles"""
     names = plain(", ".join(map(run.tool_name, run.tracks))) if len(run.tracks) < 4 else "tools"
@@ -161,11 +136,22 @@ def key_of(run, frame, more=()):
     return handles + list(more)
 
 
-def window_of(stages):
-    """What is drawn in all of these views, with room for words: columns and rows (first, last), rows upward."""
-    places = np.vstack([stage.pixels(np.vstack(stage.points)) for stage in stages])
-    low, high = places.min(axis=0) - WORDS, places.max(axis=0) + WORDS
-    return tuple(zip(np.maximum(low, 0), np.minimum(high, SIZE)))
+def near(stage, body, above=2):
+    """Columns and rows (first, last), rows upward, of the view about the workpiece; large tools go on beyond, and so does a large workpiece.
+    above: how much of the tools is seen, over the room on the other sides"""
+    drawn, places = stage.pixels(np.vstack(stage.points)), stage.pixels(corners(body.points))
+    first, last = drawn.min(axis=0), drawn.max(axis=0)
+    (left, bottom), (right, top) = np.where(first < 0, 0, first - MARGIN), np.where(last > stage.size, stage.size, last + MARGIN)
+    low, high = places.min(axis=0), places.max(axis=0)
+    room = ROOM * (high - low).max()
+    return (max(left, low[0] - room), min(right, high[0] + room)), (max(bottom, low[1] - room), min(top, high[1] + above * room))
+
+
+def window_of(run, frames, stages, wide):
+    """The view about the workpieces of all these frames, with room for the words at their edges: columns and rows (first, last), rows upward."""
+    found = np.array([near(stage, frame.body, OVER) for frame, stage in zip(frames, stages)])
+    window = tuple((found[:, k, 0].min(), found[:, k, 1].max()) for k in (0, 1))
+    return with_room(run, frames, stages, window, wide, FONT)
 
 
 def unit_of(run, scale):
@@ -186,8 +172,8 @@ def row_figure(run, frames, titles, driven=False):
     start_display()  # while the scenes are made
     scale, box = scale_of(run, frames), box_of(frames)
     stages = [staged(run, frame, box, scale, SIZE) for frame in frames]
-    (left, right), (bottom, top) = window = window_of(stages)
     wide = (border.WIDTH - border.RIGHT) / COLUMNS
+    (left, right), (bottom, top) = window = window_of(run, frames, stages, wide)
     size = wide, wide * (top - bottom) / (right - left)
     figure, more = border.new_figure(size[1]), []
     figure.shaded, panels = True, [figure.add_axes((0, 0, 1, 1), label=title) for title in titles]
@@ -196,9 +182,9 @@ def row_figure(run, frames, titles, driven=False):
         stage.narrow(*window, [round(150 * length) for length in size])
         show(axes, stage.image())
         axes.text(0.5, 1, title, transform=axes.transAxes, ha="center", va="bottom", fontsize=12)
-        label_edges(axes, run, frame, stage, 8)
-    if driven:
-        more = draw_arrows(panels[0], run, frames[0], stages[0])
+        words = draw_labels(axes, run, frame, stage, FONT)
+        if driven and axes is panels[0]:
+            more = draw_arrows(axes, run, frame, stage, taken=words)
     key = key_of(run, frames[-1], more)
     place(figure, panels, size, border.key_height(key) + 0.05)
     border.add_key(figure, key)
