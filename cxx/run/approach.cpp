@@ -100,6 +100,31 @@ void check_from_outside(const ContactSetup<Dim>& setup, const ContactState<Dim>&
   }
 }
 
+// Whether the whole workpiece lies inside a tool, on the wrong side of all of its surface.
+template <int Dim>
+bool swallows(const ContactSetup<Dim>& setup, const Eigen::VectorXd& q, const Eigen::VectorXd& u, int tool) {
+  const Tool<Dim>& placed = *setup.model().tools[tool];
+  const auto pose = placed.coordinates().pose(setup.model().tool_q(q, tool));
+  Param<Dim> hint = Param<Dim>::Zero();
+  for (int node = 0; node < static_cast<int>(setup.body().X.size()) / Dim; ++node) {
+    const auto foot = placed.foot(pose, setup.body().position(u, node), hint);
+    if (foot.on_end || foot.gap > -TOUCH * setup.body().spacing) return false;
+    hint = foot.place.hint;
+  }
+  return true;
+}
+
+// A tool that faces away passes through the whole workpiece and comes to rest behind it.
+template <int Dim>
+[[noreturn]] void fail_behind(const ContactSetup<Dim>& setup, int tool, int node, const Eigen::VectorXd& u) {
+  std::ostringstream text;
+  text << "tool \"" << setup.tools()[tool]->name()
+       << "\" is placed with the whole workpiece inside it, and would come out on its far side, at node "
+       << node << " at " << place_text(setup.body().position(u, node)) << "; place it outside first, or, "
+       << turned_to_the_body<Dim>();
+  fail("contact.approach", text.str());
+}
+
 // A coordinate that follows others cannot move alone, nor one that another of the same tool follows.
 template <int Dim> void check_independent_approach(const ContactSetup<Dim>& setup, int q) {
   const auto& model = setup.model();
@@ -123,7 +148,7 @@ template <int Dim> [[noreturn]] void fail_approach(const ContactSetup<Dim>& setu
   fail("contact.approach", setup.model().coordinate(setup.model().first[tool] + k) +
                                " alone does not bring it to the body" + small.str() +
                                "; place the tool opposite the contact surface first (" +
-                               side_of_the_body<Dim>() + ")");
+                               side_of_the_body<Dim>() + "); " + turned_to_the_body<Dim>());
 }
 
 // Moves the tool to its first touch in a direction; 0: in which its smallest gap closes. @returns the nodes, none: it passes by
@@ -170,6 +195,7 @@ ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> s
   const int at = setup.model().first[tool] + k;
   check_independent_approach(setup, at);
   const double from = state.q[at];
+  const bool behind_all = swallows(setup, state.q, u, tool);
   const SmallestGap least = smallest_gap(setup, state, u, tool, k);
   const bool both = least.gap > TOUCH * setup.body().spacing && least.parallel();
   std::vector<std::size_t> touching = to_touch(setup, state, u, tool, k, both ? 1 : 0);
@@ -184,6 +210,7 @@ ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> s
   }
   if (touching.empty()) fail_approach(setup, tool, k);
   check_from_outside(setup, state, u, tool, touching);
+  if (behind_all) fail_behind(setup, tool, setup.model().candidates[touching.front()], u);
   for (const std::size_t i : touching) touch(setup, static_cast<int>(i), tool, state);
   return state;
 }

@@ -8,8 +8,8 @@ namespace burnish {
 /// parallel to the motion, or opens, the tool goes on to the first touch of other nodes.
 /// @param state before: all tools at state.q; @param u displacement of the body
 /// @returns the state with the tool moved and the touching nodes in contact
-/// @throws std::invalid_argument if it cannot touch by this coordinate alone, would touch from inside, if it
-/// follows others, or another coordinate of the tool follows it
+/// @throws std::invalid_argument if it cannot touch by this coordinate alone, would touch from inside or come
+/// out behind a body that lay wholly inside it, if it follows others, or another coordinate of the tool follows it
 template <int Dim>
 ContactState<Dim> approached(const ContactSetup<Dim>& setup, ContactState<Dim> state,
                              const Eigen::VectorXd& u, int tool, int k);

@@ -2,6 +2,7 @@
 #include "contact/balance.hpp"
 #include "base/sentence.hpp"
 #include "contact/resultant.hpp"
+#include "diagnosis/accepted/no_load.hpp"
 #include "diagnosis/observers.hpp"
 #include <algorithm>
 #include <cmath>
@@ -96,8 +97,14 @@ void look_at_friction(const AcceptedStep<Dim>& step, const Balance& now, Finding
   Finding* finding = findings.beyond("friction sum", "", value,
                                      {std::max(UNMET.noted, least), std::max(UNMET.far, least)}, step.t);
   if (!finding) return;
+  const auto nodes = std::count_if(step.contact.nodes.begin(), step.contact.nodes.end(),
+                                   [](const auto& node) { return in_contact(node.state); });
+  const bool tolerated = value * now.friction_limit <= static_cast<double>(nodes) * step.allowed.residual();
   finding->text =
-      sentence("the friction of all nodes exceeds its limit by ", value, " of it, t = ", step.t, CAUSE);
+      sentence("the friction of all nodes exceeds its limit by ", value, " of it, t = ", step.t,
+               tolerated ? ": every node may by the tolerance, and many add up; take a smaller tolerance= "
+                           "of rcContact"
+                         : CAUSE);
 }
 
 // What the prescribed forces of the tools are missed by. At the end of an event step the states are those after its events: a node
@@ -139,7 +146,7 @@ void look_at_tools(const AcceptedStep<Dim>& step, std::vector<UnmetState>& all, 
 // that is none (a law or an assembly of a script).
 template <int Dim> void BalanceCheck<Dim>::look(const AcceptedStep<Dim>& step, FindingList& findings) {
   const double load = std::max(step.allowed.load, step.R.cwiseAbs().maxCoeff());
-  if (!(load > 0)) return;
+  if (is_no_load(step, load)) return;
   Vector<Dim> middle;
   const double size = size_of_body(step, middle);
   const Eigen::VectorXd held = contact_forces(step.model(), step.contact, step.R) +

@@ -1,5 +1,6 @@
 // What a contact must fulfill: no tension, friction within its limit and against the slip (ALGORITHMS.md 16.2).
 #include "base/sentence.hpp"
+#include "diagnosis/accepted/no_load.hpp"
 #include "diagnosis/observers.hpp"
 #include <algorithm>
 
@@ -97,7 +98,7 @@ template <int Dim> void ContactForcesCheck<Dim>::look(const AcceptedStep<Dim>& s
     known.load = std::max(known.load, load);
     if (tension.node >= 0) keep(step, tension, TENSION.bound * load, known.tension);
     if (friction.node >= 0) keep(step, friction, FRICTION.bound * load, known.friction);
-    if (!step.last || !(known.load > 0)) continue;
+    if (!step.last || is_no_load(step, known.load)) continue;
     report(step.tool_name(tool), TENSION, known.tension, known.load, findings);
     report(step.tool_name(tool), FRICTION, known.friction, known.load, findings);
   }

@@ -107,3 +107,57 @@ TEST(ChecksInSpace, RangeOfTheJaumannRate) {
     told = told || finding.text.find("Jaumann") != std::string::npos;
   EXPECT_TRUE(told) << "elastic strains of some tenths";
 }
+
+namespace {
+
+/// The last step with other forces, held to another load and tolerance.
+FindingList findings_with(const SpaceScene& scene, const Eigen::VectorXd& R, double load, double tolerance) {
+  const AcceptedStep<3> step = accepted_step<3>(*scene.contact, nullptr);
+  AcceptedStep<3> changed{step.setup, step.contact, step.u, R, step.generalized_force};
+  changed.allowed = {load, tolerance, step.allowed.rounding, step.allowed.offset};
+  changed.prescribed = step.prescribed;
+  changed.last = true;
+  Diagnosis<3> diagnosis;
+  diagnosis.begin(step);
+  diagnosis.look(changed);
+  return diagnosis.findings();
+}
+
+std::string text_of(const FindingList& findings, const std::string& check) {
+  for (const Finding& finding : findings.list())
+    if (finding.check == check) return finding.text;
+  return "";
+}
+
+} // namespace
+
+// A plane slides over 5 x 5 nodes. Friction 3 % beyond its limit is .003 of the normal force; by their tolerances the nodes may
+// miss .025, or .00025, which only a scheme can have exceeded. Forces far below rounding are no load.
+TEST(ChecksInSpace, WhatTheToleranceAllowsManyNodes) {
+  SpaceScene scene({}, std::make_shared<PlaneSurface>(Vector<3>(0, 0, 0), Vector<3>(0, 0, -1), 4), six(),
+                   0.1);
+  scene.place(numbers({0, 0, 0, 0, 0, 0}));
+  scene.start();
+  for (int k = 1; k <= 3; ++k) {
+    scene.move(numbers({k > 1 ? 0.05 * k : 0, 0, -0.01, 0, 0, 0}));
+    scene.step(k - 1., 1);
+    ASSERT_FALSE(HasFatalFailure());
+  }
+  double load = 0;
+  Eigen::VectorXd R = scene.R, none = Eigen::VectorXd::Zero(R.size());
+  for (const int a : scene.setup->candidates()) {
+    load += R.segment<3>(3 * a).norm();
+    R.segment<2>(3 * a) *= 1.03;
+  }
+  EXPECT_EQ(text_of(findings_with(scene, scene.R, load, 1e-3), "friction sum"), "");
+  const std::string many = text_of(findings_with(scene, R, load, 1e-3), "friction sum"),
+                    lost = text_of(findings_with(scene, R, load, 1e-5), "friction sum");
+  EXPECT_NE(many.find("take a smaller tolerance="), std::string::npos) << many;
+  EXPECT_NE(lost.find("does not come back to equilibrium"), std::string::npos) << lost;
+
+  int inside = 0; // a node that nothing holds
+  while (scene.mesh.node(inside).norm() > 0.6 || scene.mesh.node(inside)[2] > -0.4) ++inside;
+  none[3 * inside] = 1e-27;
+  EXPECT_EQ(text_of(findings_with(scene, none, 1e-28, 1e-4), "residual"), "");
+  EXPECT_NE(text_of(findings_with(scene, none * 1e27, 0.1, 1e-4), "residual"), "");
+}
