@@ -24,6 +24,9 @@ std::uint64_t bits(double value) {
 template <int Dim>
 void require_same_mesh(const Mesh<Dim>& a, const std::string& of_a, const Mesh<Dim>& b,
                        const std::string& of_b, const char* where) {
+  if (a.axisymmetric != b.axisymmetric)
+    fail(where, (a.axisymmetric ? of_a : of_b) + " is axisymmetric, " + (a.axisymmetric ? of_b : of_a) +
+                    " is plane; axisymmetric=true belongs to both or to neither");
   const std::string begin = of_a + " and " + of_b + " are not on the same mesh: ";
   const auto differs = [&](bool differ, const auto& text) {
     if (!differ) return;
@@ -32,10 +35,6 @@ void require_same_mesh(const Mesh<Dim>& a, const std::string& of_a, const Mesh<D
     text(message);
     fail(where, message.str() + "; make both from the same space");
   };
-  differs(a.axisymmetric != b.axisymmetric, [&](auto& m) {
-    m << (a.axisymmetric ? of_a : of_b) << " is axisymmetric, " << (a.axisymmetric ? of_b : of_a)
-      << " is plane";
-  });
   differs(a.num_nodes != b.num_nodes,
           [&](auto& m) { m << a.num_nodes << " and " << b.num_nodes << " nodes"; });
   differs(a.connectivity.size() != b.connectivity.size() || a.num_elements != b.num_elements,
