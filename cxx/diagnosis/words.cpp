@@ -7,9 +7,10 @@ namespace {
 std::string words(const LastIteration& last) {
   switch (last.residue) {
   case Residue::NO_LOAD:
-    return sentence(": rounding leaves up to ", last.rounding, ", the load of ", last.load,
-                    " is next to nothing: look at its size and units; where nothing presses the workpiece yet, "
-                    "C.hold(stiffness, until) holds it until something does");
+    return sentence(
+        ": rounding leaves up to ", last.rounding, ", the load of ", last.load,
+        " is next to nothing: look at its size and units; where nothing presses the workpiece yet, "
+        "C.hold(stiffness, until) holds it until something does");
   case Residue::TOO_LARGE:
     return sentence(": rounding leaves up to ", last.rounding,
                     ", the mesh is too large or too slender for this load");

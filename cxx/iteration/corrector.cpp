@@ -3,6 +3,8 @@
 #include "base/error.hpp"
 #include "contact/slip_direction.hpp"
 #include "iteration/contact_window.hpp"
+#include "solver/cholmod_solver.hpp"
+#include "solver/column_factor.hpp"
 #include "solver/schur_factor.hpp"
 #include <algorithm>
 #include <cmath>
@@ -12,6 +14,15 @@ namespace burnish {
 namespace {
 
 constexpr double WINDOW_COVER = 0.3; // part of the window's margin that must be left, else it is chosen anew
+
+// Whether the columns of C cost less than the cube of the window w: w^3 over nodes in contact and nodes of the body.
+template <int Dim> bool columns_pay(std::size_t window, const ContactState<Dim>& state, int num_nodes) {
+  constexpr double from = Dim == 2 ? 200 : 3000;
+  const auto touching = std::count_if(state.nodes.begin(), state.nodes.end(),
+                                      [](const auto& node) { return in_contact(node.state); });
+  const auto w = static_cast<double>(window);
+  return w * w * w > from * static_cast<double>(touching) * num_nodes;
+}
 
 // What rounding leaves of the nodal forces in balance: that of places, times the stiffness [force]. Residuals of
 // a light load on a large body come no lower.
@@ -46,7 +57,7 @@ template <int Dim> void Corrector<Dim>::restore(const FactorMemory<Dim>& memory)
   if (m_has_factor) m_tangent = memory.tangent;
   m_age = memory.age;
   if (m_has_factor && !m_tangent->solver)
-    m_tangent->factorize_again(m_iteration.model(), m_iteration.body(), make_solver());
+    m_tangent->factorize_again(m_iteration.model(), m_iteration.body(), make_solver(m_tangent->by_columns));
 }
 
 template <int Dim> void Corrector<Dim>::set_solver(std::function<std::unique_ptr<BodySolver<Dim>>()> make) {
@@ -71,14 +82,19 @@ template <int Dim> void Corrector<Dim>::take_flexibility() {
 }
 
 // A saved state keeps its factor.
-template <int Dim> void Corrector<Dim>::make_tangent() {
-  if (m_tangent && m_tangent.use_count() == 1) return;
+template <int Dim> void Corrector<Dim>::make_tangent(int num_nodes) {
+  const bool by_columns = columns_pay<Dim>(m_window.size(), m_iteration.state(), num_nodes);
+  if (m_tangent && m_tangent.use_count() == 1 && (m_make_solver || by_columns == m_tangent->by_columns))
+    return;
   m_tangent = std::make_shared<FactoredTangent<Dim>>();
-  m_tangent->solver = make_solver();
+  m_tangent->by_columns = by_columns;
+  m_tangent->solver = make_solver(by_columns);
 }
 
-template <int Dim> std::unique_ptr<BodySolver<Dim>> Corrector<Dim>::make_solver() const {
-  return m_make_solver ? m_make_solver() : std::make_unique<SchurFactor<Dim>>();
+template <int Dim> std::unique_ptr<BodySolver<Dim>> Corrector<Dim>::make_solver(bool by_columns) const {
+  if (m_make_solver) return m_make_solver();
+  if (by_columns) return std::make_unique<ColumnFactor<Dim>>(std::make_unique<CholmodSolver>(Dim));
+  return std::make_unique<SchurFactor<Dim>>();
 }
 
 template <int Dim> bool Corrector<Dim>::serves(const Eigen::VectorXd& u) const {
@@ -99,7 +115,7 @@ template <int Dim> FactorStatus Corrector<Dim>::factorize(NodeBlockMatrix<Dim> K
   it.balance().memory().rounding = rounding_of_forces(K, it.body().X);
   m_age = 0;
   forget_mixing();
-  make_tangent();
+  make_tangent(K.num_nodes);
   m_tangent->window = m_window;
   m_tangent->matrix = m_keeps_matrices ? K : NodeBlockMatrix<Dim>();
   m_tangent->slip_stiffness = it.state().slip_stiffness = slip_stiffness(it.model(), K);

@@ -46,8 +46,8 @@ public:
 
 private:
   void take_flexibility();
-  void make_tangent();
-  std::unique_ptr<BodySolver<Dim>> make_solver() const;
+  void make_tangent(int num_nodes);
+  std::unique_ptr<BodySolver<Dim>> make_solver(bool by_columns) const;
   FactorStatus factorize_held(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u);
   Failure singular(const WindowSolution<Dim>& solution, const WindowProblem<Dim>& problem);
   WindowProblem<Dim> window_problem(const Eigen::VectorXd& u, const Eigen::VectorXd& R,

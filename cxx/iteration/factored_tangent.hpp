@@ -9,6 +9,7 @@ namespace burnish {
 
 template <int Dim> struct FactoredTangent {
   std::unique_ptr<BodySolver<Dim>> solver;
+  bool by_columns = false; ///< the core's solver is a ColumnFactor, see ALGORITHMS.md 8.2
   std::vector<int> window; ///< candidates on the dense block, ascending
   /// C over the window, Dim*window square; some columns may not be there yet, see complete() [length/force]
   std::shared_ptr<Eigen::MatrixXd> flexibility;

@@ -26,8 +26,8 @@ template <class Archive, int Dim> void save(Archive& archive, const FactorMemory
   const bool given = tangent && tangent->matrix.num_nodes > 0;
   archive(window, age, given);
   if (!given) return;
-  const auto& [solver, nodes, flexibility, added, slip_stiffness, matrix, solved] = *tangent;
-  archive(nodes, *flexibility, added, slip_stiffness, matrix,
+  const auto& [solver, by_columns, nodes, flexibility, added, slip_stiffness, matrix, solved] = *tangent;
+  archive(by_columns, nodes, *flexibility, added, slip_stiffness, matrix,
           solver ? solver->solved_columns() : solved);
 }
 template <class Archive, int Dim> void load(Archive& archive, FactorMemory<Dim>& memory) {
@@ -37,9 +37,9 @@ template <class Archive, int Dim> void load(Archive& archive, FactorMemory<Dim>&
   tangent = nullptr;
   if (!given) return;
   tangent = std::make_shared<FactoredTangent<Dim>>();
-  auto& [solver, nodes, flexibility, added, slip_stiffness, matrix, solved] = *tangent;
+  auto& [solver, by_columns, nodes, flexibility, added, slip_stiffness, matrix, solved] = *tangent;
   flexibility = std::make_shared<Eigen::MatrixXd>();
-  archive(nodes, *flexibility, added, slip_stiffness, matrix, solved);
+  archive(by_columns, nodes, *flexibility, added, slip_stiffness, matrix, solved);
 }
 
 } // namespace burnish

@@ -1,5 +1,5 @@
 #pragma once
-// A sparse solver as ColumnFactor uses it: one of the host program.
+// A sparse solver as ColumnFactor uses it: CHOLMOD, or one of the host program.
 #include "solver/sparse_view.hpp"
 #include <Eigen/Dense>
 

@@ -1,3 +1,4 @@
+#include "solver/cholmod_solver.hpp"
 #include "solver/column_factor.hpp"
 #include "solver/schur_factor.hpp"
 #include "solver/umfpack_solver.hpp"
@@ -34,31 +35,6 @@ NodeBlockMatrix<2> skewed(NodeBlockMatrix<2> K) {
         for (int i = 0; i < 4; ++i) K.block(k)[i] *= 1.3;
   return K;
 }
-
-// Takes one triangle, as FreeFEM's CHOLMOD does.
-class TriangleSolver final : public SparseSolver {
-public:
-  bool symmetric() const override { return true; }
-  void analyze(const SparseView& pattern) override {
-    m_pattern = pattern;
-    m_start.assign(pattern.row_start, pattern.row_start + pattern.n + 1);
-    m_col.assign(pattern.col, pattern.col + m_start.back());
-  }
-  bool factorize(const double* value) override {
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(m_pattern.n, m_pattern.n);
-    for (int i = 0; i < m_pattern.n; ++i)
-      for (int k = m_start[i]; k < m_start[i + 1]; ++k) A(i, m_col[k]) = value[k];
-    m_factor.compute(A); // of the lower triangle
-    return m_factor.info() == Eigen::Success;
-  }
-  void solve(Eigen::MatrixXd& B) override { B = m_factor.solve(B).eval(); }
-  std::size_t factor_entries() const override { return static_cast<std::size_t>(m_factor.rows()); }
-
-private:
-  SparseView m_pattern;
-  std::vector<int> m_start, m_col;
-  Eigen::LLT<Eigen::MatrixXd> m_factor;
-};
 
 void expect_equals_dense(ColumnFactor<2>& factor, const Plane& plane, const NodeBlockMatrix<2>& K) {
   factor.analyze(K, plane.fixed, plane.candidates);
@@ -128,9 +104,9 @@ TEST(ColumnFactor, AddedStiffnessOnTheCandidates) {
   EXPECT_LT((factor.solve(b) - x).norm(), 1e-10 * x.norm());
 }
 
-TEST(ColumnFactor, OfOneTriangle) {
+TEST(ColumnFactor, ByCholmodInItsOwnOrder) {
   Plane plane;
-  ColumnFactor<2> factor(std::make_unique<TriangleSolver>());
+  ColumnFactor<2> factor(std::make_unique<CholmodSolver>());
   EXPECT_EQ(factor.factor_entries(), 0u);
   expect_equals_dense(factor, plane, plane.K);
   EXPECT_TRUE(factor.symmetric());
