@@ -8,7 +8,8 @@ TEST(Words, OfEveryResidue) {
   const ContactModel<2> model;
   const std::vector<std::pair<Residue, std::string>> said{
       {Residue::UNKNOWN, "0 inconsistent contact states"},
-      {Residue::NO_LOAD, "the load of 5 is next to nothing: look at its size and units; where nothing presses the workpiece yet, "
+      {Residue::NO_LOAD, "the load of 5 is next to nothing: look at its size and units; where nothing "
+                         "presses the workpiece yet, "
                          "C.hold(stiffness, until) holds it until something does"},
       {Residue::TOO_LARGE, "the mesh is too large or too slender for this load"},
       {Residue::FALLS, "the residual still falls, allow more iterations (maxiterations=)"},
