@@ -105,13 +105,23 @@ template <int Dim> bool Corrector<Dim>::serves(const Eigen::VectorXd& u) const {
   return std::includes(m_window.begin(), m_window.end(), needed.begin(), needed.end());
 }
 
+template <int Dim> std::vector<int> Corrector<Dim>::new_window(const Eigen::VectorXd& u) const {
+  const Iteration<Dim>& it = m_iteration;
+  std::vector<int> window = near_contact(it.model(), it.body(), it.state(), u, 1, it.options());
+  if (!m_floating) return window;
+  std::vector<int> both;
+  const std::vector<int> far = far_candidates(it.model(), it.body());
+  std::set_union(window.begin(), window.end(), far.begin(), far.end(), std::back_inserter(both));
+  return both;
+}
+
 template <int Dim> FactorStatus Corrector<Dim>::factorize(NodeBlockMatrix<Dim> K, const Eigen::VectorXd& u) {
   Iteration<Dim>& it = m_iteration;
   require(K.size() == it.body().X.size(), "contact.factorize", "size of K", K.size(), "number of dofs");
   const std::vector<int> needed =
       near_contact(it.model(), it.body(), it.state(), u, WINDOW_COVER, it.options());
   if (m_window.empty() || !std::includes(m_window.begin(), m_window.end(), needed.begin(), needed.end()))
-    m_window = near_contact(it.model(), it.body(), it.state(), u, 1, it.options());
+    m_window = new_window(u);
   it.balance().memory().rounding = rounding_of_forces(K, it.body().X);
   m_age = 0;
   forget_mixing();

@@ -45,6 +45,7 @@ public:
   double compliance() const;
 
 private:
+  std::vector<int> new_window(const Eigen::VectorXd& u) const;
   void take_flexibility();
   void make_tangent(int num_nodes);
   std::unique_ptr<BodySolver<Dim>> make_solver(bool by_columns) const;

@@ -7,6 +7,10 @@
 
 namespace burnish {
 
+/// Candidates far from one another in the reference body, Dim of them at most, ascending: they hold it where its supports leave it a
+/// rigid motion, however narrow the window around its contacts.
+template <int Dim> std::vector<int> far_candidates(const ContactModel<Dim>& model, const BodyView<Dim>& body);
+
 template <int Dim> struct FactoredTangent {
   std::unique_ptr<BodySolver<Dim>> solver;
   bool by_columns = false; ///< the core's solver is a ColumnFactor, see ALGORITHMS.md 8.2
@@ -21,7 +25,7 @@ template <int Dim> struct FactoredTangent {
 
   /// Factor of K for this window, see BodySolver::factorize.
   /// @param stiffen the supports leave a rigid motion free, or the body is not stable without its tools: stiffness is
-  ///        added to the diagonal of the contact nodes and of both ends of the window, which the dense block takes off
+  ///        added to the diagonal of the contact nodes and of far_candidates in the window, which the dense block takes off
   ///        again
   FactorStatus factorize(const ContactModel<Dim>& model, const BodyView<Dim>& body,
                          const ContactState<Dim>& state, NodeBlockMatrix<Dim> K, bool stiffen);

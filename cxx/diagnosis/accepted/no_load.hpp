@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// Whether a load is zero, or its tolerance below a billionth of what rounding leaves, (5.1): nothing is judged over it.
+/// Whether a load is zero, or its tolerance below a billionth of what rounding leaves, ALGORITHMS.md (5.1): nothing is judged over it.
 /// @param load >= 0 [force]
 template <int Dim> bool is_no_load(const AcceptedStep<Dim>& step, double load) {
   constexpr double least = 1e-9; // the iteration allows so much of rounding in any case
