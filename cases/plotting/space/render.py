@@ -11,6 +11,7 @@ from plotting.space import files
 from plotting.space.display import start_display
 from plotting.space.grids import clipped, poly
 
+LITTLE, OPAQUE, TRANSPARENT = 0.25, 0.4, 0.15   # size of a tool over the workpiece's, below which it is opaque; how far tools are
 STEEL, BODY, EDGE = (0.55, 0.60, 0.68), (0.93, 0.91, 0.86), (0.35, 0.35, 0.35)
 
 DENSE = 3000  # triangles of a tool whose lines are no longer told apart
@@ -83,10 +84,12 @@ class Scene:
         shift = APART * np.ptp(body.points, axis=0).max() * eye
         self.add(poly(body.points + shift, body.lines, "lines"), EDGE, 0.4, 1.0)
 
-    def add_tools(self, tools, shift, behind=None, opacity=0.15):
+    def add_tools(self, tools, shift, side, behind=None):
         """With the lines of their triangles, which show how they turn, where these are few; moved by a shift that nobody sees, so that the contact is
-        that of the workpiece. behind: normal of a plane through 0 that cuts them."""
+        that of the workpiece. A tool that is small beside the workpiece, of this side, hides little of it and is less transparent.
+        behind: normal of a plane through 0 that cuts them."""
         for _, points, triangles, _ in files.tool_parts(tools):
+            opacity = OPAQUE if np.ptp(points, axis=0).max() < LITTLE * side else TRANSPARENT
             points = points + shift
             self.add(clipped(smoothed(poly(points, triangles)), behind), STEEL, opacity)
             if len(triangles) < DENSE:

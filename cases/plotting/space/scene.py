@@ -54,7 +54,7 @@ def box_of(frames):
     size = max((np.ptp(points, axis=0).max() for points in found), default=np.inf)
     if size < SMALL * (high - low).max():
         low, high = (f([f(points, axis=0) for points in found], axis=0) for f in (np.min, np.max))
-        return low - size, high + size
+        return low - 0.4 * size, high + 0.4 * size
     ends = [(np.maximum(points.min(axis=0), low - room), np.minimum(points.max(axis=0), high + room)) for points in found]
     return np.min([low, *(end for end, _ in ends)], axis=0), np.max([high, *(end for _, end in ends)], axis=0)
 
@@ -101,7 +101,8 @@ def staged(run, frame, box, scale, size):
     else:
         scene.add_body(frame.body, eye, values_of(frame, scale), *bands(scale))
     side = np.ptp(run.last.body.points, axis=0).max()
-    scene.add_tools(frame.tools, -APART * side * eye, None if run.cut is None else -run.front)
+    seen = min(side, np.ptp(box, axis=0).max())
+    scene.add_tools(frame.tools, -APART * seen * eye, side, None if run.cut is None else -run.front)
     top = (frame.body.points @ run.up).max() + TRACK * side
     for places in ways_of(run, frame):
         scene.add_track(places + np.outer(top - places @ run.up, run.up), TRACK * side)
