@@ -1,6 +1,6 @@
 """Many processes: seconds of a step and memory by a model of what was counted, and what one and two processes measure.
 
-processes.py [--measure] [--space N ...] [--plane N ...]        BURNISH: wrapper; see make bench-processes
+processes.py [--measure] [--space OPTIONS ...] [--plane OPTIONS ...]        BURNISH: wrapper; see make bench-processes
 The model, a block in space as in growth-in-space.edp. Counted there at 27 417, 62 475 and 202 575 unknowns: flops and numbers of a factor
 and unknowns of the top that two ranks share, the separator and the window; between and beyond them all grow by the powers of the two next
 to them. Counted with MUMPS at 62 475 on 2, 4 and 8 ranks: flops of the busiest rank, bytes and messages. Measured there on one and two
@@ -84,9 +84,9 @@ def model():
         print(f"| {n} | " + " | ".join(cells) + " |")
 
 
-def run(processes, script, n):
+def run(processes, script, options):
     """Seconds on the clock and CPU seconds of a process, of a scene that ends well, and what it prints."""
-    words = [os.environ["BURNISH"], *(["-np", str(processes)] if processes > 1 else []), os.path.join(HERE, script), "-n", str(n)]
+    words = [os.environ["BURNISH"], *(["-np", str(processes)] if processes > 1 else []), os.path.join(HERE, script), *options.split()]
     before, start = os.times(), time.perf_counter()
     done = subprocess.run(words, capture_output=True, text=True, cwd=TOP, env={**os.environ, "BURNISH_DIVIDE_FROM": "1"}, check=False)
     clock, after = time.perf_counter() - start, os.times()
@@ -101,8 +101,8 @@ def run(processes, script, n):
 def measure(script, sizes):
     print(f"{script}\n{'unknowns':>10s}{'processes':>11s}{'clock':>9s}{'faster':>8s}{'model':>7s}{'CPU each':>10s}"
           + "".join(f"{name:>15s}" for name in PHASES))
-    for n in sizes:
-        both = {p: run(p, script, n) for p in (1, 2)}
+    for options in sizes:
+        both = {p: run(p, script, options) for p in (1, 2)}
         for p, r in both.items():
             size = r["dofs"]
             says = f"{step(size, 1) / step(size, p):.2f}" if "space" in script else ""
@@ -112,14 +112,16 @@ def measure(script, sizes):
             print("other steps, iterations or factors on two processes")
 
 
+SPACE = ["-n 3", "-n 4", "-n 6 -end 0.2", "-n 7 -end 0.2", "-n 23 -layers 4 -end 0.2"]  # the last a plate of 1 039 581 unknowns
+PLANE = ["-n 37", "-n 52"]
 PHASES = ("factorization", "solve", "update", "assembly", "condensation", "checks")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--measure", action="store_true", help="run on one and two processes, beside the model")
-    parser.add_argument("--space", type=int, nargs="*", default=[3, 4, 6], metavar="N", help="-n of growth-in-space.edp: 930 N^3 unknowns")
-    parser.add_argument("--plane", type=int, nargs="*", default=[37], metavar="N", help="-n of growth.edp: 98 N^2 unknowns")
+    parser.add_argument("--space", nargs="*", default=SPACE, metavar="OPTIONS", help="of growth-in-space.edp: -n N, 930 N^3 unknowns")
+    parser.add_argument("--plane", nargs="*", default=PLANE, metavar="OPTIONS", help="of growth.edp: -n N, 98 N^2 unknowns")
     options = parser.parse_args()
     model()
     if options.measure:
