@@ -83,7 +83,8 @@ template <int Dim> bool ContactModel<Dim>::can_slip(int candidate) const {
 
 template <int Dim> const TangentialLaw<Dim>& ContactModel<Dim>::law(int candidate, int tool) const {
   static const TangentialLaw<Dim> none(std::make_shared<NoFriction>());
-  const bool slips = can_slip(candidate) && (!is_weightless(candidate) || laws[tool].friction().sticks_always());
+  const bool slips =
+      can_slip(candidate) && (!is_weightless(candidate) || laws[tool].friction().sticks_always());
   return slips ? laws[tool] : none;
 }
 template <int Dim>

@@ -25,8 +25,8 @@ template <int Dim> struct ContactModel {
 
   /// Per candidate: the ends of the edge that it is the mid node of, or -1; empty: linear facets.
   std::vector<std::array<int, 2>> edge_ends;
-  /// Per candidate: vertex of quadratic triangles, whose shape function has no area. It has no friction unless it bears or has
-  /// ties (ContactNode), and is released by shared forces (METHOD.md 3.19). Empty: none is.
+  /// Per candidate: vertex of quadratic triangles, whose shape function has no area. It has no friction unless it bears, has
+  /// ties (ContactNode) or its law always sticks, and is released by shared forces (METHOD.md 3.19). Empty: none is.
   std::vector<char> weightless;
 
   std::vector<std::vector<int>>
@@ -45,7 +45,7 @@ template <int Dim> struct ContactModel {
   /// Whether its supports leave it a direction along the tool.
   bool can_slip(int candidate) const;
   bool may_touch(int candidate, int tool) const;
-  /// Law between a candidate that touches and a tool: without friction where it cannot slip, and of weightless ones.
+  /// Law between a candidate that touches and a tool: without friction where it cannot slip, and of weightless ones that may slide.
   const TangentialLaw<Dim>& law(int candidate, int tool) const;
   /// The same of its present state.
   const TangentialLaw<Dim>& law(int candidate, const ContactNode<Dim>& node) const;

@@ -20,7 +20,8 @@ struct PlaneOnBlock {
   Eigen::VectorXd u, R;
 
   /// @param symmetric the plane y = 0 is one of symmetry
-  explicit PlaneOnBlock(int nodes_per_element, bool symmetric = false)
+  explicit PlaneOnBlock(int nodes_per_element, bool symmetric = false,
+                        std::shared_ptr<const FrictionLaw> friction = make_coulomb(0.3))
       : mesh(tetrahedra(block_of_tetrahedra({0, 0.7, 1.5, 2}, {0, 1, 1.6}, {-1, 0}, nodes_per_element))),
         setup(mesh, mesh.facets, supports(symmetric), std::make_shared<FaceMeasure>()),
         u(Eigen::VectorXd::Zero(mesh.num_dofs())), R(u) {
@@ -28,7 +29,7 @@ struct PlaneOnBlock {
         "plane", std::make_shared<PlaneSurface>(Vector<3>(0, 0, 0), Vector<3>(0, 0, -1), 1));
     tool->set_coordinates(std::make_shared<FormulaCoordinates<3>>(
         "plane", std::vector<std::string>{"x", "y", "z"}, SpaceFormulas{"x", "y", "z"}));
-    setup.add_tool(tool, make_coulomb(0.3));
+    setup.add_tool(tool, friction);
     setup.close();
     state.q = Vector<3>::Zero();
     state.nodes.resize(setup.candidates().size());
@@ -91,6 +92,18 @@ TEST(WeightlessVertices, SharedForcesOfLinearPressure) {
     for (Eigen::Index c = 0; c < 12; ++c) EXPECT_NEAR(shared[c], expected[shares.corners()[c]], 1e-14);
     EXPECT_NEAR(shares.areas().sum(), 3.2, 1e-14);
   }
+}
+
+TEST(WeightlessVertices, StickUnderALawThatAlwaysSticks) {
+  const PlaneOnBlock sliding(10), stuck(10, false, std::make_shared<StickingFriction>());
+  int corners = 0;
+  for (int i = 0; i < static_cast<int>(stuck.state.nodes.size()); ++i) {
+    const bool corner = stuck.setup.model().is_weightless(i);
+    corners += corner;
+    EXPECT_EQ(sliding.setup.model().law(i, sliding.state.nodes[i]).frictionless(), corner);
+    EXPECT_TRUE(stuck.setup.model().law(i, stuck.state.nodes[i]).friction().sticks_always());
+  }
+  EXPECT_EQ(corners, 12);
 }
 
 TEST(WeightlessVertices, LinearTrianglesHaveNone) {
