@@ -53,17 +53,23 @@ template <int Dim> BothEnds<Dim> both_ends(const ContactModel<Dim>& model, const
   return ends;
 }
 
-// Fraction at which a free node meets a tool, refined on the true gap by regula falsi.
+// Fraction at which a node that is not in contact meets a tool, refined on the true gap by regula falsi. One that was released
+// is passed over in both bands of the tolerance around the surface: it meets the tool where it leaves them on the inner side.
 template <int Dim>
 double touch_fraction(const ContactModel<Dim>& model, const BodyView<Dim>& body, const StepEnds<Dim>& step,
                       std::size_t i, double tolerance) {
+  const bool released =
+      step.start->nodes[i].state != NodeState::FREE && !in_contact(step.start->nodes[i].state);
+  const double margin = released ? tolerance : 0;
   const auto gap = [&](double f) {
     const Eigen::VectorXd q = step.start->q + f * (step.end->q - step.start->q);
     const int node = model.candidates[i];
     const Vector<Dim> x = (1 - f) * body.position(*step.u_start, node) + f * body.position(*step.u_end, node);
-    return nearest_tool(model, model.poses(q), x, step.start->nodes[i], static_cast<int>(i)).foot.gap;
+    return nearest_tool(model, model.poses(q), x, step.start->nodes[i], static_cast<int>(i)).foot.gap +
+           margin;
   };
   double a = 0, b = 1, ga = gap(0), gb = gap(1);
+  if (released && (ga <= 0 || gb >= 0)) return NEVER;
   if (gb >= -tolerance) return crossing(ga, gb, tolerance);
   if (ga <= 0) return 0;
   double f = ga / (ga - gb);
@@ -169,9 +175,8 @@ ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>
                              const EventSearch& tolerance) {
   const ContactNode<Dim>& node = step.start->nodes[i];
   if (in_contact(node.state)) return contact_event(model, body, step, ends, i, tolerance);
-  const double f =
-      node.state == NodeState::FREE ? touch_fraction(model, body, step, i, tolerance.gap) : NEVER;
-  return make_event(body, step, model, i, EventKind::TOUCH, f);
+  return make_event(body, step, model, i, EventKind::TOUCH,
+                    touch_fraction(model, body, step, i, tolerance.gap));
 }
 
 } // namespace

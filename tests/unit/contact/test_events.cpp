@@ -193,3 +193,18 @@ TEST(Events, ReleasedNodesArePassedOver) {
   scene.start.nodes[4].state = NodeState::FREE;
   scene.single(EventKind::TOUCH, 4, 0);
 }
+
+// The tool comes back to a node that it has left: the event is where its gap leaves the tolerance of 1e-6.
+TEST(Events, ReleasedNodesAreMetAgain) {
+  for (const NodeState released : {NodeState::LEAVING, NodeState::RECEDING}) {
+    EventScene scene;
+    for (int i = 0; i < 6; ++i) scene.u0[2 * i + 1] = scene.u1[2 * i + 1] = i == 3 ? 0 : -2;
+    scene.add_plate(0, 0.3);
+    scene.start.nodes[3].state = released;
+    scene.end = scene.start;
+    scene.end.q[1] = -0.9e-6;
+    EXPECT_TRUE(scene.earliest().empty());
+    scene.end.q[1] = -1e-5;
+    scene.single(EventKind::TOUCH, 3, 0.1, 0.011);
+  }
+}
