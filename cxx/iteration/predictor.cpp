@@ -209,8 +209,6 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
     if (const int tool = result.entry.nodes[i].tool; tool < 0 || !led[tool]) result.entry.records[i] = {};
   result.state.q = predict_coordinates(prescribed, state.q, history, ratio);
   follow(m_model, result.state.q);
-  for (auto& node : result.state.nodes)
-    if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
   if (known && states.carry) {
     std::vector<CarrierMotion> motions;
     for (std::size_t t = 0; t < m_model.tools.size(); ++t)
@@ -222,6 +220,8 @@ Prediction<Dim> Predictor<Dim>::predict(const PrescribedValues& prescribed, cons
     for (Eigen::Index d = 0; d < u.size(); ++d)
       if (!m_body.fixed[d]) result.u[d] += ratio * history.du[d];
   }
+  for (auto& node : result.state.nodes)
+    if (node.state == NodeState::TOUCHED) node.state = NodeState::STICKING;
   // Without a step before, the nodes stay where they are: the first iteration brings them to the tool by an
   // offset.
   if (known)

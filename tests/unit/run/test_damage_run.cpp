@@ -37,20 +37,20 @@ struct Crumbling : Scene {
     if (scheme == Scheme::EVENT) options.events.elements = ElementEvents::CUT;
     return options;
   }
-  /// Goes on until a step ends beyond t_stop, or to the end. @param refuse_from the first equilibrium of a step that ends
-  /// beyond this instant is refused once
+  /// Goes on until a step ends beyond t_stop, or to the end. @param refuse_from equilibria of steps that end
+  /// beyond this instant are refused until one step is rejected
   Task go(double t_stop, double refuse_from = 2) {
     const ProgramAt program = [&](double t) {
       tool->prescription().move("x", 1.9);
       tool->prescription().move("angle", 0);
       tool->prescription().move("y", y_touch - 0.06 * t);
     };
+    const long rejected = stepper.counts().rejected;
     for (;;) {
       const Task task = stepper.next(u, R);
       if (task == Task::FINISHED || task == Task::STOPPED) return task;
       if (task == Task::RECORD && stepper.control().time() > t_stop) return task;
-      if (task == Task::FORCES && stepper.target() > refuse_from) {
-        refuse_from = 2;
+      if (task == Task::FORCES && stepper.target() > refuse_from && stepper.counts().rejected == rejected) {
         stepper.refuse("by the test");
         continue;
       }
