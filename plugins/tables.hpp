@@ -37,8 +37,9 @@ std::vector<aType> argument_types(const OneOperator& op);
 /// All overloads of an operator such as "(" in a table, those that `check_arguments` has set aside among them.
 std::vector<const OneOperator*> overloads(const Polymorphic& table, const char* op);
 
-/// From now on a call with positional arguments that no overload takes is an error of ours, with both lists of types, in place of FreeFEM's,
-/// whose types are those of C++. @param name  as the script calls it  @param hidden  first arguments that are not written
+/// From now on a call with positional arguments that no overload takes is an error of ours, with both lists of types, in
+/// place of FreeFEM's, whose types are those of C++.
+/// @param name  as the script calls it  @param hidden  first arguments that are not written
 void check_arguments(const std::string& name, const Polymorphic& table, const char* op, std::size_t hidden);
 
 /// The same for the constructors of one of our types: they stand in a table with all others.
