@@ -197,7 +197,7 @@ class Arrows(unittest.TestCase):
         frame = frame._replace(body=frame.body._replace(points=large, faces=np.array([[0, 1, 2], [0, 2, 3]])))
         stage = scene.Scene((690, 460))
         stage.look(scene.eye_of(self.run_), self.run_.up, (np.full(3, -4.0), np.full(3, 5.0)))
-        axes = new_figure(3.1).add_axes((0, 0, 1, 1))
+        axes = new_figure(5.0).add_axes((0, 0, 1, 1))
         axes.set(xlim=(0, 690), ylim=(0, 460))
         self.run_.summary["drive"] = {"z": self.run_.summary["drive"]["z"]}
         draw_arrows(axes, self.run_, frame, stage)
