@@ -190,7 +190,7 @@ class Arrows(unittest.TestCase):
 
 
     def test_force_on_a_small_tool(self):
-        """Where the workpiece goes on beyond all sides of the view, all below the tool counts as workpiece, so that the force ends above it."""
+        """Where the workpiece goes on beyond all sides of the view, all that is not above the tool is covered, so that the force ends above it."""
         frame = self.run_.view(-1)
         right = np.cross(self.run_.up, scene.eye_of(self.run_))
         large = np.array([20 * (i * right + j * self.run_.up) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
@@ -203,10 +203,10 @@ class Arrows(unittest.TestCase):
         draw_arrows(axes, self.run_, frame, stage)
         tool, way = stage.pixels(frame.tools.points), axes.lines[0].get_xydata()
         cells = covered(axes, frame, stage, 690, self.run_.up)
-        self.assertLess(cells[:, 1].min(), 0)
+        self.assertLess(cells[:, 1].min(), 20)
         self.assertLess(cells[:, 1].max(), tool[:, 1].max() + 0.02 * 690)
         self.assertGreater(way[0, 1], way[1, 1])
-        self.assertGreater(way[1, 1], tool[:, 1].mean())
+        self.assertGreater(way[1, 1], tool[:, 1].max() - 10)
 
 
 class ContactViews(unittest.TestCase):

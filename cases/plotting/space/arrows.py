@@ -65,16 +65,16 @@ def seen_tools(run, frame, scene, grid):
 
 
 def covered(axes, frame, scene, size, up):
-    """Middles of the cells of the view that show the workpiece or, where it goes on beyond all sides of the view, the tools and what they press on."""
+    """Middles of the cells of the view that show the workpiece; where it goes on beyond all sides of the view, all that is not above the tools."""
     low, high = np.column_stack([sorted(axes.get_xlim()), sorted(axes.get_ylim())])
     places, triangles = scene.pixels(frame.body.points), files.triangles_of(frame.body.faces)
-    if whole := (places.min(axis=0) < low).all() and (places.max(axis=0) > high).all():
-        places, triangles = scene.pixels(frame.tools.points), frame.tools.triangles
-    cells = np.einsum("kc,tcx->tkx", INNER, places[triangles]).reshape(-1, 2) / (CELL * size)
-    if whole:
-        down = -unit(np.diff(scene.pixels(frame.tools.points[0] + np.outer([0, 1e-3 * np.ptp(frame.tools.points)], up)), axis=0)[0])
-        cells = (np.unique(np.floor(cells), axis=0)[:, None] + np.outer(np.arange(0, 1 / CELL), down)).reshape(-1, 2)
-    return CELL * size * (0.5 + np.unique(np.floor(cells), axis=0))
+    if (places.min(axis=0) < low).all() and (places.max(axis=0) > high).all():
+        tools = frame.tools.points
+        above = unit(np.diff(scene.pixels(tools[0] + np.outer([0, 1e-3 * np.ptp(tools)], up)), axis=0)[0])
+        view = np.stack(np.meshgrid(*(np.arange(a, b, CELL * size) for a, b in zip(low, high))), axis=-1).reshape(-1, 2)
+        return view[view @ above < (scene.pixels(tools) @ above).max()]
+    cells = np.floor(np.einsum("kc,tcx->tkx", INNER, places[triangles]).reshape(-1, 2) / (CELL * size))
+    return CELL * size * (0.5 + np.unique(cells, axis=0))
 
 
 def draw_arrows(axes, run, frame, scene, words=("motion", "force"), taken=np.empty((0, 2))):
