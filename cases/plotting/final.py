@@ -53,6 +53,12 @@ class Shown:
         pad = 0.03 * max(box[1] - box[0], box[3] - box[2])
         return box[0] - pad, box[1] + pad, box[2] - pad, box[3] + pad
 
+    def near(self):
+        """Limits with the workpiece, its mirror images and the tools near them, those that are smaller as a whole."""
+        small = [o.points * sign for o in self.outlines for sign in [(1, 1), *self.mirrors] if np.ptp(o.points, axis=0).max() < self.size()]
+        ends = [(p[:, 0].min(), p[:, 0].max(), p[:, 1].min(), p[:, 1].max()) for p in small if tools.closed(p)]
+        return hull([fields.view_of(self.run, self.smooth.mesh, self.outlines), *ends])
+
     def zone(self):
         """Limits of where the values are large, None without any."""
         if self.levels is None:
@@ -103,14 +109,13 @@ def middle(points):
     return np.array([((x + np.roll(x, -1)) * cross).sum(), ((y + np.roll(y, -1)) * cross).sum()]) / (3 * cross.sum())
 
 
-def draw_tool(axes, shown, outline, width):
+def draw_tool(axes, shown, outline, areas, view):
     """A tool with its mirror images, each as far as the line of symmetry, filled where it is closed."""
-    mesh = shown.smooth.mesh
-    area = tools.area_of(outline.points, mesh, width, shown.mirrors)
+    mesh, area, rim = shown.smooth.mesh, areas[outline.name], tools.rim_of(outline, areas, view)
     for sign in [(1, 1), *shown.mirrors]:
         part = tools.own_part(axes, fields.reflected(mesh, sign), shown.mirrors)
         drawn = axes.fill(*(area * sign).T, facecolor=tools.FACE, edgecolor="none", zorder=0.5)
-        drawn += axes.plot(*(outline.points * sign).T, color=tools.RIM, linewidth=1.1, zorder=3.5)
+        drawn += axes.plot(*(rim * sign).T, color=tools.RIM, linewidth=1.1, zorder=3.5)
         for artist in drawn if part else ():
             artist.set_clip_path(part, axes.transData)
 
@@ -152,8 +157,10 @@ def draw_panel(axes, shown, box):
     """One view; returns the handles of the key."""
     maps.set_view(axes, box, shown.run.units.length_unit)
     axes.grid(False)
+    view = max(box[1] - box[0], box[3] - box[2])
+    areas = {o.name: tools.area_of(o.points, shown.smooth.mesh, 0.04 * view, shown.mirrors) for o in shown.outlines}
     for outline in shown.outlines:
-        draw_tool(axes, shown, outline, 0.04 * max(box[1] - box[0], box[3] - box[2]))
+        draw_tool(axes, shown, outline, areas, view)
     inches = axes.get_position().width * axes.figure.get_figwidth()
     part = shown.size() / (box[1] - box[0]) * inches / np.sqrt(len(shown.smooth.edges))
     draw_body(axes, shown, float(np.clip(2.0 * part, 0.08, 0.5)))
@@ -257,7 +264,7 @@ def gallery_figure(run):
     thin to be seen; who shows such a picture says so."""
     now = at_work(run)
     shown = Shown(run, *now)
-    box = cropped(fields.view_of(run, shown.smooth.mesh, shown.outlines), shown.outlines)
+    box = cropped(shown.near(), shown.outlines)
     if shown.levels is not None and share_of_zone(shown, fitted(box, GALLERY[0] / GALLERY[1])) < THIN:
         shown = Shown(run, *now, scale=scale_of([run], [now[1]], fields.MOST_LEVELS, strain=False))
     figure = bare_figure(shown, box)

@@ -5,11 +5,13 @@ import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.path import Path
 
+from plotting import maps
 from plotting.inputs import read_table
 from plotting.units import plain
 
 FACE, RIM = "#c9d0d8", "#4d5a68"
 LEVEL = 0.05     # of the size: ends of an outline at one height or on a line of symmetry
+STEP = 2e-3      # of the view, between the points of an outline that another tool hides
 
 Outline = namedtuple("Outline", "name t points")  # points: n x 2, in the length unit of the pictures
 
@@ -98,6 +100,17 @@ def area_of(points, mesh, width, mirrors=()):
     return band(points, side, width)
 
 
+def rim_of(outline, areas, view):
+    """The outline as it is seen: not where it lies within a smaller tool, as that of a holder behind a punch. areas: {outline's name: its area}"""
+    size = np.ptp(outline.points, axis=0).max()
+    over = [area for name, area in areas.items() if name != outline.name and np.ptp(area, axis=0).max() < size]
+    if not any(Path(area).contains_points(outline.points).any() or Path(outline.points).contains_points(area).any() for area in over):
+        return outline.points
+    points = maps.refined(outline.points, STEP * view)
+    hidden = np.any([Path(area).contains_points(points) for area in over], axis=0)
+    return np.where(hidden[:, None], np.nan, points)
+
+
 def widened(box, outlines, part=0.3):
     """Limits that show the tools too, but not more than a part of the larger side beyond each side of the box; a third
     of that for open outlines, which go on anyway."""
@@ -133,11 +146,11 @@ def draw_tools(axes, outlines, mesh, names=True, mirrors=()):
     """Outlines, filled where they are closed and do not enclose the workpiece, otherwise with a band on the tool's
     side; set the view before. A tool ends where its mirror image (mirrors: Run.mirrors) begins. Returns handles for the
     key."""
-    width = 0.03 * max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
-    part = own_part(axes, mesh, mirrors)
+    view = max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
+    part, areas = own_part(axes, mesh, mirrors), {o.name: area_of(o.points, mesh, 0.03 * view, mirrors) for o in outlines}
     for outline in outlines:
-        drawn = axes.fill(*area_of(outline.points, mesh, width, mirrors).T, facecolor=FACE, edgecolor="none", zorder=0.5)
-        drawn += axes.plot(*outline.points.T, color=RIM, linewidth=1.2, zorder=3.5)
+        drawn = axes.fill(*areas[outline.name].T, facecolor=FACE, edgecolor="none", zorder=0.5)
+        drawn += axes.plot(*rim_of(outline, areas, view).T, color=RIM, linewidth=1.2, zorder=3.5)
         for artist in drawn if part else ():
             artist.set_clip_path(part, axes.transData)
             artist.set_in_layout(False)  # matplotlib 3.6 fails where the view and this part share nothing of it

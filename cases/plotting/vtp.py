@@ -1,5 +1,6 @@
 """Reader of the .vtp files that a frame of a run has (C.savesurface, C.savetools): points and data at them."""
 import base64
+import mmap
 from collections import namedtuple
 from xml.etree import ElementTree
 
@@ -24,25 +25,31 @@ def numbers_of(element, order):
     return values.reshape(-1, components) if components > 1 else values
 
 
-def arrays_of(path, parts=None):
-    """{part of the file: {name: numbers}}, of all parts or of those named."""
-    root = ElementTree.fromstring(read_text(path))
+def arrays_in(text):
+    """{part of the file: {name: numbers}}"""
+    root = ElementTree.fromstring(text)
     order = "<" if root.get("byte_order") == "LittleEndian" else ">"
-    return {part.tag: {a.get("Name"): numbers_of(a, order) for a in part.findall("DataArray")} for part in root.find("PolyData/Piece")
-            if parts is None or part.tag in parts}
+    return {part.tag: {a.get("Name"): numbers_of(a, order) for a in part.findall("DataArray")} for part in root.find("PolyData/Piece")}
 
 
 def read_cell_data(path):
     """{name: numbers of the cells}, the rest of the file left alone."""
     try:
-        return arrays_of(path, ("CellData",))["CellData"]
+        with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
+            first, last = text.find(b"<CellData"), text.find(b"</CellData>")
+            if last < 0:
+                raise ValueError("no end of its CellData")
+            part = text[:text.find(b"<Piece")] + b"<Piece>" + text[first:last] + b"</CellData></Piece></PolyData></VTKFile>"
+        return arrays_in(part)["CellData"]
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except BROKEN as error:
         raise InputError(f"{path}: not a whole VTP file: {error}") from None
 
 
 def read_vtp(path):
     try:
-        arrays = arrays_of(path)
+        arrays = arrays_in(read_text(path))
         cells = arrays["Lines" if "Lines" in arrays else "Verts"]
         ends = cells["offsets"]
         lines = np.split(cells["connectivity"], ends[:-1]) if len(ends) else []

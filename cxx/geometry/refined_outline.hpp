@@ -6,7 +6,7 @@
 namespace burnish {
 
 /// Places of a mesh along a profile before it is refined.
-inline constexpr int MESH_PLACES = 9;
+inline constexpr int MESH_PLACES = 49;
 
 /// Places of the outline from its begin to its end, with the joints of its pieces, in the order of travel; intervals are
 /// halved until the curve is near its chords.

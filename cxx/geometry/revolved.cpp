@@ -9,7 +9,7 @@ namespace burnish {
 namespace {
 
 constexpr int OUTLINE = 257;                            // places at which the profile is looked at
-constexpr double LEAST_ANGLES = 12, MOST_ANGLES = 1440; // of a mesh
+constexpr double LEAST_ANGLES = 60, MOST_ANGLES = 1440; // of a mesh
 constexpr double ON_AXIS = 1e-6;       // of the largest distance from the axis: n_r/r is 0/0 there
 constexpr double ALONG_AXIS = 1e-6;    // radial part of a normal at a pole: what a file's digits can cost
 constexpr double MIRROR_DIGITS = 1e-6; // of the largest distance from the axis, for the mirror image

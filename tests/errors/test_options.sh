@@ -105,7 +105,7 @@ meshS Th = square3(1, 1);
 fespace Vh(Th, P1);
 material M = rcMaterial(Vh, G=1, nu=0.3, sigY=1, H=0);
 END
-refuse 1 'error operator|MaterialObject|shell.edp' "$BURNISH" "$SCRATCH/shell.edp"
+refuse 20 'rcMaterial: arguments (fespace on a surface), expected (fespace) or (fespace in space)' "$BURNISH" "$SCRATCH/shell.edp"
 # an uncaught error of ours: text once, line, exit code 20
 cat >"$SCRATCH/uncaught.edp" <<'END'
 include "burnish.idp"

@@ -10,7 +10,7 @@ from matplotlib.tri import Triangulation
 from plotting import contact, fields, quadratic
 from plotting.figure import new_figure, save
 from plotting.labels import place_labels
-from plotting.tools import Outline, area_of, own_part
+from plotting.tools import Outline, area_of, own_part, rim_of
 from plotting.vtu import Field
 
 FOLDER = Path(sys.argv.pop(1))
@@ -85,6 +85,21 @@ class Areas(unittest.TestCase):
         """A plane and a groove over the block: bands."""
         self.assertAlmostEqual(self.area([[2, 0], [-2, 0]], self.MESH), 0.4, delta=1e-12)
         self.assertLess(self.area([[2, 0], [0.5, 0], [0.5, 1], [-0.5, 1], [-0.5, 0], [-2, 0]], self.MESH), 1)
+
+
+class Hidden(unittest.TestCase):
+    def test_behind_a_smaller_tool(self):
+        """Of a holder drawn as a large circle the part within the punch is not seen, of the punch all is, and all of a tool apart from others."""
+        angle = np.linspace(0, 2 * np.pi, 1000)
+        holder = Outline("holder", 0.0, np.column_stack([10 * np.cos(angle), 10 + 10 * np.sin(angle)]))
+        punch = Outline("punch", 0.0, np.array([[-1, 4], [1, 4], [1, -2], [-1, -2], [-1, 4.0]]))
+        areas = {o.name: o.points for o in (holder, punch)}
+        rim = rim_of(holder, areas, 20)
+        seen = rim[np.isfinite(rim).all(axis=1)]
+        self.assertGreater(np.abs(seen[seen[:, 1] < 5, 0]).min(), 1)
+        self.assertAlmostEqual(np.isnan(rim[:, 0]).mean(), 2 * np.arcsin(0.1) / (2 * np.pi), delta=2e-3)
+        self.assertIs(rim_of(punch, areas, 20), punch.points)
+        self.assertIs(rim_of(holder, {"holder": holder.points, "punch": punch.points - [0, 40]}, 20), holder.points)
 
 
 class Quadratic(unittest.TestCase):

@@ -19,7 +19,7 @@ from plotting.border import new_figure
 from plotting.inputs import InputError
 from plotting.run import Run
 from plotting.space import contact_view, edge_labels, files, maps, scene
-from plotting.space.arrows import draw_arrows, projected
+from plotting.space.arrows import covered, draw_arrows, projected
 from plotting.space.run import SpaceRun
 from space_run import DEPTH, FRAMES, write_run
 
@@ -189,6 +189,26 @@ class Arrows(unittest.TestCase):
             self.assertGreater(np.hypot(*(way[:, None] - top).T).min(), 10)
 
 
+    def test_force_on_a_small_tool(self):
+        """Where the workpiece goes on beyond all sides of the view, all that is not above the tool is covered, so that the force ends above it."""
+        frame = self.run_.view(-1)
+        right = np.cross(self.run_.up, scene.eye_of(self.run_))
+        large = np.array([20 * (i * right + j * self.run_.up) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+        frame = frame._replace(body=frame.body._replace(points=large, faces=np.array([[0, 1, 2], [0, 2, 3]])))
+        stage = scene.Scene((690, 460))
+        stage.look(scene.eye_of(self.run_), self.run_.up, (np.full(3, -4.0), np.full(3, 5.0)))
+        axes = new_figure(5.0).add_axes((0, 0, 1, 1))
+        axes.set(xlim=(0, 690), ylim=(0, 460))
+        self.run_.summary["drive"] = {"z": self.run_.summary["drive"]["z"]}
+        draw_arrows(axes, self.run_, frame, stage)
+        tool, way = stage.pixels(frame.tools.points), axes.lines[0].get_xydata()
+        cells = covered(axes, frame, stage, 690, self.run_.up)
+        self.assertLess(cells[:, 1].min(), 20)
+        self.assertLess(cells[:, 1].max(), tool[:, 1].max() + 0.02 * 690)
+        self.assertGreater(way[0, 1], way[1, 1])
+        self.assertGreater(way[1, 1], tool[:, 1].max() - 10)
+
+
 class ContactViews(unittest.TestCase):
     """A tool that presses along a normal at four places of the plane x y."""
 
@@ -240,6 +260,20 @@ class EdgeLabels(unittest.TestCase):
                 self.assertTrue(window[axis][0] - 9 < label.covers[:, axis].min() and label.covers[:, axis].max() < window[axis][1] + 9)
             for other in labels[:k]:
                 self.assertGreater(np.hypot(*(label.covers[:, None] - other.covers).T).min(), 4)
+
+
+class Origins(unittest.TestCase):
+    def test_as_of_the_whole_file(self):
+        """What is read of every frame's tools alone is what VTK reads; half a file is refused."""
+        path = FOLDER / "P1/tools-1.vtp"
+        whole = files.arrays(files.read(str(path), files.vtkXMLPolyDataReader()).GetCellData())
+        for number, origin in files.read_origins(str(path)):
+            np.testing.assert_array_equal(origin, whole["origin"][whole["tool"] == number][0])
+        broken, text = FOLDER / "broken.vtp", path.read_text()
+        for length in (0, text.index("</CellData>")):
+            broken.write_text(text[:length])
+            with self.assertRaisesRegex(InputError, "broken.vtp: not a whole VTP file"):
+                files.read_origins(str(broken))
 
 
 class Window(unittest.TestCase):

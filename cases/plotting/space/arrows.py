@@ -64,12 +64,15 @@ def seen_tools(run, frame, scene, grid):
     return seen
 
 
-def covered(axes, frame, scene, size):
-    """Middles of the cells of the view that show the workpiece or, where it goes on beyond all sides of the view, the tools."""
+def covered(axes, frame, scene, size, up):
+    """Middles of the cells of the view that show the workpiece; where it goes on beyond all sides of the view, all that is not above the tools."""
     low, high = np.column_stack([sorted(axes.get_xlim()), sorted(axes.get_ylim())])
     places, triangles = scene.pixels(frame.body.points), files.triangles_of(frame.body.faces)
     if (places.min(axis=0) < low).all() and (places.max(axis=0) > high).all():
-        places, triangles = scene.pixels(frame.tools.points), frame.tools.triangles
+        tools = frame.tools.points
+        above = unit(np.diff(scene.pixels(tools[0] + np.outer([0, 1e-3 * np.ptp(tools)], up)), axis=0)[0])
+        view = np.stack(np.meshgrid(*(np.arange(a, b, CELL * size) for a, b in zip(low, high))), axis=-1).reshape(-1, 2)
+        return view[view @ above < (scene.pixels(tools) @ above).max()]
     cells = np.floor(np.einsum("kc,tcx->tkx", INNER, places[triangles]).reshape(-1, 2) / (CELL * size))
     return CELL * size * (0.5 + np.unique(cells, axis=0))
 
@@ -81,4 +84,4 @@ def draw_arrows(axes, run, frame, scene, words=("motion", "force"), taken=np.emp
     length = np.ptp(np.vstack([frame.body.points.min(axis=0), frame.body.points.max(axis=0)]), axis=0).max()
     found = [arrow._replace(shape=projected(arrow.shape, scene.eye, run.up)) for arrow in arrows.arrows(run, length)]
     return arrows.put(axes, run, found, seen_tools(run, frame, scene, arrows.grid_of(axes)),
-                      np.vstack([covered(axes, frame, scene, size), np.repeat(taken, WORDS, axis=0)]), words)
+                      np.vstack([covered(axes, frame, scene, size, run.up), np.repeat(taken, WORDS, axis=0)]), words)

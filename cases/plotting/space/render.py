@@ -42,8 +42,6 @@ class Scene:
     def __init__(self, size=(1300, 1000)):
         self.renderer, self.window = vtkRenderer(), vtkRenderWindow()
         self.renderer.SetBackground(1, 1, 1)
-        self.renderer.SetUseDepthPeeling(True)
-        self.renderer.SetMaximumNumberOfPeels(3)
         self.window.SetAlphaBitPlanes(True)
         self.window.SetMultiSamples(0)
         self.renderer.SetUseFXAA(True)
@@ -143,6 +141,7 @@ class Scene:
         grab = vtkWindowToImageFilter()
         grab.SetInput(self.window)
         grab.ReadFrontBufferOff()
+        grab.ShouldRerenderOff()  # it would draw all again
         grab.Update()
         picture = grab.GetOutput()
         width, height, _ = picture.GetDimensions()

@@ -52,6 +52,11 @@ TEST(SurfaceMesh, LiesOnTheSurface) {
   }
 }
 
+TEST(SurfaceMesh, RoundHoweverSmallInTheWindow) {
+  const double R = 4e-3, r = 1e-3; // of a window that is 6 long
+  EXPECT_NEAR(volume(surface_mesh(*torus(R, r), WINDOW)) / (2 * M_PI * M_PI * R * r * r), 1, 0.01);
+}
+
 TEST(SurfaceMesh, AreasAndVolumes) {
   const auto mesh_of = [](const Surface<3>& surface) {
     return surface_mesh(surface, {Vector<3>(-2, -2, -2), Vector<3>(2, 2, 2)});
