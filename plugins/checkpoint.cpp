@@ -15,20 +15,16 @@
 //     ! is no checkpoint of Burnish
 //   S.checkpointdue   the time of option -checkpoint is over since the last one, Ctrl-C came (in the middle of a step: less than
 //       five seconds ago), or the run is at its end and has had one
-//   internal: rcResumeOption rcResumable rcNoteVariables rcOutdated rcRunFile
+//   internal: rcEndOnly rcStandBy rcStandbyWrite rcResumeOption rcResumable rcNoteVariables rcOutdated rcRunFile
 #include "checkpoint.hpp"
 #include "base/error.hpp"
 #include "base/stop_request.hpp"
-#include "checkpoint/identity.hpp"
+#include "checkpoint/run_files.hpp"
 #include "named.hpp"
 #include "parallel/first_rank.hpp"
-#include "remesh.hpp"
-#include "remesh/stored_mesh.hpp"
-#include "run/run_archive.hpp"
+#include "run_checkpoint.hpp"
 #include "script/words.hpp"
 #include "script_options.hpp"
-#include "script_values.hpp"
-#include "step_control.hpp"
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -72,115 +68,62 @@ double minutes_option() {
   return minutes;
 }
 
-// The script's part, as it was when it began.
-const std::vector<IdentityPart>& script_identity() {
-  static const std::vector<IdentityPart> parts = [] {
-    const char* path = std::getenv("FF_INCLUDEPATH");
-    return identity_of(script_options(), path ? path : "");
-  }();
-  return parts;
-}
-
-std::vector<IdentityPart> identity_of_run(const ControlObject& object) {
-  std::vector<IdentityPart> parts = object.scene;
-  parts.insert(parts.end(), script_identity().begin(), script_identity().end());
-  return parts;
-}
-
-template <int Dim> Stepper<Dim>& stepper_of(ControlObject& object) {
-  return static_cast<Stepper<Dim>&>(*object.stepper);
-}
-
-RunMesh run_mesh(const MaterialOf<2>& material) { return {material.mesh.get(), nullptr}; }
-RunMesh run_mesh(const MaterialOf<3>& material) { return {nullptr, material.mesh.get()}; }
-
-// A mesh that the run has gone over to.
-template <int Dim>
-void keep_mesh(const ControlObject& object, ContactOf<Dim>& contact, Checkpoint& checkpoint) {
-  if (!object.remeshed) return;
-  const ContactSetup<Dim>& setup = *contact.setup;
-  checkpoint.mesh = packed(StoredMesh<Dim>{setup.mesh(), setup.body().fixed, object.remeshings});
-  checkpoint.script_mesh = mesh_bytes(*of_dimension<Dim>(*object.material, "stepcontrol.checkpoint").mesh);
-}
-
-// The run that the script has begun goes over to the mesh of the checkpoint.
-template <int Dim>
-void take_kept_mesh(const std::shared_ptr<ControlObject>& object, ContactOf<Dim>& contact,
-                    const Checkpoint& checkpoint) {
-  if (checkpoint.mesh.empty()) return;
-  auto& material = of_dimension<Dim>(*object->material, "stepcontrol.resume");
-  StoredMesh<Dim> kept = unpacked_mesh<Dim>(checkpoint.mesh);
-  using FreefemMesh = const typename Freefem<Dim>::Mesh;
-  const std::shared_ptr<FreefemMesh> mesh(mesh_of_bytes<typename Freefem<Dim>::Mesh>(checkpoint.script_mesh),
-                                          [](FreefemMesh* shared) { shared->destroy(); });
-  take_mesh<Dim>(contact, material, on_stored_mesh(material.workpiece(), contact.run(), kept), mesh);
-  begin_stepper<Dim>(object, contact, material);
-  object->remeshed = true;
-  object->remeshings = std::move(kept.remeshings);
-}
-
-void write_run(ControlObject& object, const std::string& path, Stack stack, const ScriptValues& script) {
-  constexpr const char* WHERE = "stepcontrol.checkpoint";
-  const StepLoop& loop = object.running(WHERE);
-  if (object.task != Task::RECORD && object.task != Task::FINISHED)
-    fail(WHERE, "a run in the middle of a step, expected one that has just recorded a step");
-  last_written() = RunClock::now();
-  Checkpoint checkpoint;
-  checkpoint.t = loop.control().time();
-  checkpoint.t_end = loop.control().options().t_end;
-  checkpoint.identity = identity_of_run(object);
-  visit(*object.contact, [&](auto& contact) {
-    constexpr int Dim = dim_of<decltype(contact)>;
-    auto& material = of_dimension<Dim>(*object.material, WHERE);
-    checkpoint.values = script.changed(stack, run_mesh(material));
-    keep_mesh<Dim>(object, contact, checkpoint);
-    checkpoint.state = packed(stepper_of<Dim>(object).state());
-    checkpoint.solver = contact.solver;
-  });
+double run_clock() { return std::chrono::duration<double>(RunClock::now().time_since_epoch()).count(); }
+std::string folder_of_file(const std::string& path) {
   const std::string folder = fs::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+void to_disk(ControlObject& object, const std::string& path, const Checkpoint& checkpoint) {
   std::error_code unmade; // is told when the file is written
-  if (!folder.empty()) fs::create_directories(folder, unmade);
-  const std::vector<std::string> files(growing_paths().begin(), growing_paths().end());
-  checkpoint.files = growing_files(files, folder.empty() ? "." : folder);
+  fs::create_directories(folder_of_file(path), unmade);
   on_first_rank([&] { write_checkpoint(path, checkpoint); });
   object.checkpointed = true;
   last_written() = RunClock::now();
 }
 
-/// Arrays of a script; asked for when its variables are as they were, for they may be on another mesh then.
-struct RunArrays {
-  Expression u, R;
-  void take(const Eigen::VectorXd& displacement, const Eigen::VectorXd& force, Stack stack) const {
-    to_array(displacement, GetAny<KN_<double>>((*u)(stack)), "stepcontrol.resume");
-    to_array(force, GetAny<KN_<double>>((*R)(stack)), "stepcontrol.resume");
-  }
-};
+void write_run(ControlObject& object, const std::string& path, Stack stack, const ScriptValues& script) {
+  last_written() = RunClock::now();
+  object.standby.clear();
+  to_disk(object, path, checkpoint_of(object, folder_of_file(path), stack, script));
+}
 
-void resume_run(const std::shared_ptr<ControlObject>& shared, const std::string& path,
-                const RunArrays& arrays, Stack stack, const ScriptValues& script) {
-  constexpr const char* WHERE = "stepcontrol.resume";
-  ControlObject& object = *shared;
-  object.running(WHERE);
-  const std::string from = resume_option() == 2 ? path + OLDER : path;
-  const Checkpoint checkpoint = read_checkpoint(from);
-  require_same(from, checkpoint.identity, identity_of_run(object));
-  visit(*object.contact, [&](auto& contact) {
-    constexpr int Dim = dim_of<decltype(contact)>;
-    take_kept_mesh<Dim>(shared, contact, checkpoint);
-    contact.take_solver(checkpoint.solver, stack, WHERE);
-    const RunState<Dim> state = unpacked<Dim>(checkpoint.state);
-    Eigen::VectorXd v, force;
-    stepper_of<Dim>(object).set_state(state, v, force);
-    const std::string folder = fs::path(path).parent_path().string();
-    for (const std::string& file : cut_files(checkpoint.files, folder.empty() ? "." : folder))
-      growing_paths().insert(file);
-    script.restore(stack, checkpoint.values, run_mesh(of_dimension<Dim>(*object.material, WHERE)));
-    arrays.take(v, force, stack);
-    object.u = std::move(v);
+// In memory, for a step that will be given up; without one where memory is short.
+void stand_by(ControlObject& object, const std::string& path, Stack stack, const ScriptValues& script) {
+  const double begun = run_clock();
+  if (minutes_option() == 0 || !first_rank_says(object.standby.due(begun))) return;
+  object.standby.clear();
+  try {
+    Checkpoint checkpoint = checkpoint_of(object, folder_of_file(path), stack, script);
+    const double now = run_clock();
+    object.standby.keep(std::move(checkpoint), now, now - begun);
+  } catch (const std::bad_alloc&) {
+  }
+}
+
+// "": none
+string* write_standby(Stack stack, StepControlHandle* const& control, string* const& path) {
+  return guarded([&] {
+    ControlObject& object = control->get();
+    const Checkpoint* const checkpoint = object.standby.get();
+    if (!checkpoint) return new_string(stack, "");
+    to_disk(object, *path, *checkpoint);
+    std::ostringstream said;
+    said << checkpoint->t;
+    object.standby.clear();
+    return new_string(stack, said.str());
   });
-  *object.control = object.stepper->control();
-  object.statements_at = -1;
-  object.checkpointed = true;
+}
+
+bool later_run(const std::string& path) { return first_rank_says(!later_run_files(path).empty()); }
+
+void resume_run(const std::shared_ptr<ControlObject>& object, const std::string& path,
+                const RunArrays& arrays, Stack stack, const ScriptValues& script) {
+  const bool later = later_run(path);
+  const std::string from = resume_option() == 2 && !later ? path + OLDER : path;
+  const Checkpoint checkpoint = read_checkpoint(from);
+  take_checkpoint(object, {from, folder_of_file(path), later}, checkpoint, arrays, stack, script);
+  object->checkpointed = true;
   last_written() = RunClock::now();
   first_rank_says(true); // all have read it
   cout << "burnish: goes on from " << from << ", t = " << checkpoint.t << " of " << checkpoint.t_end << endl;
@@ -224,6 +167,10 @@ void resume_here(const Expressions& given, Stack stack, const ScriptValues& valu
   const auto object = value_of<Resuming>(given[0], stack);
   resume_run(object->share(), *value_of<string*>(given[1], stack), {given[2], given[3]}, stack, values);
 }
+void stand_by_here(const Expressions& given, Stack stack, const ScriptValues& values) {
+  stand_by(value_of<StepControlHandle*>(given[0], stack)->get(), *value_of<string*>(given[1], stack), stack,
+           values);
+}
 void note_here(const Expressions&, Stack stack, const ScriptValues& values) { values.note(stack); }
 
 bool checkpoint_due(StepControlHandle* const& h) {
@@ -249,19 +196,26 @@ bool resumable(string* const& path) {
 }
 // A run begins anew: the checkpoint of an earlier one counts as the one before the next.
 bool outdated(string* const& path) {
+  const bool over = resume_option() == 0; // the whole script
   on_first_rank([&] {
     std::error_code code;
+    if (over)
+      for (const std::string& later : later_run_files(*path)) fs::remove(later, code);
     if (fs::exists(*path, code)) fs::rename(*path, *path + OLDER, code);
   });
   script_identity();
   return true;
 }
 
+// Of a run that has been resumed: a later one goes on, with the files as they are.
+bool read_for_its_end(StepControlHandle* const& control, string* const& path) {
+  return guarded([&] { return control->get().now().finished() && later_run(*path); });
+}
 // "" : a script without a folder of results
-string* run_file(Stack stack, string* const& folder, const long& number) {
+string* run_file_of_script(Stack stack, string* const& folder, const long& number) {
   const fs::path in =
       folder->empty() ? "out" / fs::path(script_options().script()).stem() : fs::path(*folder);
-  return new_string(stack, (in / ("run-" + std::to_string(number) + ".checkpoint")).string());
+  return new_string(stack, burnish::run_file(in.string(), number));
 }
 
 } // namespace
@@ -285,10 +239,13 @@ void register_checkpoint() {
   add_method<StepControlHandle, ResumeTag>(
       "resume", [] { return new SeesVariables<resume_here, Resuming, string*, KN_<double>, KN_<double>>; });
   Add<StepControlHandle*>("checkpointdue", ".", new OneOperator1_<bool, StepControlHandle*>(checkpoint_due));
+  Global.Add("rcStandBy", "(", new SeesVariables<stand_by_here, StepControlHandle*, string*>);
+  Global.Add("rcStandbyWrite", "(", new OneOperator2s_<string*, StepControlHandle*, string*>(write_standby));
   Global.Add("rcNoteVariables", "(", new SeesVariables<note_here, long>);
   Global.Add("rcResumeOption", "(", new OneOperator1_<long, long>(resume_asked));
   Global.Add("rcResumable", "(", new OneOperator1_<bool, string*>(resumable));
-  Global.Add("rcRunFile", "(", new OneOperator2s_<string*, string*, long>(run_file));
+  Global.Add("rcEndOnly", "(", new OneOperator2_<bool, StepControlHandle*, string*>(read_for_its_end));
+  Global.Add("rcRunFile", "(", new OneOperator2s_<string*, string*, long>(run_file_of_script));
   Global.Add("rcOutdated", "(", new OneOperator1_<bool, string*>(outdated));
 }
 

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// Numbers, texts, arrays, meshes and functions of a finite element space that are visible where FreeFEM compiles a call. Made
+/// Numbers, texts, arrays, maps, meshes and functions of a finite element space, and arrays of them, that are visible where FreeFEM compiles a call. Made
 /// then; asked when the call is executed.
 class ScriptValues {
 public:

@@ -1,7 +1,7 @@
 #pragma once
 // The object behind the script type `stepcontrol`, for the files that register its members.
 #include "base/error.hpp"
-#include "checkpoint/checkpoint.hpp"
+#include "checkpoint/standby.hpp"
 #include "remesh/settle.hpp"
 #include "run/stepper.hpp"
 #include "types.hpp"
@@ -25,6 +25,7 @@ struct ControlObject {
   bool remeshed = false;             // the run is no more on the mesh that it began on
   std::vector<IdentityPart> scene;   // what the run began with, for its checkpoints
   bool checkpointed = false;         // the run has been written to a checkpoint, or goes on from one
+  StandbyCheckpoint standby;         // of a run that may be given up in the middle of a step
   bool under_way() const { return stepper && task != Task::FINISHED && task != Task::STOPPED; }
   ControlObject() = default;
   ControlObject(const ControlObject&) = delete;

@@ -53,6 +53,8 @@ void require_same(const std::string& path, const std::vector<IdentityPart>& then
 /// Sizes of files as they are on the disk now, which has all of them then. Files that are gone are left out.
 /// @param folder of the checkpoint
 std::vector<GrowingFile> growing_files(const std::vector<std::string>& paths, const std::string& folder);
+/// Their paths as a script names them.
+std::vector<std::string> present_paths(const std::vector<GrowingFile>& files, const std::string& folder);
 /// Cuts the files to their sizes at the checkpoint: what came later will be written again.
 /// @throws std::invalid_argument if one is gone or shorter, with nothing cut
 /// @returns their paths as a script names them

@@ -50,9 +50,14 @@ std::vector<GrowingFile> growing_files(const std::vector<std::string>& paths, co
   return files;
 }
 
-std::vector<std::string> cut_files(const std::vector<GrowingFile>& files, const std::string& folder) {
+std::vector<std::string> present_paths(const std::vector<GrowingFile>& files, const std::string& folder) {
   std::vector<std::string> paths;
   for (const GrowingFile& file : files) paths.push_back(present_path(file.path, folder));
+  return paths;
+}
+
+std::vector<std::string> cut_files(const std::vector<GrowingFile>& files, const std::string& folder) {
+  std::vector<std::string> paths = present_paths(files, folder);
   on_first_rank([&] {
     for (std::size_t i = 0; i < files.size(); ++i) require_whole(paths[i], files[i].size);
     for (std::size_t i = 0; i < files.size(); ++i) fs::resize_file(paths[i], files[i].size);
