@@ -74,7 +74,7 @@ template <int Dim>
 SchemeTask EventScheme<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
   const SchemeOptions& o = this->m_options;
   if (!converged) {
-    if (!m_adapt) { // no equilibrium with these states: one with states that agree
+    if (Dim == 3 && !m_adapt) { // no equilibrium with these states: one with states that agree
       this->revert(u, R);
       m_changes = MAX_CHANGES + 1;
       return next_piece();
