@@ -112,7 +112,7 @@ def measure(script, sizes):
             print("other steps, iterations or factors on two processes")
 
 
-SPACE = ["-n 3", "-n 4", "-n 6 -end 0.2", "-n 7 -end 0.2", "-n 23 -layers 4 -end 0.2"]  # the last a plate of 1 039 581 unknowns
+SPACE = ["-n 3", "-n 4", "-n 6 -end 0.2", "-n 7 -end 0.2", "-n 23 -layers 4 -end 0.05"]  # the last a plate of 1 039 581 unknowns
 PLANE = ["-n 37", "-n 52"]
 PHASES = ("factorization", "solve", "update", "assembly")
 
