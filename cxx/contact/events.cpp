@@ -175,8 +175,9 @@ ContactEvent<Dim> node_event(const ContactModel<Dim>& model, const BodyView<Dim>
                              const EventSearch& tolerance) {
   const ContactNode<Dim>& node = step.start->nodes[i];
   if (in_contact(node.state)) return contact_event(model, body, step, ends, i, tolerance);
+  const bool open = node.state == NodeState::FREE || tolerance.meets_released;
   return make_event(body, step, model, i, EventKind::TOUCH,
-                    touch_fraction(model, body, step, i, tolerance.gap));
+                    open ? touch_fraction(model, body, step, i, tolerance.gap) : NEVER);
 }
 
 } // namespace

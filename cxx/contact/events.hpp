@@ -55,6 +55,7 @@ struct EventSearch : Tolerances {
   double closer = 0;
   /// Candidates that must not begin to slide, since nothing else supports their tool; they are released directly.
   std::vector<int> supports = {};
+  bool meets_released = false; ///< released nodes may touch again within the step; in pure rates they drift
 };
 
 /// All events of the step that lie within the tolerance of the earliest; empty if the whole step is free of

@@ -33,6 +33,7 @@ std::vector<ContactEvent<Dim>> ContactRun<Dim>::events(const Eigen::VectorXd& u,
   search.tool_force = m_iteration.balance().tolerances().tool_force.cwiseMax(least);
   if (m_step.stepping != Stepping::RATES) {
     search.compliance = m_corrector.compliance();
+    search.meets_released = true;
     if (options.tied && Dim == 2) search.closer = CLOSER;
   } else { // pure rates do not let them go, see support_after_events
     search.supports = sole_supports(m_setup->model(), m_step.prescribed, m_accepted.contact);

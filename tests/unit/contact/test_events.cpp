@@ -202,6 +202,9 @@ TEST(Events, ReleasedNodesAreMetAgain) {
     scene.add_plate(0, 0.3);
     scene.start.nodes[3].state = released;
     scene.end = scene.start;
+    scene.end.q[1] = -1e-5;
+    EXPECT_TRUE(scene.earliest().empty());
+    scene.tolerance.meets_released = true;
     scene.end.q[1] = -0.9e-6;
     EXPECT_TRUE(scene.earliest().empty());
     scene.end.q[1] = -1e-5;
