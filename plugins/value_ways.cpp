@@ -72,25 +72,41 @@ template <class T> void read_value(Reader& archive, MyMap<String, T>& map) {
 }
 // A mesh: none, that of the run, or another one with its bytes.
 enum class MeshKind : char { NONE, OF_THE_RUN, OTHER };
-template <class Mesh> void write_mesh(Writer& archive, const Mesh* mesh, const RunMesh& run) {
-  const MeshKind kind = !mesh                  ? MeshKind::NONE
-                        : mesh == run.of(mesh) ? MeshKind::OF_THE_RUN
-                                               : MeshKind::OTHER;
+template <class Mesh> void put(Writer& archive, const Mesh** at, const RunMesh& run) {
+  const MeshKind kind = !*at                 ? MeshKind::NONE
+                        : *at == run.of(*at) ? MeshKind::OF_THE_RUN
+                                             : MeshKind::OTHER;
   archive(kind);
-  if (kind == MeshKind::OTHER) archive(mesh_bytes(*mesh));
+  if (kind == MeshKind::OTHER) archive(mesh_bytes(**at));
 }
-template <class Mesh> void read_mesh(Reader& archive, const Mesh*& mesh, const RunMesh& run) {
+template <class Mesh> void take(Reader& archive, const Mesh** at, const RunMesh& run, int turn) {
+  if (turn != MESH_TURN) return;
   MeshKind kind = MeshKind::NONE;
   archive(kind);
   const Mesh* read = nullptr;
-  if (kind == MeshKind::OF_THE_RUN && (read = run.of(mesh))) read->increment();
+  if (kind == MeshKind::OF_THE_RUN && (read = run.of(*at))) read->increment();
   if (kind == MeshKind::OTHER) {
     std::string bytes;
     archive(bytes);
     read = mesh_of_bytes<Mesh>(bytes);
   }
-  if (mesh) mesh->destroy();
-  mesh = read;
+  if (*at) (*at)->destroy();
+  *at = read;
+}
+template <class Mesh> void put(Writer& archive, KN<const Mesh*>* meshes, const RunMesh& run) {
+  archive(static_cast<std::int64_t>(meshes->N()));
+  for (long i = 0; i < meshes->N(); ++i) put(archive, &(*meshes)[i], run);
+}
+template <class Mesh> void take(Reader& archive, KN<const Mesh*>* meshes, const RunMesh& run, int turn) {
+  if (turn != MESH_TURN) return;
+  std::int64_t size = 0;
+  archive(size);
+  const long present = meshes->N();
+  for (long i = size; i < present; ++i)
+    if ((*meshes)[i]) (*meshes)[i]->destroy();
+  meshes->resize(size);
+  for (long i = present; i < size; ++i) (*meshes)[i] = nullptr;
+  for (long i = 0; i < size; ++i) take(archive, &(*meshes)[i], run, turn);
 }
 
 template <class Base> using ScalarOf = std::decay_t<decltype((*std::declval<Base&>().x())[0])>;
@@ -103,8 +119,7 @@ template <class Base> const auto& mesh_of_space(const Base& function) { return (
 template <class Base> bool is_present(const Base& function) {
   return function.Vh && &function.Vh->Th == *mesh_of_space(function);
 }
-template <class Base>
-void write_function(Writer& archive, const std::pair<Base*, int>& function, const RunMesh& run) {
+template <class Base> void put(Writer& archive, std::pair<Base*, int> function, const RunMesh& run) {
   Base& base = *function.first;
   const bool given = function.second == 0 && base.x() && base.Vh;
   const FunctionKind kind = !given             ? FunctionKind::NONE
@@ -113,11 +128,12 @@ void write_function(Writer& archive, const std::pair<Base*, int>& function, cons
   archive(kind);
   if (!given) return;
   archive(base.Vh->Th.nt, base.Vh->Th.nv, measure_of(base.Vh->Th)); // another mesh, another function
-  if (kind == FunctionKind::EARLIER) write_mesh(archive, &base.Vh->Th, run);
+  const auto* mesh = &base.Vh->Th;
+  if (kind == FunctionKind::EARLIER) put(archive, &mesh, run);
   write_value(archive, *base.x());
 }
 template <class Base>
-void read_function(Reader& archive, const std::pair<Base*, int>& function, const RunMesh& run, int turn) {
+void take(Reader& archive, std::pair<Base*, int> function, const RunMesh& run, int turn) {
   Base& base = *function.first;
   FunctionKind kind = FunctionKind::NONE;
   archive(kind);
@@ -128,7 +144,7 @@ void read_function(Reader& archive, const std::pair<Base*, int>& function, const
   archive(triangles, vertices, measure);
   using Mesh = std::decay_t<decltype(base.Vh->Th)>;
   const Mesh* earlier = nullptr;
-  if (kind == FunctionKind::EARLIER) read_mesh(archive, earlier, run);
+  if (kind == FunctionKind::EARLIER) take(archive, &earlier, run, MESH_TURN);
   auto array = std::make_unique<KN<ScalarOf<Base>>>(0);
   read_value(archive, *array);
   KN<ScalarOf<Base>>* const present = base.x();
@@ -145,18 +161,18 @@ void read_function(Reader& archive, const std::pair<Base*, int>& function, const
 }
 
 // An array of them, each as by itself.
-template <class Array>
-void write_functions(Writer& archive, const std::pair<Array*, int>& functions, const RunMesh& run) {
+template <class K, class Space>
+void put(Writer& archive, std::pair<FEbaseArray<K, Space>*, int> functions, const RunMesh& run) {
   archive(static_cast<std::int64_t>(functions.first->N));
   for (int i = 0; i < functions.first->N; ++i) {
     std::ostringstream stream(std::ios::binary);
     Writer one(stream);
-    write_function(one, std::make_pair(functions.first->xx[i], functions.second), run);
+    put(one, std::make_pair(functions.first->xx[i], functions.second), run);
     archive(stream.str());
   }
 }
-template <class Array>
-void read_functions(Reader& archive, const std::pair<Array*, int>& functions, const RunMesh& run, int turn) {
+template <class K, class Space>
+void take(Reader& archive, std::pair<FEbaseArray<K, Space>*, int> functions, const RunMesh& run, int turn) {
   std::int64_t size = 0;
   archive(size);
   if (functions.first->N != size) functions.first->resize(static_cast<int>(size));
@@ -165,8 +181,14 @@ void read_functions(Reader& archive, const std::pair<Array*, int>& functions, co
     archive(bytes);
     std::istringstream stream(bytes, std::ios::binary);
     Reader one(stream);
-    read_function(one, std::make_pair(functions.first->xx[i], functions.second), run, turn);
+    take(one, std::make_pair(functions.first->xx[i], functions.second), run, turn);
   }
+}
+
+// All else.
+template <class T> void put(Writer& archive, T* at, const RunMesh&) { write_value(archive, *at); }
+template <class T> void take(Reader& archive, T* at, const RunMesh&, int turn) {
+  if (turn == LAST_TURN) read_value(archive, *at);
 }
 
 // As FreeFEM's type says it, some without the pointer.
@@ -174,42 +196,11 @@ template <class T> std::string name_of() {
   const auto type = map_type.find(typeid(T).name());
   return type == map_type.end() ? typeid(T).name() : type->second->name();
 }
-template <class T> std::pair<const std::string, ValueWay> pointer_way(const char* name) {
-  return {name_of<T*>(),
-          {name, [](Writer& archive, AnyType at, const RunMesh&) { write_value(archive, *GetAny<T*>(at)); },
-           [](Reader& archive, AnyType at, const RunMesh&, int turn) {
-             if (turn == LAST_TURN) read_value(archive, *GetAny<T*>(at));
-           }}};
-}
-template <class Mesh> std::pair<const std::string, ValueWay> mesh_way(const char* name) {
-  return {
-      name_of<Mesh*>(),
-      {name,
-       [](Writer& archive, AnyType at, const RunMesh& run) { write_mesh(archive, *GetAny<Mesh*>(at), run); },
-       [](Reader& archive, AnyType at, const RunMesh& run, int turn) {
-         if (turn == MESH_TURN) read_mesh(archive, *GetAny<Mesh*>(at), run);
-       }}};
-}
-template <class Base> std::pair<const std::string, ValueWay> function_way(const char* name) {
-  using Pair = std::pair<Base*, int>;
-  return {name_of<Pair>(),
-          {name,
-           [](Writer& archive, AnyType at, const RunMesh& run) {
-             write_function(archive, GetAny<Pair>(at), run);
-           },
+template <class T> std::pair<const std::string, ValueWay> way(const char* name) {
+  return {name_of<T>(),
+          {name, [](Writer& archive, AnyType at, const RunMesh& run) { put(archive, GetAny<T>(at), run); },
            [](Reader& archive, AnyType at, const RunMesh& run, int turn) {
-             read_function(archive, GetAny<Pair>(at), run, turn);
-           }}};
-}
-template <class Array> std::pair<const std::string, ValueWay> functions_way(const char* name) {
-  using Pair = std::pair<Array*, int>;
-  return {name_of<Pair>(),
-          {name,
-           [](Writer& archive, AnyType at, const RunMesh& run) {
-             write_functions(archive, GetAny<Pair>(at), run);
-           },
-           [](Reader& archive, AnyType at, const RunMesh& run, int turn) {
-             read_functions(archive, GetAny<Pair>(at), run, turn);
+             take(archive, GetAny<T>(at), run, turn);
            }}};
 }
 // Only whether it has changed: its factor and its order are FreeFEM's own.
@@ -230,33 +221,35 @@ template <class T> std::pair<const std::string, ValueWay> matrix_way(const char*
 
 const ValueWay* way_of(aType type) {
   static const std::map<std::string, ValueWay> all{
-      pointer_way<double>("real"),
-      pointer_way<long>("int"),
-      pointer_way<bool>("bool"),
-      pointer_way<string*>("string"),
-      pointer_way<Complex>("complex"),
-      pointer_way<KN<double>>("real[int]"),
-      pointer_way<KN<long>>("int[int]"),
-      pointer_way<KN<Complex>>("complex[int]"),
-      pointer_way<KN<String>>("string[int]"),
-      pointer_way<KNM<double>>("real[int,int]"),
-      pointer_way<KNM<long>>("int[int,int]"),
-      pointer_way<KNM<Complex>>("complex[int,int]"),
-      pointer_way<KN<KN<double>>>("real[int][int]"),
-      pointer_way<KN<KN<long>>>("int[int][int]"),
-      pointer_way<MyMap<String, double>>("real[string]"),
-      pointer_way<MyMap<String, long>>("int[string]"),
-      pointer_way<MyMap<String, String>>("string[string]"),
-      mesh_way<pmesh>("mesh"),
-      mesh_way<pmesh3>("mesh in space"),
-      function_way<FEbase<double, v_fes>>("function"),
-      function_way<FEbase<Complex, v_fes>>("complex function"),
-      function_way<FEbase<double, v_fes3>>("function in space"),
-      function_way<FEbase<Complex, v_fes3>>("complex function in space"),
-      functions_way<FEbaseArray<double, v_fes>>("functions"),
-      functions_way<FEbaseArray<Complex, v_fes>>("complex functions"),
-      functions_way<FEbaseArray<double, v_fes3>>("functions in space"),
-      functions_way<FEbaseArray<Complex, v_fes3>>("complex functions in space"),
+      way<double*>("real"),
+      way<long*>("int"),
+      way<bool*>("bool"),
+      way<string**>("string"),
+      way<Complex*>("complex"),
+      way<KN<double>*>("real[int]"),
+      way<KN<long>*>("int[int]"),
+      way<KN<Complex>*>("complex[int]"),
+      way<KN<String>*>("string[int]"),
+      way<KNM<double>*>("real[int,int]"),
+      way<KNM<long>*>("int[int,int]"),
+      way<KNM<Complex>*>("complex[int,int]"),
+      way<KN<KN<double>>*>("real[int][int]"),
+      way<KN<KN<long>>*>("int[int][int]"),
+      way<MyMap<String, double>*>("real[string]"),
+      way<MyMap<String, long>*>("int[string]"),
+      way<MyMap<String, String>*>("string[string]"),
+      way<pmesh*>("mesh"),
+      way<pmesh3*>("mesh in space"),
+      way<KN<pmesh>*>("mesh[int]"),
+      way<KN<pmesh3>*>("mesh[int] in space"),
+      way<std::pair<FEbase<double, v_fes>*, int>>("function"),
+      way<std::pair<FEbase<Complex, v_fes>*, int>>("complex function"),
+      way<std::pair<FEbase<double, v_fes3>*, int>>("function in space"),
+      way<std::pair<FEbase<Complex, v_fes3>*, int>>("complex function in space"),
+      way<std::pair<FEbaseArray<double, v_fes>*, int>>("functions"),
+      way<std::pair<FEbaseArray<Complex, v_fes>*, int>>("complex functions"),
+      way<std::pair<FEbaseArray<double, v_fes3>*, int>>("functions in space"),
+      way<std::pair<FEbaseArray<Complex, v_fes3>*, int>>("complex functions in space"),
       matrix_way<double>("matrix"),
       matrix_way<Complex>("complex matrix")};
   const auto found = all.find(type->name());

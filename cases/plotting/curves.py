@@ -222,12 +222,13 @@ def pressure_figure(run, mu=None, expected=None):
     width = 7.5 if columns == 1 else 10.5
     figure, panels = new_figure(width, 0.9 + 3.6 * rows, nrows=rows, ncols=columns, squeeze=False)
     at_time = "" if run.t is None else f" at t = {run.t:.4g}"
+    what = "Pressure and friction" if run.surface["traction_tangential"].any() else "Pressure"
     for axes, name in zip(panels.flat, names):
         pressure_panel(axes, run, name, mu, expected, 3 if columns == 1 else 2)
-        axes.set_title(u.plain(name) if columns > 1 else f"Pressure and friction under {u.plain(name)}{at_time}")
+        axes.set_title(u.plain(name) if columns > 1 else f"{what} under {u.plain(name)}{at_time}")
     if columns > 1:
         shown = f", {len(names)} of {len(touching)} tools" if len(names) < len(touching) else ""
-        figure.suptitle(f"Pressure and friction{at_time}{shown}")
+        figure.suptitle(f"{what}{at_time}{shown}")
     for axes in list(panels.flat)[len(names):]:
         axes.set_visible(False)
     return figure

@@ -36,6 +36,7 @@ string said = "";
 Ph<complex> wave = 0;
 Ph[int] series(1);
 Vh[int] [a, b](2);
+mesh[int] all(1);
 matrix A = [[1., 0.], [0., 1.]];
 int programs = 0, meshes = 0;
 list = 0; table = 0; series[0] = 0; [a[0], b[0]] = [0, 0]; [a[1], b[1]] = [0, 0];
@@ -56,6 +57,7 @@ func int record(real t) {
   z += t*1i; list[1] += z; table(0, 1) += z;
   lists[0].resize(lists[0].n + 1); lists[0][lists[0].n - 1] = t; lists[1].resize(2); lists[1] = t;
   numbers["sum"] = numbers["sum"] + t; counts["steps"] = counts["steps"] + 1; said = said + counts["steps"]; words["said"] = said;
+  all.resize(counts["steps"]); all[counts["steps"] - 1] = Th;
   wave = wave + 1i*t*x;
   series.resize(programs); series[programs - 1] = t*x;   // early ones stay on the first mesh
   [a[1], b[1]] = [a[1] + t*x, b[1] + y];
@@ -64,12 +66,13 @@ func int record(real t) {
   return 0;
 }
 rcRun(C, M, u[], S, program, record)
-real early = 0, late = 0;
+real early = 0, late = 0, areas = 0;
+for (int i = 0; i < counts["steps"]; ++i) areas += all[i].area*all[i].nv;
 for (int i = 0; i < programs; ++i) { early += series[i][].sum; late += series[i][].n; }
 ofstream last("last.txt");
 last.precision(17);
 last << z << " " << list[1] << " " << table(0, 1) << " " << lists[0].n << " " << lists[0].sum << " " << lists[1].sum << " " << numbers["sum"] << " " << counts["steps"] << " "
-     << words["said"] << " " << imag(wave(5, 5)) << " " << early << " " << late << " " << a[1][].sum << " " << programs << " " << platen.force("y") << endl;
+     << words["said"] << " " << imag(wave(5, 5)) << " " << early << " " << late << " " << a[1][].sum << " " << areas << " " << programs << " " << platen.force("y") << endl;
 END
 # run FOLDER STATUS OPTIONS...
 run() {

@@ -105,6 +105,7 @@ def pressure_panel(figure, axes, run, tool, mine, view):
         keys.append(Line2D([], [], color="black", marker=r"$\rightarrow$", markersize=12, linestyle="none",
                            label=f"friction on the workpiece, longest {amount(largest, run.units.stress_unit)}"))
     key_under_labels(axes, keys, 2)
+    return bool(largest)
 
 
 def panel_size(boxes, columns):
@@ -127,14 +128,15 @@ def pressure_figure(run):
     wide, high = panel_size([contact_box(places_in(view, surface.points[nodes])) for view, nodes in zip(views, mine)], columns)
     figure, panels = new_figure(columns * wide, rows * high, nrows=rows, ncols=columns, squeeze=False)
     when, without = f"t = {run.last.t:.4g}", [plain(run.tool_name(k)) for k in run.tracks if k not in surface.data["tool"][files.touching(surface)]]
-    for axes, tool, nodes, view in zip(panels.flat, tools, mine, views):
-        pressure_panel(figure, axes, run, tool, nodes, view)
+    rubbing = [pressure_panel(figure, axes, run, *one) for axes, *one in zip(panels.flat, tools, mine, views)]
+    what = "Pressure and friction" if any(rubbing) else "Pressure"
+    for axes, tool, view in zip(panels.flat, tools, views):
         name = plain(run.tool_name(tool))
-        axes.set_title(f"{name}, seen {view.words}" if len(tools) > 1 else f"Pressure and friction under {name} at {when}, seen {view.words}", fontsize=11)
+        axes.set_title(f"{name}, seen {view.words}" if len(tools) > 1 else f"{what} under {name} at {when}, seen {view.words}", fontsize=11)
     for axes in list(panels.flat)[len(tools):]:
         axes.set_visible(False)
     if len(tools) > 1 or without:
-        told = (f"Pressure and friction at {when}; " if len(tools) > 1 else "") + (f"no contact at the end: {', '.join(without)}" if without else "")
+        told = (f"{what} at {when}; " if len(tools) > 1 else "") + (f"no contact at the end: {', '.join(without)}" if without else "")
         figure.suptitle(told.removesuffix("; "), fontsize=12)
     return figure
 
