@@ -163,7 +163,7 @@ $(SUITES:%=test-%): test-%: packages
 	$(COMPILE) $(if $(call scripts,$*),compile,$(WRAPPER)) $(call program,$*)
 	@$(TEST) $(call suite,$*)
 
-test-manual: export TIMEOUT ?= 3000
+test-manual test-long: export TIMEOUT ?= 3000
 test-viewers: BESIDE = viewers
 test-labs: BESIDE = labs
 test-mpi: BESIDE = mpi
@@ -188,7 +188,7 @@ bench: build ## kernels and whole scenes against the ratios of the last release 
 bench-growth: build ## time and memory of some ten steps, in the plane to 270 000 unknowns, in space to 200 000 (twenty minutes); OPTIONS="--most 50000"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) tests/benchmark/bench.py --growth $(OPTIONS)
 
-bench-processes: ## a model of up to 64 processes; OPTIONS=--measure: beside runs on one and two, which want two quiet cores (an hour)
+bench-processes: ## a model of up to 64 processes; OPTIONS=--measure: beside runs on one and two, which want two quiet cores (20 minutes)
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) -B tests/benchmark/processes.py $(OPTIONS)
 
 install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines for plain FreeFem++ are printed
