@@ -2,7 +2,7 @@
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from plotting import arrows, contact
+from plotting import contact, drives
 from plotting import units as u
 from plotting.figure import BLUE, GRAY, GREEN, ORANGE, PURPLE, RED, SKY, key_under_labels, new_figure, say_empty
 
@@ -89,10 +89,10 @@ RESULTANTS = ("_Fx", "_Fy", "_Fz", "_Mx", "_My", "_Mz")  # of supports and tools
 
 def out_of_balance(run):
     """Columns of the drives whose prescribed force is zero, or whose reaction is by symmetry: what they show is what is left of the equilibrium."""
-    drives = {name: drive for name, drive in arrows.drives(run).items() if "Q_" + name in run.history}
-    loads = {name: arrows.load_of({**drive, "force": np.nanmax(np.abs(run.history["Q_" + name]))}, run.size()) for name, drive in drives.items()}
-    most = arrows.NOISE * max(loads.values(), default=0)
-    return {"Q_" + name for name, load in loads.items() if load <= (most if drives[name]["kind"] == "force" else LEFT * most)}
+    driven = {name: drive for name, drive in drives.given(run).items() if "Q_" + name in run.history}
+    loads = {name: drives.load_of({**drive, "force": np.nanmax(np.abs(run.history["Q_" + name]))}, run.size()) for name, drive in driven.items()}
+    most = drives.NOISE * max(loads.values(), default=0)
+    return {"Q_" + name for name, load in loads.items() if load <= (most if driven[name]["kind"] == "force" else LEFT * most)}
 
 
 def default_panels(run):

@@ -1,8 +1,8 @@
-"""Arrows of what the program prescribes, over a picture in space: plotting/arrows.py finds and places them, here they are projected."""
+"""Arrows of what the program prescribes, over a picture in space: plotting/drives.py finds them, plotting/arrows.py places them, here they are projected."""
 import numpy as np
 from matplotlib.path import Path
 
-from plotting import arrows, maps
+from plotting import arrows, drives, maps
 from plotting.space import files
 from plotting.space.run import unit
 
@@ -32,7 +32,7 @@ def projected(shape, eye, up):
     """The shape in the plane of the picture."""
     right = unit(np.cross(up, eye))
     screen = np.column_stack([right, unit(np.cross(eye, right))])
-    if shape.kind == arrows.STRAIGHT:
+    if shape.kind == drives.STRAIGHT:
         direction = shape.points @ screen
         return shape._replace(points=direction * max(1.0, LEAST / max(np.linalg.norm(direction), 1e-9)))
     front = eye - (eye @ shape.points) * shape.points
@@ -82,6 +82,6 @@ def draw_arrows(axes, run, frame, scene, words=("motion", "force"), taken=np.emp
     may cover"""
     size = max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
     length = np.ptp(np.vstack([frame.body.points.min(axis=0), frame.body.points.max(axis=0)]), axis=0).max()
-    found = [arrow._replace(shape=projected(arrow.shape, scene.eye, run.up)) for arrow in arrows.arrows(run, length)]
+    found = [arrow._replace(shape=projected(arrow.shape, scene.eye, run.up)) for arrow in drives.arrows(run, length)]
     return arrows.put(axes, run, found, seen_tools(run, frame, scene, arrows.grid_of(axes)),
                       np.vstack([covered(axes, frame, scene, size, run.up), np.repeat(taken, WORDS, axis=0)]), words)
