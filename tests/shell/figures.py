@@ -3,6 +3,7 @@ the target of its folder; every line of figures.csv is shown, and a sweep's is t
 
 figures.py [FOLDER]: the pages of FOLDER, all of the tree unless given; prints what is wrong, exit status 1
 """
+import os
 import re
 import shlex
 import sys
@@ -17,7 +18,11 @@ SHOWN = re.compile(r"!\[[^\]]*\]\(([^)\s]+)\)")
 
 
 def pages(folder):
-    return sorted(page for page in folder.rglob("*.md") if not {"build", "out"} & set(page.relative_to(folder).parts))
+    found = []
+    for at, folders, files in os.walk(folder):
+        folders[:] = sorted(set(folders) - {"build", "out"})
+        found += [Path(at, name) for name in files if name.endswith(".md")]
+    return sorted(found)
 
 
 def wrong_picture(picture, made):

@@ -11,7 +11,7 @@ sys.path[:0] = [str(TOP / "cases"), str(TOP / "tests/support")]
 import numpy as np
 from picture import faults
 from PIL import Image
-from plotting import arrows, case, contact, curves, fields, units
+from plotting import case, contact, curves, drives, fields, units
 from plotting.figure import new_figure, save
 from plotting.inputs import InputError
 from plotting.run import Run
@@ -189,14 +189,14 @@ class Arrows(unittest.TestCase):
         run.history = {**run.history, **{name: values(run.history["t"]) for name, (_, _, values) in drives.items()}}
         return run
 
-    def found(self, size=40.0, **drives):
-        return [(a.shape.kind, list(np.atleast_1d(a.shape.points)), a.both, a.what) for a in arrows.arrows(self.run_with(**drives), size)]
+    def found(self, size=40.0, **given):
+        return [(a.shape.kind, list(np.atleast_1d(a.shape.points)), a.both, a.what) for a in drives.arrows(self.run_with(**given), size)]
 
     def test_of_a_run(self):
         run = Run(str(FINISHED))
         self.assertEqual({name: drive["kind"] for name, drive in run.summary["drive"].items()},
                          {"x": "motion", "y": "force", "angle": "force"})
-        (force,) = arrows.arrows(run, 40.0)
+        (force,) = drives.arrows(run, 40.0)
         self.assertEqual((force.tool, force.shape.kind, force.both), ("roller", "straight", False))
         np.testing.assert_allclose(force.shape.points, [0, -1])
         self.assertEqual(force.text, units.amount(4e5 * run.units.force, run.units.force_unit))
@@ -214,18 +214,18 @@ class Arrows(unittest.TestCase):
         self.assertEqual(self.found(angle=("motion", turn, lambda t: -t)), [("turn", [-1], False, "motion")])
         self.assertEqual(self.found(angle=("force", turn, lambda t: -t)), [("turn", [-1], False, "free turn")])     # it idles
         self.assertEqual(self.found(angle=("force", turn, lambda t: 0.1 * t)), [])
-        self.assertEqual(arrows.arrows(self.run_with(), 40.0), [])                  # of older files
+        self.assertEqual(drives.arrows(self.run_with(), 40.0), [])                  # of older files
 
     def test_how_far(self):
         """A motion and its way back say the length, a turn the angle; of the only coordinate of a tool it is what the outlines of the tool went."""
         along, turn = [1.0, 0, 0], [0, 0, 1.0]
         length = lambda number: units.amount(number, Run(str(FINISHED)).units.length_unit)
-        text = lambda **drives: [a.text for a in arrows.arrows(self.run_with(**drives), 40.0)]
+        text = lambda **given: [a.text for a in drives.arrows(self.run_with(**given), 40.0)]
         self.assertEqual(text(x=("motion", along, lambda t: 0.01 * t), angle=("motion", turn, lambda t: -t)), [length(10), "57.3°"])
         self.assertEqual(text(x=("motion", along, lambda t: 0.01 * np.sin(2 * np.pi * t)), angle=("motion", turn, lambda t: 0.1 * t))[0][-10:], ", and back")
         run = self.run_with(x=("motion", along, lambda t: 0.01 * t))
         run.tools = [Outline("roller", t, o.points + [3.0 * t**2, 4.0 * t**2]) for o in run.tools[:1] for t in (0.0, 0.5, 1.0)]
-        self.assertEqual([a.text for a in arrows.arrows(run, 40.0)], [length(5)])
+        self.assertEqual([a.text for a in drives.arrows(run, 40.0)], [length(5)])
 
     def test_nothing_is_covered(self):
         """Neither the value nor the arrow lies on a node, an outline or the other arrow."""

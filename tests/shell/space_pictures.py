@@ -14,7 +14,7 @@ sys.path[:0] = [str(TOP / "cases"), str(TOP / "tests/support")]
 import numpy as np
 from PIL import Image
 from picture import faults
-from plotting import arrows, case
+from plotting import case, drives
 from plotting.border import new_figure
 from plotting.inputs import InputError
 from plotting.run import Run
@@ -153,21 +153,21 @@ class Arrows(unittest.TestCase):
         self.run_.history = {**self.run_.history, "turn": -self.run_.history["t"], "Q_turn": 0 * self.run_.history["t"]}
 
     def test_found(self):
-        found = [(a.tool, a.what, a.shape.kind, list(a.shape.points), a.text) for a in arrows.arrows(self.run_, 1.0)]
+        found = [(a.tool, a.what, a.shape.kind, list(a.shape.points), a.text) for a in drives.arrows(self.run_, 1.0)]
         self.assertEqual(found, [("plate", "motion", "straight", [1, 0, 0], "0.3 mm"), ("plate", "force", "straight", [0, 0, -1], "50 N"),
                                  ("plate", "motion", "turn", [0, -1, 0], "57.3°")])
 
     def test_projected(self):
         """To the right what goes along, upward what goes up; a turn about the eye's direction is counterclockwise."""
         eye, up = scene.eye_of(self.run_), self.run_.up
-        along, upward = (projected(arrows.Shape("straight", v), eye, up).points for v in (self.run_.along, up))
+        along, upward = (projected(drives.Shape("straight", v), eye, up).points for v in (self.run_.along, up))
         self.assertGreater(along[0], abs(along[1]))
         self.assertAlmostEqual(upward[0], 0, delta=1e-12)
         self.assertGreater(upward[1], 0.5)
         for sense in (1, -1):
-            x, y = projected(arrows.Shape("turn", sense * eye / np.linalg.norm(eye)), eye, up).points.T
+            x, y = projected(drives.Shape("turn", sense * eye / np.linalg.norm(eye)), eye, up).points.T
             self.assertGreater(sense * (x[:-1] * y[1:] - y[:-1] * x[1:]).sum(), 0)
-        self.assertGreater(np.linalg.norm(projected(arrows.Shape("straight", eye / np.linalg.norm(eye) + 1e-3 * up), eye, up).points), 0.3)
+        self.assertGreater(np.linalg.norm(projected(drives.Shape("straight", eye / np.linalg.norm(eye) + 1e-3 * up), eye, up).points), 0.3)
 
     def test_contact_is_not_covered(self):
         """Neither arrows nor their values lie on the contact surface or on one another, in the scene and in the gallery's picture."""
