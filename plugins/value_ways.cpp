@@ -73,9 +73,7 @@ template <class T> void read_value(Reader& archive, MyMap<String, T>& map) {
 // A mesh: none, that of the run, or another one with its bytes.
 enum class MeshKind : char { NONE, OF_THE_RUN, OTHER };
 template <class Mesh> void put(Writer& archive, const Mesh** at, const RunMesh& run) {
-  const MeshKind kind = !*at                 ? MeshKind::NONE
-                        : *at == run.of(*at) ? MeshKind::OF_THE_RUN
-                                             : MeshKind::OTHER;
+  const MeshKind kind = !*at ? MeshKind::NONE : *at == run.of(*at) ? MeshKind::OF_THE_RUN : MeshKind::OTHER;
   archive(kind);
   if (kind == MeshKind::OTHER) archive(mesh_bytes(**at));
 }
