@@ -14,7 +14,8 @@ def off(r, name):
 def ball():
     """Errors of every load against what is known."""
     runs = [("-what pressed -n 4", ""), ("-what pressed", "n = 6"), ("-what yield", "n = 6"), ("-what dragged", "n = 4"),
-            ("-what dragged -n 6", ""), ("-what twisted -steps 8", "n = 3"), ("-what twisted -steps 8 -n 4", ""), ("-what twisted -steps 8 -n 5", "")]
+            ("-what dragged -n 6", ""), ("-what twisted -steps 8", "n = 3"), ("-what twisted -steps 8 -n 4", ""), ("-what twisted -steps 8 -n 5", ""),
+            ("-what twisted -steps 8 -n 6", "")]
     rows = []
     for options, n in runs:
         r = run("ball", f"{options} -series 0 -check 0")
