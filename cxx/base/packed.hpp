@@ -6,14 +6,36 @@
 
 namespace burnish {
 
+/// What is written is counted and goes to the end of a string, if there is one: written twice, it takes no more memory than its size.
+class EndOfString : public std::streambuf {
+public:
+  explicit EndOfString(std::string* bytes) : m_bytes(bytes) {}
+  std::size_t count() const { return m_count; }
+
+private:
+  std::streamsize xsputn(const char* from, std::streamsize size) override {
+    if (m_bytes) m_bytes->append(from, static_cast<std::size_t>(size));
+    m_count += static_cast<std::size_t>(size);
+    return size;
+  }
+  std::string* m_bytes;
+  std::size_t m_count = 0;
+};
+
 /// Dimension and value.
 template <int Dim, class Value> std::string bytes_of(const Value& value) {
-  std::ostringstream bytes(std::ios::binary);
-  {
-    Writer archive(bytes);
+  const auto put = [&](EndOfString& end) {
+    std::ostream stream(&end);
+    Writer archive(stream);
     archive(Dim, value);
-  }
-  return bytes.str();
+  };
+  EndOfString counted(nullptr);
+  put(counted);
+  std::string bytes;
+  bytes.reserve(counted.count());
+  EndOfString end(&bytes);
+  put(end);
+  return bytes;
 }
 
 /// @param where function that is named in errors; @param what "state", "mesh"

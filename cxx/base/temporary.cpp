@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <stdlib.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,32 +21,56 @@ std::string pattern(const std::string& extension) {
   return (folder / ("burnishXXXXXX" + extension)).string();
 }
 
-} // namespace
+// Its path, "" if it cannot be made.
+std::string made(std::string path, int extension) {
+  if (extension == Remover::FOLDER) return mkdtemp(path.data()) ? path : "";
+  const int handle = mkstemps(path.data(), extension);
+  if (handle >= 0) close(handle);
+  return handle >= 0 ? path : "";
+}
+
+// That of a file that the other process has made, "" if it ends before.
+std::string path_from(int connection, std::size_t size) {
+  std::string path(size, 0);
+  std::size_t have = 0;
+  for (ssize_t got = 1; have < size && got != 0;) {
+    got = read(connection, path.data() + have, size - have);
+    if (got < 0 && errno != EINTR) break;
+    if (got > 0) have += static_cast<std::size_t>(got);
+  }
+  return have == size ? path : "";
+}
 
 // The copy of this process shares all its files; it closes what it has no part in.
-void Remover::watch(const std::string& path) {
-  m_path = path;
+[[noreturn]] void make_and_remove(int connection, const std::string& pattern, int extension) {
+  setsid();
+  dup2(connection, 0);
+  close_range(1, ~0U, 0);
+  const std::string path = made(pattern, extension);
+  if (path.empty()) _exit(1);
+  char byte = 0;
+  if (write(0, path.data(), path.size()) > 0) // else this process has ended
+    while (read(0, &byte, 1) < 0 && errno == EINTR) {
+    }
+  std::error_code code;
+  std::filesystem::remove_all(path, code);
+  _exit(0);
+}
+
+} // namespace
+
+std::string Remover::make(const std::string& pattern, int extension) {
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) return;
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return m_path = made(pattern, extension);
   sigset_t all, before;
   sigfillset(&all);
   sigprocmask(SIG_SETMASK, &all, &before); // Ctrl-C reaches both processes
   m_process = fork();
-  if (m_process == 0) {
-    setsid();
-    close(ends[1]);
-    dup2(ends[0], 0);
-    close_range(1, ~0U, 0);
-    char byte = 0;
-    while (read(0, &byte, 1) < 0 && errno == EINTR) {
-    }
-    std::error_code code;
-    std::filesystem::remove_all(path, code);
-    _exit(0);
-  }
+  if (m_process == 0) make_and_remove(ends[1], pattern, extension);
   sigprocmask(SIG_SETMASK, &before, nullptr);
-  close(ends[0]);
-  m_end = ends[1];
+  close(ends[1]);
+  m_end = ends[0];
+  return m_path = m_process > 0 ? path_from(m_end, pattern.size()) : made(pattern, extension);
 }
 
 void Remover::remove() {
@@ -60,11 +85,8 @@ void Remover::remove() {
 }
 
 TemporaryFile::TemporaryFile(const std::string& text, const std::string& extension)
-    : m_path(pattern(extension)) {
-  const int handle = mkstemps(m_path.data(), static_cast<int>(extension.size()));
-  if (handle < 0) fail("TemporaryFile", "no temporary file can be made as " + m_path);
-  m_remover.watch(m_path);
-  close(handle);
+    : m_path(m_remover.make(pattern(extension), static_cast<int>(extension.size()))) {
+  if (m_path.empty()) fail("TemporaryFile", "no temporary file can be made as " + pattern(extension));
   std::ofstream stream(m_path, std::ios::binary);
   stream << text;
   stream.close();
@@ -75,9 +97,8 @@ TemporaryFile::TemporaryFile(const std::string& text, const std::string& extensi
 
 TemporaryFile::~TemporaryFile() { m_remover.remove(); }
 
-TemporaryFolder::TemporaryFolder() : m_path(pattern("")) {
-  if (!mkdtemp(m_path.data())) fail("TemporaryFolder", "no temporary folder can be made as " + m_path);
-  m_remover.watch(m_path);
+TemporaryFolder::TemporaryFolder() : m_path(m_remover.make(pattern(""), Remover::FOLDER)) {
+  if (m_path.empty()) fail("TemporaryFolder", "no temporary folder can be made as " + pattern(""));
 }
 
 TemporaryFolder::~TemporaryFolder() { m_remover.remove(); }

@@ -4,16 +4,20 @@
 
 namespace burnish {
 
-/// A process that removes a file or folder as soon as this one ends, however it ends, or closes it.
+/// A process that makes a file or folder, and removes it as soon as this one ends, however and whenever it ends, or closes it.
 class Remover {
 public:
-  void watch(const std::string& path);
+  /// @param pattern path whose last six letters before the extension are XXXXXX; those of the name that is made are others
+  /// @param extension letters behind them, FOLDER: a folder is made, which has none
+  /// @returns its path, "" if it cannot be made
+  std::string make(const std::string& pattern, int extension);
+  static constexpr int FOLDER = -1;
   /// Removes it now.
   void remove();
 
 private:
   std::string m_path;
-  int m_end = -1; // of a pipe: the other process reads until it is closed
+  int m_end = -1; // of a connection: the other process reads until it is closed
   int m_process = -1;
 };
 
@@ -29,8 +33,8 @@ public:
   const std::string& path() const { return m_path; }
 
 private:
-  std::string m_path;
   Remover m_remover;
+  std::string m_path;
 };
 
 /// An empty folder there; removed with all that is in it.
@@ -44,8 +48,8 @@ public:
   const std::string& path() const { return m_path; }
 
 private:
-  std::string m_path;
   Remover m_remover;
+  std::string m_path;
 };
 
 /// All bytes of a file; "" if it cannot be read.

@@ -102,7 +102,6 @@ TMPDIR="$SCRATCH/tmp" "$BURNISH" "$SCRATCH/asleep.edp" >"$SCRATCH/asleep.log" 2>
 process=$!
 for _ in {1..200}; do [ -z "$(ls -A "$SCRATCH/tmp")" ] || break; sleep 0.05; done
 [ -n "$(ls -A "$SCRATCH/tmp")" ] || report "no temporary folder was made"
-sleep 0.3 # the process that will remove it starts after the folder is there
 kill -s KILL "$process"
 wait "$process" 2>/dev/null
 for _ in {1..100}; do [ -n "$(ls -A "$SCRATCH/tmp")" ] || break; sleep 0.05; done
