@@ -1,5 +1,4 @@
 #include "solver/cholmod_solver.hpp"
-#include "solver/fill_ordering.hpp"
 #include "solver/ordered_factor.hpp"
 #include <algorithm>
 
@@ -31,7 +30,7 @@ void CholmodSolver::analyze(const SparseView& pattern) {
   Graph graph;
   graph.row_start.assign(pattern.row_start, pattern.row_start + pattern.n + 1);
   graph.col.assign(pattern.col, pattern.col + graph.row_start.back());
-  const std::vector<int> order = fill_reducing_order(graph, Ordering::AMD);
+  const auto [order, halves] = elimination_order(graph, Ordering::AMD, pattern.n, m_impl->dim);
   auto& place = m_impl->place;
   place.resize(pattern.n);
   for (int k = 0; k < pattern.n; ++k) place[order[k]] = k;
@@ -48,8 +47,8 @@ void CholmodSolver::analyze(const SparseView& pattern) {
       row[at] = std::max(place[i], place[graph.col[k]]);
       m_impl->slot[at] = k;
     }
-  if (!m_impl->factor || m_impl->factor->size() != pattern.n)
-    m_impl->factor = make_ordered_factor(pattern.n, m_impl->dim);
+  m_impl->factor.reset(); // two factors at a time are never held
+  m_impl->factor = make_ordered_factor(pattern.n, m_impl->dim, halves);
   m_impl->factor->analyze(std::move(start), std::move(row));
 }
 

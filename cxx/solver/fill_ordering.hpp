@@ -1,5 +1,6 @@
 #pragma once
 // Fill-reducing orders of symmetric graphs.
+#include <array>
 #include <vector>
 
 namespace burnish {
@@ -26,6 +27,14 @@ template <> inline constexpr Ordering usual_ordering<2> = Ordering::AMD;
 /// @return order[k] = vertex eliminated at k; empty for an empty graph
 /// @throws std::bad_alloc, std::runtime_error on a CHOLMOD error (a neighbor out of range)
 std::vector<int> fill_reducing_order(const Graph& graph, Ordering ordering);
+
+/// An order of elimination of a body that two ranks may divide.
+struct EliminationOrder {
+  std::vector<int> order; ///< order[k] = vertex eliminated at k
+  std::array<int, 2> halves{
+      0,
+      0}; ///< vertices of the two halves, which come first; then what separates them. 0 of an undivided body
+};
 
 /// Two halves without an edge between them and with about as many vertices each, by METIS; without METIS all are in half 0.
 /// @return per vertex its half, 0 or 1, or SEPARATOR

@@ -1,6 +1,7 @@
 #pragma once
 // Factor of a sparse symmetric matrix whose owner has ordered it, the candidates of the contact last.
 #include "solver/factor_status.hpp"
+#include "solver/fill_ordering.hpp"
 #include <Eigen/Dense>
 #include <memory>
 #include <vector>
@@ -38,9 +39,16 @@ public:
   virtual std::size_t factor_entries() const = 0;
 };
 
-/// By CHOLMOD; of a divided body by CHOLMOD on two ranks, by MUMPS on more.
+/// An order for the factor that make_ordered_factor gives.
+/// @param graph    of what is eliminated first: all but c
 /// @param unknowns of the matrix
 /// @param dim      of the body
-std::unique_ptr<OrderedFactor> make_ordered_factor(int unknowns, int dim);
+/// @throws as fill_reducing_order
+EliminationOrder elimination_order(const Graph& graph, Ordering ordering, int unknowns, int dim);
+
+/// By CHOLMOD; of a divided body by CHOLMOD on two ranks, by MUMPS on more.
+/// @param unknowns, dim  as above
+/// @param halves         unknowns of the halves that elimination_order found
+std::unique_ptr<OrderedFactor> make_ordered_factor(int unknowns, int dim, const std::array<int, 2>& halves);
 
 } // namespace burnish

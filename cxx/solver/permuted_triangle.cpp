@@ -1,7 +1,8 @@
 #include "solver/permuted_triangle.hpp"
 #include "base/error.hpp"
-#include "solver/fill_ordering.hpp"
+#include "solver/ordered_factor.hpp"
 #include "solver/required_memory.hpp"
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -85,7 +86,14 @@ void order_dofs(const NodeBlockMatrix<Dim>& pattern, const std::vector<char>& fi
     for (int dof = Dim * node; dof < Dim * (node + 1); ++dof)
       if (!fixed[dof]) triangle.order.push_back(dof);
   };
-  for (int k : fill_reducing_order(graph, usual_ordering<Dim>)) append_free_dofs(interior[k]);
+  const auto unknowns = static_cast<int>(std::count(fixed.begin(), fixed.end(), 0));
+  const auto [order, halves] = elimination_order(graph, usual_ordering<Dim>, unknowns, Dim);
+  std::size_t at = 0;
+  for (int half : {0, 1}) {
+    for (int k = 0; k < halves[half]; ++k) append_free_dofs(interior[order[at++]]);
+    triangle.halves[half] = static_cast<int>(triangle.order.size()) - triangle.halves[0];
+  }
+  while (at < order.size()) append_free_dofs(interior[order[at++]]);
   triangle.num_interior = static_cast<int>(triangle.order.size());
   for (int node : candidates) append_free_dofs(node);
 }

@@ -3,6 +3,7 @@
 // the contact candidates, whose Schur complement is thereby the trailing block of the factor
 // (METHOD.md 5.3).
 #include "solver/node_block_matrix.hpp"
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace burnish {
 struct PermutedTriangle {
   std::vector<int> order;          ///< free dofs in the order of elimination
   int num_interior = 0;            ///< the first of them, the others belong to candidates
+  std::array<int, 2> halves{0, 0}; ///< the first of these, of a body that two ranks divide: of either half
   std::vector<int> col_start{0};   ///< order.size() + 1
   std::vector<int> row;            ///< per entry, >= its column
   std::vector<std::uint32_t> slot; ///< per entry, its place in NodeBlockMatrix::value (lower triangle of A)

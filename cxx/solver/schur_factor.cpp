@@ -112,7 +112,8 @@ void SchurFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::v
   fresh.solves = m_impl->solves;
   release(); // two factors at a time are never held
   fresh.triangle = permute_candidates_last(pattern, fixed, candidates);
-  fresh.factor = make_ordered_factor(static_cast<int>(fresh.triangle.order.size()), Dim);
+  fresh.factor =
+      make_ordered_factor(static_cast<int>(fresh.triangle.order.size()), Dim, fresh.triangle.halves);
   fresh.factor->analyze(std::move(fresh.triangle.col_start), std::move(fresh.triangle.row),
                         fresh.triangle.num_interior);
   fresh.row_start = pattern.row_start;

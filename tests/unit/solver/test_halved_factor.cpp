@@ -69,15 +69,54 @@ private:
   int m_rank;
 };
 
-/// Both ranks do the same, each with its factor.
+/// Both ranks do the same.
 template <class F> void on_both(F&& f) {
   Meeting meeting;
   Thread first(meeting, 0), second(meeting, 1);
-  HalvedFactor one(first), other(second);
-  std::thread beside([&] { f(other, 1); });
-  f(one, 0);
+  std::thread beside([&] { f(second); });
+  f(first);
   beside.join();
 }
+
+/// A matrix by its lower triangle, with its values.
+struct Lower {
+  std::vector<int> col_start, row;
+  std::vector<double> values;
+  int size() const { return static_cast<int>(col_start.size()) - 1; }
+};
+
+/// The same in the order that two ranks give to all before `first`.
+struct Halved {
+  EliminationOrder elimination;
+  std::vector<int> place;
+  Lower lower;
+  Halved(const Lower& given, int first, Ranks& both) {
+    Graph graph;
+    for (int j = 0; j < first; ++j) {
+      for (int k = given.col_start[j]; k < given.col_start[j + 1]; ++k)
+        if (given.row[k] < first) graph.col.push_back(given.row[k]);
+      graph.row_start.push_back(static_cast<int>(graph.col.size()));
+    }
+    elimination = order_of_halves(graph, Ordering::AMD, both);
+    for (int j = first; j < given.size(); ++j) elimination.order.push_back(j);
+    place.resize(given.size());
+    for (int k = 0; k < given.size(); ++k) place[elimination.order[k]] = k;
+    std::vector<std::vector<std::pair<int, double>>> columns(given.size());
+    for (int j = 0; j < given.size(); ++j)
+      for (int k = given.col_start[j]; k < given.col_start[j + 1]; ++k) {
+        const auto [column, row] = std::minmax(place[j], place[given.row[k]]);
+        columns[column].emplace_back(row, given.values[k]);
+      }
+    lower.col_start = {0};
+    for (const auto& column : columns) {
+      for (const auto& [row, value] : column) {
+        lower.row.push_back(row);
+        lower.values.push_back(value);
+      }
+      lower.col_start.push_back(static_cast<int>(lower.row.size()));
+    }
+  }
+};
 
 template <int Dim>
 std::vector<double> values_of(const NodeBlockMatrix<Dim>& matrix, const PermutedTriangle& t) {
@@ -101,12 +140,19 @@ void expect_equals_one_rank(const sample::Mesh<Dim>& mesh, const std::vector<int
   Eigen::MatrixXd x = b, found[2], lower = b, lower_found[2], top_found[2];
   alone.solve(x);
   alone.solve_lower(lower);
-  on_both([&](HalvedFactor& factor, int rank) {
-    factor.analyze(triangle.col_start, triangle.row, first);
-    ASSERT_EQ(factor.factorize(values), FactorStatus::OK);
-    found[rank] = lower_found[rank] = b;
-    factor.solve(found[rank]);
-    factor.solve_lower(lower_found[rank]);
+  on_both([&](Ranks& both) {
+    const int rank = both.rank();
+    const Halved halved({triangle.col_start, triangle.row, values}, first, both);
+    const auto& order = halved.elimination.order;
+    EXPECT_GT(std::min(halved.elimination.halves[0], halved.elimination.halves[1]), n / 4);
+    HalvedFactor factor(both, halved.elimination.halves);
+    factor.analyze(halved.lower.col_start, halved.lower.row, first);
+    ASSERT_EQ(factor.factorize(halved.lower.values), FactorStatus::OK);
+    Eigen::MatrixXd solved = b(order, Eigen::all), swept = solved;
+    factor.solve(solved);
+    factor.solve_lower(swept);
+    found[rank] = solved(halved.place, Eigen::all);
+    lower_found[rank] = swept(halved.place, Eigen::all);
     top_found[rank] = factor.trailing_factor(first);
     EXPECT_GT(factor.factor_entries(), static_cast<std::size_t>(n));
   });
@@ -146,10 +192,12 @@ TEST(HalvedFactor, NotPositiveDefiniteIsSaidByBoth) {
       }
       start[j + 1] = static_cast<int>(row.size());
     }
-    on_both([&](HalvedFactor& factor, int rank) {
-      factor.analyze(start, row, n - 1);
-      status[rank] = factor.factorize(values);
-      EXPECT_EQ(factor.is_factorized(), status[rank] == FactorStatus::OK);
+    on_both([&](Ranks& both) {
+      const Halved halved({start, row, values}, n - 1, both);
+      HalvedFactor factor(both, halved.elimination.halves);
+      factor.analyze(halved.lower.col_start, halved.lower.row, n - 1);
+      status[both.rank()] = factor.factorize(halved.lower.values);
+      EXPECT_EQ(factor.is_factorized(), status[both.rank()] == FactorStatus::OK);
     });
     EXPECT_EQ(status[0], status[1]);
     return status[0];
@@ -168,8 +216,10 @@ TEST(HalvedFactor, NotPositiveDefiniteIsSaidByBoth) {
 TEST(HalvedFactor, RefusesWrongOrder) {
   Meeting meeting;
   Thread first(meeting, 0);
-  HalvedFactor factor(first);
+  HalvedFactor factor(first, {1, 1});
   EXPECT_THROW(factor.factorize({}), std::logic_error);
+  EXPECT_THROW(factor.analyze({0, 2, 3}, {0, 1, 1}), std::logic_error); // they touch
+  EXPECT_THROW(factor.analyze({0, 1}, {0}), std::logic_error);          // more than there is
   Eigen::MatrixXd b(3, 1);
   EXPECT_THROW(factor.solve(b), std::logic_error);
   EXPECT_THROW(factor.trailing_factor(0), std::logic_error);
