@@ -20,8 +20,8 @@ public:
   double last() const { return m_last; } ///< residual that it went on from last [force], < 0: none
   /// A tangent was factored, or was not positive definite.
   void factored(bool definite);
-  /// Part of elastic moduli to mix into the next tangent: none, but after losses of definiteness, and where condensed iterations
-  /// are slow (cycles of plastic points).
+  /// Part of elastic moduli to mix into the next tangent: none, but after losses of definiteness, where a new tangent makes the
+  /// residual grow, and where condensed iterations are slow (cycles of plastic points).
   double elastic_blend() const;
   /// The tangent stays indefinite: a limit load.
   bool blend_exhausted() const { return m_indefinite > MAX_INDEFINITE; }
@@ -32,9 +32,11 @@ public:
 private:
   ConvergenceRate m_rate;
   bool m_condensed = false, m_grows = false, m_lags = false;
+  bool m_fresh = false; // no iterate since the last tangent
   double m_last = -1;
-  int m_slow = 0, m_indefinite = 0; // m_slow: condensed iterations that were slow
-  int m_falls = 0;                  // condensed iterations in a row that made the residual smaller
+  int m_slow = 0;       // new tangents in a row that made it grow; condensed: slow iterations
+  int m_falls = 0;      // condensed iterations in a row that made the residual smaller
+  int m_indefinite = 0; // tangents in a row
 };
 
 } // namespace burnish
