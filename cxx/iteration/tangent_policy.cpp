@@ -23,10 +23,10 @@ void TangentPolicy::begin() {
   m_rate = ConvergenceRate(RATE_WINDOW, RATE_BOUND);
 }
 
-void TangentPolicy::look(double residual, double allowed) {
+void TangentPolicy::look(double residual, double allowed, bool consistent) {
   m_lags = !m_condensed && m_rate.slow(residual, allowed);
   m_grows = m_last >= 0 && residual > GROWS * m_last;
-  if (m_fresh && !m_condensed) m_slow = m_grows ? m_slow + 1 : 0;
+  if (m_fresh && !m_condensed) m_slow = m_grows && consistent ? m_slow + 1 : 0;
   m_fresh = false;
 }
 

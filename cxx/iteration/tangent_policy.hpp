@@ -12,7 +12,8 @@ public:
   void set_condensed() { m_condensed = true; }
   bool condensed() const { return m_condensed; }
   /// Looks at the residual of an iterate that has not converged [force].
-  void look(double residual, double allowed);
+  /// @param consistent whether its contact states contradict nothing
+  void look(double residual, double allowed, bool consistent);
   bool grows() const { return m_grows; } ///< it is much larger than that of the last iterate
   bool lags() const { return m_lags; }   ///< the rate of convergence asks for too many iterations more
   /// The iteration goes on from it.
@@ -21,7 +22,7 @@ public:
   /// A tangent was factored, or was not positive definite.
   void factored(bool definite);
   /// Part of elastic moduli to mix into the next tangent: none, but after losses of definiteness, where a new tangent makes the
-  /// residual grow, and where condensed iterations are slow (cycles of plastic points).
+  /// residual grow with consistent contact states, and where condensed iterations are slow (cycles of plastic points).
   double elastic_blend() const;
   /// The tangent stays indefinite: a limit load.
   bool blend_exhausted() const { return m_indefinite > MAX_INDEFINITE; }

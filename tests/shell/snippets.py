@@ -36,7 +36,7 @@ def tree(folder):
     for path in Path(os.environ["BUILD"]).iterdir():
         if path.name in LINKED:
             (folder / "build" / path.name).symlink_to(path)
-        elif path.name not in ("results", "lock"):
+        elif path.name not in ("results", "lock", "clean"):
             (shutil.copytree if path.is_dir() else shutil.copy2)(path, folder / "build" / path.name)
 
 
