@@ -12,7 +12,7 @@ LONG, LONGEST, RADIUS = 0.55, 1.1, 0.2       # of an arrow, of one along a way; 
 ROOM = 0.06                     # about an arrow [inches]
 LETTER, LINE = 0.085, 0.19      # width of a letter, height of a line [inches]
 GRID = 45                       # places tried along each side of the view
-COVERED, AWAY = 1.0, 9.0        # cost of a covered point, of the distance over the view,
+COVERED, AWAY, BESIDE = 1.0, 9.0, 10.0     # cost of a covered point, over the view: of the distance, of that of a force from its line of action,
 OUTSIDE, WITHIN = 2.5, 1.0      # of a place outside of the tool, of one within another
 SIZES, SHORTER = (1.0, 0.75, 0.55, 0.42, 0.3), 1.0      # of an arrow, tried in this order; cost of being shorter
 UNSAID = 6.0                    # cost of a motion without its value
@@ -83,14 +83,15 @@ def anchor_of(outline, region, box, grid, mesh):
 
 
 def place_of(points, text, tool, grid, obstacles, view):
-    """Cost and place of the middle of an arrow. tool: middle of what is seen of it, its region, those of others; view: limits, an inch"""
-    (anchor, region, others), (box, inch) = tool, view
+    """Cost and place of the middle of an arrow. tool: middle of what is seen of it, its region, those of others, across the line of action of a force;
+    view: limits, an inch"""
+    (anchor, region, others, across), (box, inch) = tool, view
     low, high = (inch * corner for corner in box_about(points, text))
     fits = ((grid[:, 0] + low[0] > box[0]) & (grid[:, 0] + high[0] < box[1]) & (grid[:, 1] + low[1] > box[2]) & (grid[:, 1] + high[1] < box[3]))
     places = grid[fits] if fits.any() else grid
     covered = np.array([maps.inside(obstacles - p, (low[0], high[0], low[1], high[1])).sum() for p in places])
-    far = np.hypot(*(places - anchor).T) / max(box[1] - box[0], box[3] - box[2])
-    cost = COVERED * covered + AWAY * far + OUTSIDE * ~region.contains_points(places)
+    off = (places - anchor) / max(box[1] - box[0], box[3] - box[2])
+    cost = COVERED * covered + AWAY * np.hypot(*off.T) + BESIDE * np.abs(off @ across) + OUTSIDE * ~region.contains_points(places)
     cost += WITHIN * sum((other.contains_points(places) for other in others), np.zeros(len(places)))
     return cost.min(), places[np.argmin(cost)]
 
@@ -148,11 +149,18 @@ def grid_of(axes):
     return np.array([(x, y) for x in np.linspace(*axes.get_xlim(), GRID) for y in np.linspace(*axes.get_ylim(), GRID)])
 
 
+def across(arrow):
+    """Unit vector across a force, zero for what has no line of action."""
+    if arrow.what != "force" or arrow.shape.kind != drives.STRAIGHT:
+        return np.zeros(2)
+    return np.array([-arrow.shape.points[1], arrow.shape.points[0]]) / np.hypot(*arrow.shape.points)
+
+
 def placed_all(found, seen, grid, obstacles, view, largest):
     """Cost of all arrows in sizes up to this one, and a list of arrow, points, middle: a tool with several has room for small ones."""
     total, placed = 0.0, []
-    for arrow in sorted(found, key=lambda one: one.shape.kind != drives.TURN):      # these need a place that is as high as wide
-        tool = (*seen[arrow.tool], [region for name, (_, region) in seen.items() if name != arrow.tool])
+    for arrow in sorted(found, key=lambda one: (one.shape.kind != drives.TURN, one.what != "force")):     # a turn is as high as wide, a force has its line
+        tool = (*seen[arrow.tool], [region for name, (_, region) in seen.items() if name != arrow.tool], across(arrow))
         cost, points, middle, text = best_place(arrow, tool, grid, obstacles, view, largest)
         low, high = box_about(points, text)
         taken = np.array([(x, y) for x in np.linspace(low[0], high[0], 9) for y in np.linspace(low[1], high[1], 9)])

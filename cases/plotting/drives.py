@@ -14,7 +14,7 @@ Arrow = namedtuple("Arrow", "tool what shape both text")
 STRAIGHT, TURN, WAY = "straight", "turn", "way"
 Shape = namedtuple("Shape", "kind points")     # points: of a straight one its direction, of a turn its axis, of a way its places
 
-FAR, TURNED, ROLLED = 0.02, 0.05, 0.2    # motion over the view, turn, free turn [rad], below which there is no arrow,
+FAR, TURNED, ROLLED = 0.01, 0.05, 0.2    # motion over the view, turn, free turn [rad], below which there is no arrow,
 NEAR = 1e-3                     # of a run with such arrows; of one without any
 SMALL = 0.2                     # of the largest motion of the run, below which another is none to see: a tool that goes off
 NOISE = 1e-3                    # of the largest force on a tool, below which another is what is out of balance

@@ -14,6 +14,7 @@ from plotting.units import amount, touch_columns
 
 LARGE = 4.0                    # a tool over the workpiece, from which only its part near the workpiece is drawn
 FAR = 0.02                     # a way over the view, below which it is not drawn
+OVER = 0.04                    # of the view: height of a way over the contact
 ZONE, SMALL = 0.2, 0.25        # of the largest value: what makes the zone; zone over the view, below which it is drawn beside, too
 FEWEST = 1e-3                  # plastic strain from which it is shown
 GHOST = (0, (4, 2.5))
@@ -34,7 +35,7 @@ class Shown:
         self.mirrors, self.rim = run.mirrors, maps.rim_edges(self.smooth.mesh)
         self.seen = [o.name for o in self.outlines if tools.closed(o.points) and not tools.encloses(o.points, self.smooth.mesh)
                      and np.ptp(o.points, axis=0).max() < LARGE * self.size() and not self.crosses(o.points)]   # as a whole
-        self.ways = [way for name in self.seen if len(way := way_of(run.tools, name, t)) > 1]
+        self.ways = {o.name: way for o in self.outlines if len(way := way_of(run.tools, o.name, t)) > 1}
 
     def size(self):
         return max(np.ptp(self.smooth.mesh.x), np.ptp(self.smooth.mesh.y))
@@ -42,6 +43,14 @@ class Shown:
     def crosses(self, points):
         """Whether a line of symmetry cuts the tool."""
         return any(points[:, k].min() < 0 < points[:, k].max() for k in (0, 1) if any(sign[k] < 0 for sign in self.mirrors))
+
+    def way_in(self, name, size):
+        """The way of a tool's middle; of a tool that is seen in part the same over the middle of its contact. size: of the view"""
+        way, contact_at = self.ways[name], self.surface and contact.middle_of_contact(self.surface, name)
+        if name in self.seen or contact_at is None:
+            return way if name in self.seen else way[:1]
+        off = self.run.units.length * contact_at - way[-1]
+        return way + (1 - OVER * size / np.hypot(*off)) * off
 
     def whole(self):
         """Limits with the workpiece, its mirror images and the tools, large ones in part."""
@@ -123,14 +132,14 @@ def draw_tool(axes, shown, outline, areas, view):
 def draw_ways(axes, shown):
     """Ways of the tools' middles, dashed, with where they began; handles for the key."""
     size, handles = np.ptp(axes.get_xlim()), []
-    for way in shown.ways:
+    for way in [shown.way_in(name, size) for name in shown.ways]:
         if np.ptp(way, axis=0).max() < FAR * size:
             continue
         axes.plot(*way.T, color=ORANGE, linewidth=1.6, zorder=3.8)
         axes.plot(*way[0], color=ORANGE, marker="o", markersize=5, markerfacecolor="white", zorder=3.9)
         axes.annotate("", way[-1], way[-2], arrowprops={"arrowstyle": "-|>", "color": ORANGE, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 16},
                       zorder=3.9)
-        handles = [Line2D([], [], color=ORANGE, linewidth=1.6, label="way of the tools' middles" if len(shown.ways) > 1 else "way of its middle")]
+        handles = [Line2D([], [], color=ORANGE, linewidth=1.6, label="way of the tools" if len(shown.ways) > 1 else "way of the tool")]
     before = {outline.name: outline.points for outline in shown.first}
     for now in [o for o in shown.outlines if o.name in shown.seen]:
         if np.abs(middle(before[now.name]) - middle(now.points)).max() > FAR * size:
@@ -202,16 +211,14 @@ def final_figure(run, now=None):
     for (left, low, wide, high), box in zip(places, (whole, zone)):
         axes = figure.add_axes((left / WIDTH, low / height, wide / WIDTH, high / height))
         box = fitted(box, wide / high)
-        keys = draw_panel(axes, shown, box)
-        handles = handles or keys
+        handles += draw_panel(axes, shown, box)
         if zone and axes is figure.axes[0]:
             near = fitted(zone, places[1][2] / places[1][3])
             axes.add_patch(Rectangle((near[0], near[2]), near[1] - near[0], near[3] - near[2], fill=False, edgecolor=BLUE, linewidth=1.2, zorder=5))
         elif zone:
-            axes.set(xlabel="", ylabel="")
             for side in axes.spines.values():
                 side.set(color=BLUE, linewidth=1.2)
-    add_words(figure, shown, handles, height)
+    add_words(figure, shown, list({handle.get_label(): handle for handle in handles}.values()), height)
     return figure
 
 
@@ -251,7 +258,7 @@ def share_of_zone(shown, box):
 
 def bare_figure(shown, box):
     """Workpiece and tools without words, in the size of the gallery."""
-    shown.ways, shown.first = [], shown.outlines
+    shown.ways, shown.first = {}, shown.outlines
     figure = new_figure(GALLERY[1] / 150, GALLERY[0] / 150)
     axes = figure.add_axes((0, 0, 1, 1))
     draw_panel(axes, shown, fitted(box, GALLERY[0] / GALLERY[1]))
