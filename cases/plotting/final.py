@@ -31,8 +31,8 @@ class Shown:
         scale = scale or scale_of([run], [field], fields.MOST_LEVELS)
         self.quantity, self.unit, self.largest, self.levels = scale.quantity, scale.unit, scale.largest, scale.levels
         self.smooth = quadratic.smooth(field, scale.factor * np.nan_to_num(field.data[self.quantity.name]), run.units.length)
-        self.outlines, self.first = (tools.at_time(run.tools, when) for when in (t, 0.0))
         self.mirrors, self.rim = run.mirrors, maps.rim_edges(self.smooth.mesh)
+        self.outlines, self.first = (tools.own_side(tools.at_time(run.tools, when), self.smooth.mesh, run.mirrors) for when in (t, 0.0))
         self.seen = [o.name for o in self.outlines if tools.closed(o.points) and not tools.encloses(o.points, self.smooth.mesh)
                      and np.ptp(o.points, axis=0).max() < LARGE * self.size() and not self.crosses(o.points)]   # as a whole
         self.ways = {o.name: way for o in self.outlines if len(way := way_of(run.tools, o.name, t)) > 1}
