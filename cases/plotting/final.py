@@ -7,7 +7,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
-from plotting import arrows, contact, fields, maps, quadratic, tools
+from plotting import arrows, contact, drives, fields, maps, quadratic, tools
 from plotting.border import ABOVE, BELOW, BETWEEN, GALLERY, LEFT, RIGHT, WIDTH, add_key, add_scale, add_title, fitted, new_figure
 from plotting.figure import BLUE, ORANGE
 from plotting.units import amount, touch_columns
@@ -62,9 +62,9 @@ class Shown:
         pad = 0.03 * max(box[1] - box[0], box[3] - box[2])
         return box[0] - pad, box[1] + pad, box[2] - pad, box[3] + pad
 
-    def near(self):
-        """Limits with the workpiece, its mirror images and the tools near them, those that are smaller as a whole."""
-        small = [o.points * sign for o in self.outlines for sign in [(1, 1), *self.mirrors] if np.ptp(o.points, axis=0).max() < self.size()]
+    def near(self, first=()):
+        """Limits with the workpiece, its mirror images and the tools near them, those that are smaller as a whole, some where they began."""
+        small = [o.points * sign for o in [*self.outlines, *first] for sign in [(1, 1), *self.mirrors] if np.ptp(o.points, axis=0).max() < self.size()]
         ends = [(p[:, 0].min(), p[:, 0].max(), p[:, 1].min(), p[:, 1].max()) for p in small if tools.closed(p)]
         return hull([fields.view_of(self.run, self.smooth.mesh, self.outlines), *ends])
 
@@ -141,7 +141,7 @@ def draw_ways(axes, shown):
                       zorder=3.9)
         handles = [Line2D([], [], color=ORANGE, linewidth=1.6, label="way of the tools" if len(shown.ways) > 1 else "way of the tool")]
     before = {outline.name: outline.points for outline in shown.first}
-    for now in [o for o in shown.outlines if o.name in shown.seen]:
+    for now in [o for o in shown.outlines if o.name in shown.seen and o.name in before]:
         if np.abs(middle(before[now.name]) - middle(now.points)).max() > FAR * size:
             axes.plot(*before[now.name].T, color=tools.RIM, linewidth=0.8, linestyle=GHOST, zorder=0.6)
             handles.append(Line2D([], [], color=tools.RIM, linewidth=0.8, linestyle=GHOST, label="where it began"))
@@ -256,9 +256,9 @@ def share_of_zone(shown, box):
     return area[large].sum() * (1 + len(shown.mirrors)) / ((box[1] - box[0]) * (box[3] - box[2]))
 
 
-def bare_figure(shown, box):
-    """Workpiece and tools without words, in the size of the gallery."""
-    shown.ways, shown.first = {}, shown.outlines
+def bare_figure(shown, box, first=()):
+    """Workpiece and tools without words, in the size of the gallery. first: tools that are shown where they began, too"""
+    shown.ways, shown.first = {}, first
     figure = new_figure(GALLERY[1] / 150, GALLERY[0] / 150)
     axes = figure.add_axes((0, 0, 1, 1))
     draw_panel(axes, shown, fitted(box, GALLERY[0] / GALLERY[1]))
@@ -271,10 +271,12 @@ def gallery_figure(run):
     thin to be seen; who shows such a picture says so."""
     now = at_work(run)
     shown = Shown(run, *now)
-    box = cropped(shown.near(), shown.outlines)
+    around = [arrow.tool for arrow in drives.arrows(run, shown.size()) if arrow.shape.kind == drives.AROUND]
+    first = [o for o in shown.first if o.name in around and o.name in shown.seen]
+    box = cropped(shown.near(first), shown.outlines)
     if shown.levels is not None and share_of_zone(shown, fitted(box, GALLERY[0] / GALLERY[1])) < THIN:
         shown = Shown(run, *now, scale=scale_of([run], [now[1]], fields.MOST_LEVELS, strain=False))
-    figure = bare_figure(shown, box)
+    figure = bare_figure(shown, box, first)
     arrows.draw_arrows(figure.axes[0], run, shown.outlines, shown.smooth.mesh, words=())
     return figure
 
