@@ -127,7 +127,8 @@ def show(axes, image, window=None):
 
 def key_of(run, frame, more=()):
     """more: further handles"""
-    names = plain(", ".join(map(run.tool_name, run.tracks))) if len(run.tracks) < 4 else "tools"
+    numbers = np.unique(frame.tools.cells["tool"]) if frame.tools else []
+    names = plain(", ".join(map(run.tool_name, numbers))) if 0 < len(numbers) < 4 else "tools"
     told = "workpiece, edges of its elements" + (" where it was computed" if run.symmetry else "")
     told += "" if run.cut is None else f"; cut open at {'xyz'[run.cut]} = 0"
     handles = [Patch(facecolor=BODY, edgecolor="black", label=told),
