@@ -12,7 +12,7 @@ LONG, LONGEST, RADIUS = 0.55, 1.1, 0.2       # of an arrow, of one along a way; 
 ROOM = 0.06                     # about an arrow [inches]
 LETTER, LINE = 0.085, 0.19      # width of a letter, height of a line [inches]
 GRID = 45                       # places tried along each side of the view
-COVERED, AWAY = 1.0, 9.0        # cost of a covered point, of the distance over the view,
+COVERED, AWAY, BESIDE = 1.0, 9.0, 10.0     # cost of a covered point, over the view: of the distance, of that of a force from its line of action,
 OUTSIDE, WITHIN = 2.5, 1.0      # of a place outside of the tool, of one within another
 SIZES, SHORTER = (1.0, 0.75, 0.55, 0.42, 0.3), 1.0      # of an arrow, tried in this order; cost of being shorter
 UNSAID = 6.0                    # cost of a motion without its value
@@ -83,22 +83,26 @@ def anchor_of(outline, region, box, grid, mesh):
 
 
 def place_of(points, text, tool, grid, obstacles, view):
-    """Cost and place of the middle of an arrow. tool: middle of what is seen of it, its region, those of others; view: limits, an inch"""
-    (anchor, region, others), (box, inch) = tool, view
+    """Cost and place of the middle of an arrow. tool: middle of what is seen of it, its region, those of others, across the line of action of a force;
+    view: limits, an inch"""
+    (anchor, region, others, across), (box, inch) = tool, view
     low, high = (inch * corner for corner in box_about(points, text))
     fits = ((grid[:, 0] + low[0] > box[0]) & (grid[:, 0] + high[0] < box[1]) & (grid[:, 1] + low[1] > box[2]) & (grid[:, 1] + high[1] < box[3]))
     places = grid[fits] if fits.any() else grid
     covered = np.array([maps.inside(obstacles - p, (low[0], high[0], low[1], high[1])).sum() for p in places])
-    far = np.hypot(*(places - anchor).T) / max(box[1] - box[0], box[3] - box[2])
-    cost = COVERED * covered + AWAY * far + OUTSIDE * ~region.contains_points(places)
+    off = (places - anchor) / max(box[1] - box[0], box[3] - box[2])
+    cost = COVERED * covered + AWAY * np.hypot(*off.T) + BESIDE * np.abs(off @ across) + OUTSIDE * ~region.contains_points(places)
     cost += WITHIN * sum((other.contains_points(places) for other in others), np.zeros(len(places)))
     return cost.min(), places[np.argmin(cost)]
 
 
 def best_place(arrow, tool, grid, obstacles, view, largest):
     """Cost, points of the arrow in the size that fits best, at most this one [inches], where its middle goes, and its value, which is left out of a
-    motion without room."""
-    tried = []
+    motion without room. A way around something is where it is."""
+    tried, way = [], arrow.shape.points
+    if arrow.shape.kind == drives.AROUND:
+        middle = 0.5 * (way.min(axis=0) + way.max(axis=0))
+        return 0.0, (way - middle) / view[1], middle, arrow.text
     for part in (p for p in SIZES if p <= largest):
         points = part * points_of(arrow.shape)
         for text in dict.fromkeys((arrow.text, arrow.text if arrow.what == "force" else "")):
@@ -148,14 +152,33 @@ def grid_of(axes):
     return np.array([(x, y) for x in np.linspace(*axes.get_xlim(), GRID) for y in np.linspace(*axes.get_ylim(), GRID)])
 
 
+def fitting(shape, box):
+    """A way around something that is seen in part is shown in small as others are."""
+    return shape._replace(kind=drives.WAY) if shape.kind == drives.AROUND and not maps.inside(shape.points, box).all() else shape
+
+
+def in_order(arrow):
+    """First what has its place, then turns, which are as high as wide, then forces, which have their line."""
+    return arrow.shape.kind != drives.AROUND, arrow.shape.kind != drives.TURN, arrow.what != "force"
+
+
+def across(arrow):
+    """Unit vector across a force, zero for what has no line of action."""
+    if arrow.what != "force" or arrow.shape.kind != drives.STRAIGHT:
+        return np.zeros(2)
+    return np.array([-arrow.shape.points[1], arrow.shape.points[0]]) / np.hypot(*arrow.shape.points)
+
+
 def placed_all(found, seen, grid, obstacles, view, largest):
     """Cost of all arrows in sizes up to this one, and a list of arrow, points, middle: a tool with several has room for small ones."""
     total, placed = 0.0, []
-    for arrow in sorted(found, key=lambda one: one.shape.kind != drives.TURN):      # these need a place that is as high as wide
-        tool = (*seen[arrow.tool], [region for name, (_, region) in seen.items() if name != arrow.tool])
+    for arrow in sorted(found, key=in_order):
+        tool = (*seen[arrow.tool], [region for name, (_, region) in seen.items() if name != arrow.tool], across(arrow))
         cost, points, middle, text = best_place(arrow, tool, grid, obstacles, view, largest)
-        low, high = box_about(points, text)
-        taken = np.array([(x, y) for x in np.linspace(low[0], high[0], 9) for y in np.linspace(low[1], high[1], 9)])
+        taken = maps.refined(points, ROOM)
+        if arrow.shape.kind != drives.AROUND:
+            low, high = box_about(points, text)
+            taken = np.array([(x, y) for x in np.linspace(low[0], high[0], 9) for y in np.linspace(low[1], high[1], 9)])
         obstacles = np.vstack([obstacles, np.repeat(middle + view[1] * taken, 3, axis=0)])
         total, placed = total + cost, placed + [(arrow._replace(text=text), points, middle)]
     return total, placed
@@ -165,6 +188,7 @@ def put(axes, run, found, seen, obstacles, words):
     """Draws these arrows, shapes in the plane of the picture; handles for the key. seen: {tool: its anchor and region} of those in the view"""
     box, grid = (*axes.get_xlim(), *axes.get_ylim()), grid_of(axes)
     inch, found = inches_in(axes, box), [arrow if arrow.what in words else arrow._replace(text="") for arrow in found if arrow.tool in seen]
+    found = [arrow._replace(shape=fitting(arrow.shape, box)) for arrow in found]
     placed = min((placed_all(found, seen, grid, obstacles, (box, inch), part) for part in SIZES), key=lambda one: one[0])[1]
     for arrow, points, middle in placed:
         draw_one(axes, arrow, points, middle, inch)

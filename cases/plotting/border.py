@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from plotting import fields
 
 WIDTH = 8.0                    # inches at 150 pixels
-LEFT, RIGHT, BELOW, ABOVE, BETWEEN = 0.72, 1.2, 0.9, 0.42, 0.55   # inches beside the panels
+LEFT, RIGHT, BELOW, ABOVE, BETWEEN = 0.72, 1.2, 0.9, 0.42, 0.85   # inches beside the panels
 GALLERY = (690, 460)           # pixels
 
 

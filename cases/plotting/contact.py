@@ -31,9 +31,9 @@ def runs(mask):
     return [slice(a, b) for a, b in zip(ends[::2], ends[1::2])]
 
 
-def middle_of_contact(surface):
-    """Place midway between the outermost contact nodes [m], None without contact."""
-    nodes = np.flatnonzero(touching(surface))
+def middle_of_contact(surface, tool=None):
+    """Place midway between the outermost contact nodes [m], of one tool or of all, None without contact."""
+    nodes = np.flatnonzero(touching(surface) & (True if tool is None else surface["tool"] == tool))
     if not len(nodes):
         return None
     return np.array([surface[c][nodes[[0, -1]]].mean() for c in "xy"])

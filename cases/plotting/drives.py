@@ -11,16 +11,17 @@ from plotting.units import amount, split_name, touch_columns
 # Of one tool: "motion", "force" or "free turn", that of a tool which nothing turns but the workpiece; points of the arrow about its middle,
 # whose size is chosen later; text: its value
 Arrow = namedtuple("Arrow", "tool what shape both text")
-STRAIGHT, TURN, WAY = "straight", "turn", "way"
-Shape = namedtuple("Shape", "kind points")     # points: of a straight one its direction, of a turn its axis, of a way its places
+STRAIGHT, TURN, WAY, AROUND = "straight", "turn", "way", "around"
 
-FAR, TURNED, ROLLED = 0.02, 0.05, 0.2    # motion over the view, turn, free turn [rad], below which there is no arrow,
+Shape = namedtuple("Shape", "kind points")     # points: of a straight one its direction, of a turn its axis, of a way, AROUND something too, its places
+
+FAR, TURNED, ROLLED = 0.01, 0.05, 0.2    # motion over the view, turn, free turn [rad], below which there is no arrow,
 NEAR = 1e-3                     # of a run with such arrows; of one without any
 SMALL = 0.2                     # of the largest motion of the run, below which another is none to see: a tool that goes off
 NOISE = 1e-3                    # of the largest force on a tool, below which another is what is out of balance
 BACK = 0.3                      # of the motion, back from its end: an arrow with two heads
 BACK_WORDS = ", and back"
-CURVED = 0.02                   # sagitta over length, above which the arrow goes along the way
+CURVED, BENT = 0.02, 0.1        # sagitta over length, above which the arrow goes along the way, above which it is drawn where it is
 
 
 def given(run):
@@ -115,7 +116,7 @@ def way_or_line(run, tool, direction):
     if length > 0 and len(way) > 4 and np.hypot(*chord) > 0:
         off = np.abs((way - way[0]) @ np.array([-chord[1], chord[0]])).max() / np.hypot(*chord)
         if off > CURVED * length and (way[len(way) // 4] - way[0]) @ direction > 0.8 * np.hypot(*(way[len(way) // 4] - way[0])):
-            return Shape(WAY, way)
+            return Shape(AROUND if off > BENT * length else WAY, way)
     return Shape(STRAIGHT, direction)
 
 

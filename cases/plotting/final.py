@@ -7,13 +7,14 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
-from plotting import arrows, contact, fields, maps, quadratic, tools
+from plotting import arrows, contact, drives, fields, maps, quadratic, tools
 from plotting.border import ABOVE, BELOW, BETWEEN, GALLERY, LEFT, RIGHT, WIDTH, add_key, add_scale, add_title, fitted, new_figure
 from plotting.figure import BLUE, ORANGE
 from plotting.units import amount, touch_columns
 
 LARGE = 4.0                    # a tool over the workpiece, from which only its part near the workpiece is drawn
 FAR = 0.02                     # a way over the view, below which it is not drawn
+OVER = 0.04                    # of the view: height of a way over the contact
 ZONE, SMALL = 0.2, 0.25        # of the largest value: what makes the zone; zone over the view, below which it is drawn beside, too
 FEWEST = 1e-3                  # plastic strain from which it is shown
 GHOST = (0, (4, 2.5))
@@ -30,11 +31,11 @@ class Shown:
         scale = scale or scale_of([run], [field], fields.MOST_LEVELS)
         self.quantity, self.unit, self.largest, self.levels = scale.quantity, scale.unit, scale.largest, scale.levels
         self.smooth = quadratic.smooth(field, scale.factor * np.nan_to_num(field.data[self.quantity.name]), run.units.length)
-        self.outlines, self.first = (tools.at_time(run.tools, when) for when in (t, 0.0))
         self.mirrors, self.rim = run.mirrors, maps.rim_edges(self.smooth.mesh)
+        self.outlines, self.first = (tools.own_side(tools.at_time(run.tools, when), self.smooth.mesh, run.mirrors) for when in (t, 0.0))
         self.seen = [o.name for o in self.outlines if tools.closed(o.points) and not tools.encloses(o.points, self.smooth.mesh)
                      and np.ptp(o.points, axis=0).max() < LARGE * self.size() and not self.crosses(o.points)]   # as a whole
-        self.ways = [way for name in self.seen if len(way := way_of(run.tools, name, t)) > 1]
+        self.ways = {o.name: way for o in self.outlines if len(way := way_of(run.tools, o.name, t)) > 1}
 
     def size(self):
         return max(np.ptp(self.smooth.mesh.x), np.ptp(self.smooth.mesh.y))
@@ -42,6 +43,14 @@ class Shown:
     def crosses(self, points):
         """Whether a line of symmetry cuts the tool."""
         return any(points[:, k].min() < 0 < points[:, k].max() for k in (0, 1) if any(sign[k] < 0 for sign in self.mirrors))
+
+    def way_in(self, name, size):
+        """The way of a tool's middle; of a tool that is seen in part the same over the middle of its contact. size: of the view"""
+        way, contact_at = self.ways[name], self.surface and contact.middle_of_contact(self.surface, name)
+        if name in self.seen or contact_at is None:
+            return way if name in self.seen else way[:1]
+        off = self.run.units.length * contact_at - way[-1]
+        return way + (1 - OVER * size / np.hypot(*off)) * off
 
     def whole(self):
         """Limits with the workpiece, its mirror images and the tools, large ones in part."""
@@ -53,9 +62,9 @@ class Shown:
         pad = 0.03 * max(box[1] - box[0], box[3] - box[2])
         return box[0] - pad, box[1] + pad, box[2] - pad, box[3] + pad
 
-    def near(self):
-        """Limits with the workpiece, its mirror images and the tools near them, those that are smaller as a whole."""
-        small = [o.points * sign for o in self.outlines for sign in [(1, 1), *self.mirrors] if np.ptp(o.points, axis=0).max() < self.size()]
+    def near(self, first=()):
+        """Limits with the workpiece, its mirror images and the tools near them, those that are smaller as a whole, some where they began."""
+        small = [o.points * sign for o in [*self.outlines, *first] for sign in [(1, 1), *self.mirrors] if np.ptp(o.points, axis=0).max() < self.size()]
         ends = [(p[:, 0].min(), p[:, 0].max(), p[:, 1].min(), p[:, 1].max()) for p in small if tools.closed(p)]
         return hull([fields.view_of(self.run, self.smooth.mesh, self.outlines), *ends])
 
@@ -123,16 +132,16 @@ def draw_tool(axes, shown, outline, areas, view):
 def draw_ways(axes, shown):
     """Ways of the tools' middles, dashed, with where they began; handles for the key."""
     size, handles = np.ptp(axes.get_xlim()), []
-    for way in shown.ways:
+    for way in [shown.way_in(name, size) for name in shown.ways]:
         if np.ptp(way, axis=0).max() < FAR * size:
             continue
         axes.plot(*way.T, color=ORANGE, linewidth=1.6, zorder=3.8)
         axes.plot(*way[0], color=ORANGE, marker="o", markersize=5, markerfacecolor="white", zorder=3.9)
         axes.annotate("", way[-1], way[-2], arrowprops={"arrowstyle": "-|>", "color": ORANGE, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 16},
                       zorder=3.9)
-        handles = [Line2D([], [], color=ORANGE, linewidth=1.6, label="way of the tools' middles" if len(shown.ways) > 1 else "way of its middle")]
+        handles = [Line2D([], [], color=ORANGE, linewidth=1.6, label="way of the tools" if len(shown.ways) > 1 else "way of the tool")]
     before = {outline.name: outline.points for outline in shown.first}
-    for now in [o for o in shown.outlines if o.name in shown.seen]:
+    for now in [o for o in shown.outlines if o.name in shown.seen and o.name in before]:
         if np.abs(middle(before[now.name]) - middle(now.points)).max() > FAR * size:
             axes.plot(*before[now.name].T, color=tools.RIM, linewidth=0.8, linestyle=GHOST, zorder=0.6)
             handles.append(Line2D([], [], color=tools.RIM, linewidth=0.8, linestyle=GHOST, label="where it began"))
@@ -202,16 +211,14 @@ def final_figure(run, now=None):
     for (left, low, wide, high), box in zip(places, (whole, zone)):
         axes = figure.add_axes((left / WIDTH, low / height, wide / WIDTH, high / height))
         box = fitted(box, wide / high)
-        keys = draw_panel(axes, shown, box)
-        handles = handles or keys
+        handles += draw_panel(axes, shown, box)
         if zone and axes is figure.axes[0]:
             near = fitted(zone, places[1][2] / places[1][3])
             axes.add_patch(Rectangle((near[0], near[2]), near[1] - near[0], near[3] - near[2], fill=False, edgecolor=BLUE, linewidth=1.2, zorder=5))
         elif zone:
-            axes.set(xlabel="", ylabel="")
             for side in axes.spines.values():
                 side.set(color=BLUE, linewidth=1.2)
-    add_words(figure, shown, handles, height)
+    add_words(figure, shown, list({handle.get_label(): handle for handle in handles}.values()), height)
     return figure
 
 
@@ -249,9 +256,9 @@ def share_of_zone(shown, box):
     return area[large].sum() * (1 + len(shown.mirrors)) / ((box[1] - box[0]) * (box[3] - box[2]))
 
 
-def bare_figure(shown, box):
-    """Workpiece and tools without words, in the size of the gallery."""
-    shown.ways, shown.first = [], shown.outlines
+def bare_figure(shown, box, first=()):
+    """Workpiece and tools without words, in the size of the gallery. first: tools that are shown where they began, too"""
+    shown.ways, shown.first = {}, first
     figure = new_figure(GALLERY[1] / 150, GALLERY[0] / 150)
     axes = figure.add_axes((0, 0, 1, 1))
     draw_panel(axes, shown, fitted(box, GALLERY[0] / GALLERY[1]))
@@ -264,10 +271,12 @@ def gallery_figure(run):
     thin to be seen; who shows such a picture says so."""
     now = at_work(run)
     shown = Shown(run, *now)
-    box = cropped(shown.near(), shown.outlines)
+    around = [arrow.tool for arrow in drives.arrows(run, shown.size()) if arrow.shape.kind == drives.AROUND]
+    first = [o for o in shown.first if o.name in around and o.name in shown.seen]
+    box = cropped(shown.near(first), shown.outlines)
     if shown.levels is not None and share_of_zone(shown, fitted(box, GALLERY[0] / GALLERY[1])) < THIN:
         shown = Shown(run, *now, scale=scale_of([run], [now[1]], fields.MOST_LEVELS, strain=False))
-    figure = bare_figure(shown, box)
+    figure = bare_figure(shown, box, first)
     arrows.draw_arrows(figure.axes[0], run, shown.outlines, shown.smooth.mesh, words=())
     return figure
 

@@ -8,18 +8,27 @@ from plotting import arrows, fields, maps, quadratic, tools
 from plotting.figure import BLUE, RED, key_under_labels, new_figure
 
 ROOM = 0.15   # for arrows, over the workpiece
+APART = 0.17  # of the marks of nodes that are held [inches]
 KINDS = ((True, True, "s", "held"), (True, False, ">", "held along x"), (False, True, "^", "held along y"))
 
 
+def spread(places, apart):
+    """Some of these places, none of them nearer to another one."""
+    kept = []
+    for place in places[np.lexsort(places.T)]:
+        if not kept or maps.distance(place[None], np.array(kept))[0] >= apart:
+            kept.append(place)
+    return np.array(kept)
+
+
 def draw_supports(axes, run):
-    """A mark at every node that is held; returns handles for the key."""
+    """Marks at nodes that are held, as many as can be told apart; returns handles for the key."""
     places, fixed = run.supports
-    handles = []
+    handles, apart = [], APART * arrows.inches_in(axes, (*axes.get_xlim(), *axes.get_ylim()))
     for x, y, marker, label in KINDS:
         chosen = (fixed == (x, y)).all(axis=1)
         if chosen.any():
-            size = 5.0 if chosen.sum() < 60 else 3.0
-            handles += axes.plot(*(run.units.length * places[chosen]).T, linestyle="none", marker=marker, color=RED, markersize=size,
+            handles += axes.plot(*spread(run.units.length * places[chosen], apart).T, linestyle="none", marker=marker, color=RED, markersize=6.0,
                                  markeredgewidth=0, label=label, zorder=5, clip_on=False)
     return handles
 

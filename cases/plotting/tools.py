@@ -34,6 +34,15 @@ def at_time(outlines, t):
     return list(best.values())
 
 
+def own_side(outlines, mesh, mirrors):
+    """Those of which something lies where the workpiece was computed: one that is drawn back through a line of symmetry is its mirror image's."""
+    for k, places in enumerate((mesh.x, mesh.y)):
+        if any(sign[k] < 0 for sign in mirrors):
+            side = np.sign(places.mean())
+            outlines = [o for o in outlines if (side * o.points[:, k]).max() > 1e-6 * np.ptp(o.points)]
+    return outlines
+
+
 def closed(points):
     size = np.ptp(points, axis=0).max()
     return len(points) > 3 and np.hypot(*(points[0] - points[-1])) < 1e-3 * size
@@ -146,7 +155,7 @@ def draw_tools(axes, outlines, mesh, names=True, mirrors=()):
     """Outlines, filled where they are closed and do not enclose the workpiece, otherwise with a band on the tool's
     side; set the view before. A tool ends where its mirror image (mirrors: Run.mirrors) begins. Returns handles for the
     key."""
-    view = max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim()))
+    view, outlines = max(np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim())), own_side(outlines, mesh, mirrors)
     part, areas = own_part(axes, mesh, mirrors), {o.name: area_of(o.points, mesh, 0.03 * view, mirrors) for o in outlines}
     for outline in outlines:
         drawn = axes.fill(*areas[outline.name].T, facecolor=FACE, edgecolor="none", zorder=0.5)

@@ -9,14 +9,15 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(TOP / "cases"), str(TOP / "tests/support")]
 import numpy as np
+from matplotlib.tri import Triangulation
 from picture import faults
 from PIL import Image
-from plotting import case, contact, curves, drives, fields, units
+from plotting import arrows, case, contact, curves, drives, fields, units
 from plotting.figure import new_figure, save
 from plotting.inputs import InputError
 from plotting.run import Run
-from plotting.start import start_figure
-from plotting.tools import Outline, at_time
+from plotting.start import spread, start_figure
+from plotting.tools import Outline, at_time, own_side
 
 FOLDER = Path(sys.argv.pop(1))
 FINISHED = FOLDER / "finished"
@@ -215,6 +216,27 @@ class Arrows(unittest.TestCase):
         self.assertEqual(self.found(angle=("force", turn, lambda t: -t)), [("turn", [-1], False, "free turn")])     # it idles
         self.assertEqual(self.found(angle=("force", turn, lambda t: 0.1 * t)), [])
         self.assertEqual(drives.arrows(self.run_with(), 40.0), [])                  # of older files
+
+    def test_around(self):
+        """A way around something is one of its own, drawn where it is if all of it is in the view."""
+        angle, run = np.linspace(0, 0.5 * np.pi, 9), self.run_with(x=("motion", [1.0, 0, 0], lambda t: 0.01 * t))
+        run.tools = [Outline("roller", t, run.tools[0].points + 10 * np.array([np.sin(a), np.cos(a)])) for t, a in zip(np.linspace(0, 1, 9), angle)]
+        (arrow,) = drives.arrows(run, 40.0)
+        self.assertEqual((arrow.shape.kind, len(arrow.shape.points)), (drives.AROUND, 9))
+        low, high = arrow.shape.points.min(), arrow.shape.points.max()
+        self.assertEqual([arrows.fitting(arrow.shape, (low - 1, end, low - 1, end)).kind for end in (high + 1, high - 1)], [drives.AROUND, drives.WAY])
+
+    def test_beyond_symmetry(self):
+        """A tool that is drawn back through the line of symmetry is not seen, one that reaches over it is."""
+        box = np.array([[0.0, 0], [2, 0], [2, 1], [0, 1], [0, 0]])
+        given = [Outline(str(x), 0.0, box + [x, 1.0]) for x in (-2.0, -1.0, 3.0)]
+        mesh = Triangulation([0.0, 1, 0], [0.0, 0, 1])
+        self.assertEqual([o.name for o in own_side(given, mesh, [(-1, 1)])], ["-1.0", "3.0"])
+        self.assertEqual(own_side(given, mesh, ()), given)
+
+    def test_supports_apart(self):
+        places = spread(np.column_stack([np.zeros(101), np.linspace(1, 0, 101)]), 0.25)
+        np.testing.assert_allclose(places[:, 1], [0, 0.25, 0.5, 0.75, 1])
 
     def test_how_far(self):
         """A motion and its way back say the length, a turn the angle; of the only coordinate of a tool it is what the outlines of the tool went."""

@@ -127,6 +127,16 @@ def touching(surface):
     return np.isin(surface.data["state"], IN_CONTACT)
 
 
+def near(tools, body, apart):
+    """The tools whose box is not farther from that of the workpiece."""
+    low, high, kept = body.points.min(axis=0), body.points.max(axis=0), []
+    for number, points, _, _ in tool_parts(tools):
+        if np.maximum(low - points.max(axis=0), points.min(axis=0) - high).max() <= apart:
+            kept.append(number)
+    mine = np.isin(tools.cells["tool"], kept)
+    return tools._replace(triangles=tools.triangles[mine], cells={name: values[mine] for name, values in tools.cells.items()})
+
+
 def tool_parts(tools):
     """(number, points, triangles, origin of its frame in the file's unit) of every tool."""
     parts = []

@@ -15,7 +15,7 @@ FONT = 9              # of the words at the edges
 def final_figure(run, k=-1):
     """k: number of the frame"""
     start_display()  # while the files are read
-    frame = run.view(k)
+    frame = run.close_view(k)
     scale = scene.scale_of(run, [frame])
     stage = scene.staged(run, frame, scene.box_of([frame]), scale, SIZE)
     room = border.WIDTH - border.RIGHT - 0.3
@@ -42,7 +42,7 @@ def final_figure(run, k=-1):
 
 def gallery_figure(run, shared=None):
     """The same with arrows of the drives in place of words, in the size of plotting/final.py's. shared: a scale of several runs, as of plotting/final.py's scale_of"""
-    frame, (wide, high) = run.view(-1), border.GALLERY
+    frame, (wide, high) = run.close_view(-1), border.GALLERY
     scale = scene.Scale(shared.quantity, "", shared.factor, shared.levels) if shared else scene.scale_of(run, [frame])
     stage = scene.staged(run, frame, scene.box_of([frame]), scale, (2 * wide, 2 * high))
     (left, right), (bottom, top) = scene.near(stage, frame.body, above=3)

@@ -3,7 +3,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, VTK_TETRA, vtkCellArray, vtkPlane, vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkCutter, vtkTriangleFilter
 
 
 def places_of(points):
@@ -50,6 +50,18 @@ def clipped(data, normal):
     clip.SetInputData(data)
     clip.Update()
     return clip.GetOutput()
+
+
+def cut(data, point, normal):
+    """Where a plane cuts it."""
+    cutter, plane = vtkCutter(), vtkPlane()
+    plane.SetOrigin(*point)
+    plane.SetNormal(*normal)
+    cutter.SetCutFunction(plane)
+    cutter.SetInputData(data)
+    cutter.GenerateTrianglesOn()
+    cutter.Update()
+    return cutter.GetOutput()
 
 
 def clipped_triangles(points, triangles, normal):

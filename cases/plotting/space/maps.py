@@ -4,8 +4,6 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 from matplotlib.tri import Triangulation
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPlane
-from vtkmodules.vtkFiltersCore import vtkCutter
 from vtkmodules.vtkFiltersGeneral import vtkWarpVector
 
 from plotting import fields, maps
@@ -13,7 +11,7 @@ from plotting.contact import STATES
 from plotting.figure import GRAY, ORANGE, key_under_labels, new_figure, say_empty
 from plotting.space import files
 from plotting.space.contact_view import middle_of, nodes_of, places_in, view_of
-from plotting.space.grids import poly
+from plotting.space.grids import cut, poly
 from plotting.space.run import AXES
 from plotting.space.scene import scale_of
 from plotting.units import amount, plain
@@ -139,17 +137,6 @@ def pressure_figure(run):
         told = (f"{what} at {when}; " if len(tools) > 1 else "") + (f"no contact at the end: {', '.join(without)}" if without else "")
         figure.suptitle(told.removesuffix("; "), fontsize=12)
     return figure
-
-
-def cut(data, point, normal):
-    cutter, plane = vtkCutter(), vtkPlane()
-    plane.SetOrigin(*point)
-    plane.SetNormal(*normal)
-    cutter.SetCutFunction(plane)
-    cutter.SetInputData(data)
-    cutter.GenerateTrianglesOn()
-    cutter.Update()
-    return cutter.GetOutput()
 
 
 def cut_body(run, body, name, point, normal):

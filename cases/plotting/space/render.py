@@ -9,10 +9,10 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from plotting.figure import ORANGE
 from plotting.space import files
 from plotting.space.display import start_display
-from plotting.space.grids import clipped, poly
+from plotting.space.grids import clipped, cut, poly
 
 LITTLE, OPAQUE, TRANSPARENT = 0.25, 0.4, 0.15   # size of a tool over the workpiece's, below which it is opaque; how far tools are
-STEEL, BODY, EDGE = (0.55, 0.60, 0.68), (0.93, 0.91, 0.86), (0.35, 0.35, 0.35)
+STEEL, RIM, BODY, EDGE = (0.55, 0.60, 0.68), (0.30, 0.35, 0.42), (0.93, 0.91, 0.86), (0.35, 0.35, 0.35)
 
 DENSE = 3000  # triangles of a tool whose lines are no longer told apart
 APART = 2e-3  # how far lines lie before faces and tools behind them, over the size of the workpiece
@@ -90,6 +90,8 @@ class Scene:
             opacity = OPAQUE if np.ptp(points, axis=0).max() < LITTLE * side else TRANSPARENT
             points = points + shift
             self.add(clipped(smoothed(poly(points, triangles)), behind), STEEL, opacity)
+            if behind is not None:
+                self.add(cut(poly(points, triangles), np.zeros(3), behind), RIM, 1.0, 1.5)
             if len(triangles) < DENSE:
                 self.add(clipped(poly(points, files.edges_of(triangles), "lines"), behind), STEEL, 0.5 * opacity, 1.0)
 

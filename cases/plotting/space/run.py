@@ -9,6 +9,7 @@ from plotting.run import Run
 from plotting.space import files
 
 AXES = "xyz"
+FAR = 0.1      # distance of a tool over the size of the workpiece
 
 
 class SpaceRun(Run):
@@ -51,6 +52,11 @@ class SpaceRun(Run):
     def view(self, k):
         """A frame as it is seen: open along the plane of symmetry that faces the viewer."""
         return self.frame(k, [plane for plane in self.symmetry if plane[0] != self.cut])
+
+    def close_view(self, k):
+        """The same without tools that are far from the workpiece."""
+        frame = self.view(k)
+        return frame._replace(tools=frame.tools and files.near(frame.tools, frame.body, FAR * np.ptp(frame.body.points, axis=0).max()))
 
     @cached_property
     def last(self):

@@ -22,7 +22,7 @@ SMALL = 0.1        # of tools over the workpiece, below which only what is near 
 TOOL_ROOM = 0.35   # how far a tool is shown beyond the workpiece, over the workpiece's largest side
 ASIDE, ABOVE = 0.55, 0.42  # of the view: sideways and upward, over straight from the front
 FLOWING = 1e-6     # plastic strain from which it is shown
-LEAST_WAY = 1e-2   # of the largest side, below which no way is drawn
+LEAST_WAY = 5e-2   # of the largest side, below which no way is drawn
 LIFTED = 3e-3      # of the largest side, above its lowest place: the tool is on its way to the next track
 TRACK = 0.006      # radius of a track over the largest side
 SIZE, MARGIN = (1100, 900), 45   # pixels of a view of all, of which a part is drawn; about what is drawn
@@ -127,7 +127,8 @@ def show(axes, image, window=None):
 
 def key_of(run, frame, more=()):
     """more: further handles"""
-    names = plain(", ".join(map(run.tool_name, run.tracks))) if len(run.tracks) < 4 else "tools"
+    numbers = np.unique(frame.tools.cells["tool"]) if frame.tools else []
+    names = plain(", ".join(map(run.tool_name, numbers))) if 0 < len(numbers) < 4 else "tools"
     told = "workpiece, edges of its elements" + (" where it was computed" if run.symmetry else "")
     told += "" if run.cut is None else f"; cut open at {'xyz'[run.cut]} = 0"
     handles = [Patch(facecolor=BODY, edgecolor="black", label=told),
