@@ -63,7 +63,7 @@ template <int Dim> StepStatus Iteration<Dim>::check(Eigen::VectorXd& u, const Ei
     m_balance.remember();
     return StepStatus::CONVERGED;
   }
-  m_policy.look(residual, allowed, consistent);
+  m_policy.look(residual, allowed);
   const double bound = more_digits(m_options.tolerance) * m_options.max_iterations;
   if (m_number >= 2 * bound || (m_number >= bound && m_policy.lags())) return give_up(not_converged());
   if (m_policy.grows() && m_number >= 2 && m_backtracks < MAX_BACKTRACKS && m_u_before.size() == u.size())

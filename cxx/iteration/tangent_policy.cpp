@@ -8,7 +8,7 @@ namespace {
 constexpr double GROWS = 2;    // residual ratio from which the iterate goes back or the tangent is taken anew
 constexpr int RATE_WINDOW = 4; // iterations that the rate of convergence is measured over
 constexpr double RATE_BOUND = 8; // a new tangent is taken where that rate leaves more iterations than this
-// Part of elastic moduli after 0, 1, 2, ... new tangents that made the residual grow; condensed: iterations that were slow
+// Condensed: part of elastic moduli after 0, 1, 2, ... iterations that were slow
 constexpr std::array<double, 4> BLEND_BY_SLOWNESS{0, 0.2, 0.2, 0.4};
 // The same after 0, 1, 2, ... losses of definiteness in a row (ALGORITHMS.md 5.2)
 constexpr std::array<double, 4> BLEND_BY_FAILURE{0, 0.05, 0.2, 0.8};
@@ -23,11 +23,9 @@ void TangentPolicy::begin() {
   m_rate = ConvergenceRate(RATE_WINDOW, RATE_BOUND);
 }
 
-void TangentPolicy::look(double residual, double allowed, bool consistent) {
+void TangentPolicy::look(double residual, double allowed) {
   m_lags = !m_condensed && m_rate.slow(residual, allowed);
   m_grows = m_last >= 0 && residual > GROWS * m_last;
-  if (m_fresh && !m_condensed) m_slow = m_grows && consistent ? m_slow + 1 : 0;
-  m_fresh = false;
 }
 
 void TangentPolicy::go_on(double residual) {
@@ -44,7 +42,6 @@ void TangentPolicy::go_on(double residual) {
 
 void TangentPolicy::factored(bool definite) {
   m_rate.clear();
-  m_fresh = true;
   m_indefinite = definite ? 0 : m_indefinite + 1;
 }
 

@@ -12,8 +12,7 @@ public:
   void set_condensed() { m_condensed = true; }
   bool condensed() const { return m_condensed; }
   /// Looks at the residual of an iterate that has not converged [force].
-  /// @param consistent whether its contact states contradict nothing
-  void look(double residual, double allowed, bool consistent);
+  void look(double residual, double allowed);
   bool grows() const { return m_grows; } ///< it is much larger than that of the last iterate
   bool lags() const { return m_lags; }   ///< the rate of convergence asks for too many iterations more
   /// The iteration goes on from it.
@@ -21,8 +20,8 @@ public:
   double last() const { return m_last; } ///< residual that it went on from last [force], < 0: none
   /// A tangent was factored, or was not positive definite.
   void factored(bool definite);
-  /// Part of elastic moduli to mix into the next tangent: none, but after losses of definiteness, where a new tangent makes the
-  /// residual grow with consistent contact states, and where condensed iterations are slow (cycles of plastic points).
+  /// Part of elastic moduli to mix into the next tangent: none, but after losses of definiteness, and where condensed iterations
+  /// are slow (cycles of plastic points).
   double elastic_blend() const;
   /// The tangent stays indefinite: a limit load.
   bool blend_exhausted() const { return m_indefinite > MAX_INDEFINITE; }
@@ -33,11 +32,9 @@ public:
 private:
   ConvergenceRate m_rate;
   bool m_condensed = false, m_grows = false, m_lags = false;
-  bool m_fresh = false; // no iterate since the last tangent
   double m_last = -1;
-  int m_slow = 0;       // new tangents in a row that made it grow; condensed: slow iterations
-  int m_falls = 0;      // condensed iterations in a row that made the residual smaller
-  int m_indefinite = 0; // tangents in a row
+  int m_slow = 0, m_indefinite = 0; // m_slow: condensed iterations that were slow
+  int m_falls = 0;                  // condensed iterations in a row that made the residual smaller
 };
 
 } // namespace burnish
