@@ -34,7 +34,7 @@ MPI_INCLUDE     ?= /usr/lib/$(shell $(CXX) -print-multiarch)/openmpi/include
 MUMPS_INCLUDE   ?= /usr/include
 MPI_LIBRARIES   ?= -ldmumps -lmpi -l:liblapack.so.3 -l:libblas.so.3
 # BLAS and LAPACK by their run-time names: whatever the system's alternatives select counts
-LIBRARIES ?= -lcholmod -lumfpack -l:liblapack.so.3 -l:libblas.so.3 -lginac -lcln $(OCC_LIBRARIES) -lz -ldl
+LIBRARIES ?= -lcholmod -lumfpack -lsuitesparseconfig -lmetis -l:liblapack.so.3 -l:libblas.so.3 -lginac -lcln $(OCC_LIBRARIES) -lz -ldl
 # (from OpenCASCADE 7.8 on: -lTKDESTEP for the first two)
 OCC_LIBRARIES ?= -lTKSTEP -lTKXSBase -lTKFillet -lTKMesh -lTKTopAlgo -lTKBRep -lTKGeomBase -lTKG3d -lTKG2d -lTKMath -lTKernel
 # what makes CAD bodies for the tests

@@ -1,11 +1,30 @@
 #pragma once
 // CHOLMOD's settings and workspace, owned. Only for the .cpp files of this folder.
+#include <cstdint>
+#include <cstdlib>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <suitesparse/cholmod.h>
+#include <sys/mman.h>
 
 namespace burnish {
+
+/// From now on SuiteSparse's blocks of 32 MB and more have pages of 2 MB where Linux has them: those of a new factor of 2 GB took 7 %
+/// of a run's time, at 4 kB each.
+inline void take_large_pages() {
+#ifdef MADV_HUGEPAGE
+  SuiteSparse_config.malloc_func = [](std::size_t bytes) {
+    constexpr std::size_t large = 32 << 20, page = 2 << 20;
+    void* const block = std::malloc(bytes);
+    if (!block || bytes < large) return block;
+    const auto begin = (reinterpret_cast<std::uintptr_t>(block) + page - 1) / page * page;
+    const auto end = (reinterpret_cast<std::uintptr_t>(block) + bytes) / page * page;
+    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+    return block;
+  };
+#endif
+}
 
 /// A silent cholmod_common: nothing is printed, check() turns CHOLMOD's errors into exceptions.
 class CholmodCommon {

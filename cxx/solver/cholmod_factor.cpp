@@ -95,7 +95,7 @@ void CholmodFactor::analyze(std::vector<int> col_start, std::vector<int> row, in
   impl.analyzed = false;
   impl.col_start = std::move(col_start);
   impl.row = std::move(row);
-  if (impl.row.size() > LARGE) return_large_blocks();
+  if (impl.row.size() > LARGE) return_large_blocks(), take_large_pages();
   if (impl.size() > 0) {
     cholmod_sparse matrix = impl.pattern();
     impl.factor = cholmod_analyze(&matrix, impl.common.get());

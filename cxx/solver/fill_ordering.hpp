@@ -36,7 +36,7 @@ struct EliminationOrder {
       0}; ///< vertices of the two halves, which come first; then what separates them. 0 of an undivided body
 };
 
-/// Two halves without an edge between them and with about as many vertices each, by METIS; without METIS all are in half 0.
+/// Two halves without an edge between them, by METIS; the larger has a few per cent more vertices at most where the graph allows it.
 /// @return per vertex its half, 0 or 1, or SEPARATOR
 /// @throws as fill_reducing_order
 std::vector<int> halves_and_separator(const Graph& graph);

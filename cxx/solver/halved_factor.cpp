@@ -12,17 +12,15 @@ extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* ld
 namespace burnish {
 namespace {
 
-// L L', its lower triangle by columns. dlauum forms U U': L read backwards is a U.
-std::vector<double> packed_product(const Eigen::MatrixXd& L) {
+// L L', its lower triangle by columns, to the beginning of `to`. dlauum forms U U': L read backwards is a U. `work` is lost.
+void packed_product(const Eigen::MatrixXd& L, Eigen::MatrixXd& work, std::vector<double>& to) {
   const int n = static_cast<int>(L.rows());
-  Eigen::MatrixXd backwards = L.reverse();
+  work = L.reverse();
   int info = 0;
-  if (n > 0) dlauum_("U", &n, backwards.data(), &n, &info, 1);
-  std::vector<double> packed;
-  packed.reserve(static_cast<std::size_t>(n) * (n + 1) / 2);
+  if (n > 0) dlauum_("U", &n, work.data(), &n, &info, 1);
+  double* next = to.data();
   for (int j = 0; j < n; ++j)
-    for (int i = j; i < n; ++i) packed.push_back(backwards(n - 1 - i, n - 1 - j));
-  return packed;
+    for (int i = j; i < n; ++i) *next++ = work(n - 1 - i, n - 1 - j);
 }
 
 } // namespace
@@ -80,33 +78,33 @@ void HalvedFactor::analyze(std::vector<int> col_start, std::vector<int> row, int
   for (int j = begin; j < end; ++j) append_column(j);
   for (int j = top; j < m_size; ++j) append_column(j);
   m_own.analyze(std::move(start), std::move(rows));
-  std::vector<double> entries{static_cast<double>(m_own.factor_entries())};
-  add_up(entries);
-  m_entries = static_cast<std::size_t>(entries[0]);
+  double entries = static_cast<double>(m_own.factor_entries());
+  add_up(&entries, 1);
+  m_entries = static_cast<std::size_t>(entries);
   m_analyzed = true;
 }
 
 bool HalvedFactor::all_well(bool here) const { return m_ranks.least(here ? 1 : 0) == 1; }
 
 // Own numbers become the sum of both ranks', in the same order on both.
-void HalvedFactor::add_up(std::vector<double>& own) const {
-  const std::size_t n = own.size();
-  std::vector<double> both(2 * n);
-  std::copy(own.begin(), own.end(), both.begin() + n * m_ranks.rank());
-  m_ranks.gather(both.data(), {0, n, 2 * n});
-  for (std::size_t k = 0; k < n; ++k) own[k] = both[k] + both[n + k];
+void HalvedFactor::add_up(double* own, std::size_t n) const {
+  m_exchange.resize(std::max(m_exchange.size(), 2 * n));
+  std::copy(own, own + n, m_exchange.begin() + n * m_ranks.rank());
+  m_ranks.gather(m_exchange.data(), {0, n, 2 * n});
+  for (std::size_t k = 0; k < n; ++k) own[k] = m_exchange[k] + m_exchange[n + k];
 }
 
-Eigen::MatrixXd HalvedFactor::schur_complement(const std::vector<double>& values) const {
-  std::vector<double> packed = packed_product(m_own_top);
-  add_up(packed);
-  Eigen::MatrixXd schur = Eigen::MatrixXd::Zero(num_top(), num_top());
-  const double* from = packed.data();
+// In place of the last one: new pages of memory take as long as the sums.
+void HalvedFactor::form_schur_complement(const std::vector<double>& values) {
+  const std::size_t n = num_top();
+  m_packed.resize(n * (n + 1) / 2);
+  packed_product(m_own_top, m_schur, m_packed);
+  add_up(m_packed.data(), m_packed.size());
+  const double* from = m_packed.data();
   for (int j = 0; j < num_top(); ++j)
-    for (int i = j; i < num_top(); ++i) schur(i, j) = *from++;
+    for (int i = j; i < num_top(); ++i) m_schur(i, j) = *from++;
   for (std::size_t k = 0; k < m_top_row.size(); ++k)
-    schur(m_top_row[k], m_top_column[k]) -= values[m_top_entries[0] + k];
-  return schur;
+    m_schur(m_top_row[k], m_top_column[k]) -= values[m_top_entries[0] + k];
 }
 
 FactorStatus HalvedFactor::factorize(std::vector<double> values) {
@@ -119,7 +117,7 @@ FactorStatus HalvedFactor::factorize(std::vector<double> values) {
   if (!all_well(m_own.factorize(std::move(own)) == FactorStatus::OK))
     return FactorStatus::NOT_POSITIVE_DEFINITE;
   m_own_top = m_own.trailing_factor(own_half());
-  m_schur = schur_complement(values);
+  form_schur_complement(values);
   const int n = num_top();
   int info = 0;
   if (n > 0) dpotrf_("L", &n, m_schur.data(), &n, &info, 1);
@@ -142,13 +140,12 @@ void HalvedFactor::solve_lower(Eigen::Ref<Eigen::MatrixXd> b) const {
   y.topRows(own_half()) = half;
   m_own.solve_lower(y);
   half = y.topRows(own_half());
-  std::vector<double> change(static_cast<std::size_t>(num_top()) * b.cols());
-  Eigen::Map<Eigen::MatrixXd> on_top(change.data(), num_top(), b.cols());
+  Eigen::MatrixXd change(num_top(), b.cols());
   for (Eigen::Index c = 0; c < b.cols(); ++c) // of one column Eigen makes no copy of the triangle
-    on_top.col(c) = m_own_top.triangularView<Eigen::Lower>() * y.col(c).tail(num_top());
-  add_up(change);
+    change.col(c) = m_own_top.triangularView<Eigen::Lower>() * y.col(c).tail(num_top());
+  add_up(change.data(), change.size());
   auto top = b.bottomRows(num_top());
-  top += on_top;
+  top += change;
   for (auto column : top.colwise()) m_schur.triangularView<Eigen::Lower>().solveInPlace(column);
 }
 

@@ -35,8 +35,8 @@ public:
 
 private:
   bool all_well(bool here) const;
-  Eigen::MatrixXd schur_complement(const std::vector<double>& values) const;
-  void add_up(std::vector<double>& own) const;
+  void form_schur_complement(const std::vector<double>& values);
+  void add_up(double* own, std::size_t n) const;
   void require_factor(const char* where, Eigen::Index rows) const;
   int begin_of(int half) const { return half == 0 ? 0 : m_halves[0]; }
   int own_half() const { return m_halves[m_ranks.rank()]; }
@@ -49,6 +49,8 @@ private:
   std::array<std::size_t, 2> m_half_entries{}, m_top_entries{};
   std::vector<int> m_top_row, m_top_column; // of each entry over t, there
   Eigen::MatrixXd m_own_top, m_schur;       // L_tt of this rank; the factor of the Schur complement
+  std::vector<double> m_packed;             // the same before it is factored
+  mutable std::vector<double> m_exchange;   // numbers of both ranks
   std::size_t m_entries = 0;
   int m_size = 0;
   bool m_analyzed = false, m_factorized = false;

@@ -224,3 +224,27 @@ TEST(HalvedFactor, RefusesWrongOrder) {
   EXPECT_THROW(factor.solve(b), std::logic_error);
   EXPECT_THROW(factor.trailing_factor(0), std::logic_error);
 }
+
+// Blocks of l x m x k nodes, all of a cell neighbors. By itself METIS lets halves differ by a fifth.
+TEST(HalvesAndSeparator, AreEvenAndDoNotTouch) {
+  for (const auto& [l, m, k] : {std::array{36, 18, 12}, std::array{24, 12, 8}, std::array{60, 20, 3}}) {
+    const auto at = [m = m, k = k](int x, int y, int z) { return (x * m + y) * k + z; };
+    Graph graph;
+    for (int x = 0; x < l; ++x)
+      for (int y = 0; y < m; ++y)
+        for (int z = 0; z < k; ++z) {
+          for (int cell = 0; cell < 8; ++cell)
+            if (x + (cell & 1) < l && y + (cell >> 1 & 1) < m && z + (cell >> 2) < k)
+              graph.col.push_back(at(x + (cell & 1), y + (cell >> 1 & 1), z + (cell >> 2)));
+          graph.row_start.push_back(static_cast<int>(graph.col.size()));
+        }
+    const std::vector<int> part = halves_and_separator(graph);
+    std::array<long, 3> count{};
+    for (const int p : part) ++count[p];
+    EXPECT_LE(std::max(count[0], count[1]), 1.07 * static_cast<double>(std::min(count[0], count[1])));
+    EXPECT_LE(count[SEPARATOR], 2L * m * k);
+    for (int v = 0; v < graph.size(); ++v)
+      for (int e = graph.row_start[v]; e < graph.row_start[v + 1]; ++e)
+        EXPECT_NE(part[v] + part[graph.col[e]], 1) << v;
+  }
+}
