@@ -10,6 +10,10 @@
 //   M.outline(size)   boundary of the deformed workpiece as straight edges: for each x, y of its start, x, y of its end, label; the
 //       body is on the left. Corners and ends of labels stay | length
 //     size      length of an edge, 0: that of the present mesh there | length | | >= 0
+//   M.volumemesh(size)   mesh3 of the deformed workpiece in space, made by gmsh: labels and sharp edges stay, vertices are on its surface
+//     size      length of the edges, or an array of them at the vertices of the present mesh; 0.: as long as those of the first mesh there | length
+//     ! one region
+//     ! gmsh failed on the deformed workpiece
 //   rcOnNewMesh(S, C, M, Vh, u, held)   between steps, as in record: contact, material and run go on on the mesh of Vh, of the
 //       deformed workpiece, with u = 0 but for the mid nodes of its boundary. Stress, internal variables and integrities are
 //       carried over (METHOD.md 1.17), tools stay where they are, supports and a hold go on, equilibrium is found again. External forces are
@@ -29,6 +33,7 @@
 #include "mesh/mesh_match.hpp"
 #include "named.hpp"
 #include "remesh/deformed_boundary.hpp"
+#include "remesh/volume_mesh.hpp"
 #include "step_control.hpp"
 #include <algorithm>
 #include <cmath>
@@ -141,6 +146,58 @@ KN_<double> outline_of(Stack stack, const Method<M, OutlineTag>& m, const double
   });
 }
 
+struct VolumeMeshTag {};
+constexpr const char* VOLUME_MESH = "material.volumemesh";
+// It goes with the stack.
+pmesh3 mesh_of(Stack stack, const VolumeMesh& from, int region) {
+  using namespace Fem2D;
+  auto* places = new Vertex3[from.node.size()];
+  auto* elements = new Tet[from.tetrahedron.size()];
+  auto* faces = new Triangle3[from.face.size()];
+  for (std::size_t i = 0; i < from.node.size(); ++i)
+    static_cast<R3&>(places[i]) = R3(from.node[i][0], from.node[i][1], from.node[i][2]);
+  for (std::size_t k = 0; k < from.tetrahedron.size(); ++k) {
+    std::array<int, 4> corners = from.tetrahedron[k];
+    elements[k].set(places, corners.data(), region);
+  }
+  for (std::size_t b = 0; b < from.face.size(); ++b) {
+    std::array<int, 3> corners = from.face[b];
+    faces[b].set(places, corners.data(), static_cast<int>(from.label[b]));
+  }
+  // (without its MeshS: FreeFEM writes beyond an array of its edges on some surfaces)
+  auto* mesh = new ::Mesh3(static_cast<int>(from.node.size()), static_cast<int>(from.tetrahedron.size()),
+                           static_cast<int>(from.face.size()), places, elements, faces);
+  return Add2StackOfPtr2FreeRC(stack, mesh);
+}
+// @param make volume_mesh of a workpiece's mesh and displacement, of FreeFEM's mesh
+template <class Make> pmesh3 meshed_by(Stack stack, const Method<M, VolumeMeshTag>& m, const Make& make) {
+  return guarded([&] {
+    const auto& material = of_dimension<3>(m->get(), VOLUME_MESH, "; in the plane rcOutlineMesh does it");
+    const ::Mesh3& old = *material.mesh;
+    for (int k = 0; k < old.nt; ++k)
+      require(old[k].lab == old[0].lab, VOLUME_MESH, "region", old[k].lab, "one region");
+    const auto& body = material.workpiece();
+    return called(VOLUME_MESH, [&] {
+      return mesh_of(stack, make(body.discretization(), body.state_old().displacement, old), old[0].lab);
+    });
+  });
+}
+pmesh3 meshed_evenly(Stack stack, const Method<M, VolumeMeshTag>& m, const double& size) {
+  return meshed_by(stack, m, [&](const auto& mesh, const Eigen::VectorXd& u, const ::Mesh3& old) {
+    return size == 0 ? volume_mesh(mesh, u) : volume_mesh(mesh, u, CornerSizes::Constant(4, old.nt, size));
+  });
+}
+pmesh3 meshed_as_told(Stack stack, const Method<M, VolumeMeshTag>& m, const KN_<double>& size) {
+  return meshed_by(stack, m, [&](const auto& mesh, const Eigen::VectorXd& u, const ::Mesh3& old) {
+    require(size.N() == old.nv, VOLUME_MESH, "number of lengths of edges", size.N(),
+            (std::to_string(old.nv) + ", one for each vertex").c_str());
+    CornerSizes sizes(4, old.nt);
+    for (int k = 0; k < old.nt; ++k)
+      for (int v = 0; v < 4; ++v) sizes(v, k) = size[old(k, v)];
+    return volume_mesh(mesh, u, sizes);
+  });
+}
+
 } // namespace
 
 template <int Dim>
@@ -164,6 +221,10 @@ void register_remesh() {
   Add<M*>("volume", ".", new OneOperator1_<double, M*>(volume));
   add_method<M, OutlineTag>(
       "outline", [] { return new OneOperator2s_<KN_<double>, Method<M, OutlineTag>, double>(outline_of); });
+  add_method<M, VolumeMeshTag>(
+      "volumemesh",
+      [] { return new OneOperator2s_<pmesh3, Method<M, VolumeMeshTag>, double>(meshed_evenly); },
+      [] { return new OneOperator2s_<pmesh3, Method<M, VolumeMeshTag>, KN_<double>>(meshed_as_told); });
   Global.Add(
       "rcOnNewMesh", "(",
       new NamedOperator<OnNewMesh<2>, double, S*, ContactHandle*, M*, pfes*, KN_<double>, KN_<double>>);

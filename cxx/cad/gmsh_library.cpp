@@ -4,7 +4,6 @@
 #include "base/error.hpp"
 #include "base/temporary.hpp"
 #include "cad/cad_text.hpp"
-#include "cad/companion_gmsh/burnish_gmsh.h"
 #include <charconv>
 #include <cmath>
 #include <csignal>
@@ -91,6 +90,15 @@ std::string gmsh_mesh(const std::string& file, const GeoNumbers& numbers, const 
     return error ? error : "";
   };
   return told(run_in_child(make, log), log);
+}
+
+std::string gmsh_fill(const burnish_gmsh_body& body, const std::string& result, const std::string& log) {
+  const auto call = function<burnish_gmsh_fill_call>("burnish_gmsh_fill");
+  const auto fill = [&]() -> std::string {
+    const char* error = call(&body, result.c_str());
+    return error ? error : "";
+  };
+  return told(run_in_child(fill, log), log);
 }
 
 } // namespace burnish

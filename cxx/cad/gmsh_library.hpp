@@ -1,5 +1,6 @@
 #pragma once
 // gmsh, opened when it is first needed and run in a process of its own: see cad/companion_gmsh/burnish_gmsh.h.
+#include "cad/companion_gmsh/burnish_gmsh.h"
 #include <map>
 #include <string>
 
@@ -29,5 +30,8 @@ struct GeoMeshing {
 /// @param log  file for what gmsh prints on the way
 std::string gmsh_mesh(const std::string& file, const GeoNumbers& numbers, const std::string& result,
                       const std::string& log, const GeoMeshing& meshing);
+
+/// The same of filling a body with tetrahedra, see burnish_gmsh_fill. @param result the file that it writes
+std::string gmsh_fill(const burnish_gmsh_body& body, const std::string& result, const std::string& log);
 
 } // namespace burnish

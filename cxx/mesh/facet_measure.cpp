@@ -35,19 +35,29 @@ Eigen::MatrixXd EdgeMeasure::masses(const std::vector<Vector<2>>& x) const {
   return mass;
 }
 
+const std::array<TrianglePoint, 7>& triangle_rule() {
+  static const std::array<TrianglePoint, 7> points = [] {
+    const double root = std::sqrt(15.); // Radon's rule: the centroid and two rings of three points
+    const double other[] = {1. / 3, (6 - root) / 21, (6 + root) / 21};
+    const double weight[] = {9. / 80, (155 - root) / 2400, (155 + root) / 2400};
+    std::array<TrianglePoint, 7> rule;
+    for (int point = 0; point < 7; ++point) {
+      const int ring = (point + 2) / 3;
+      Barycentric<2> l = Barycentric<2>::Constant(other[ring]);
+      if (ring > 0) l[(point + 2) % 3] = 1 - 2 * other[ring];
+      rule[point] = {l, weight[ring]};
+    }
+    return rule;
+  }();
+  return points;
+}
+
 Eigen::MatrixXd FaceMeasure::masses(const std::vector<Vector<3>>& x) const {
-  const double root = std::sqrt(15.); // Radon's rule: the centroid and two rings of three points
-  const double other[] = {1. / 3, (6 - root) / 21, (6 + root) / 21};
-  const double weight[] = {9. / 40, (155 - root) / 1200, (155 + root) / 1200};
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(x.size()), 3);
-  for (int point = 0; point < 7; ++point) {
-    const int ring = (point + 2) / 3;
-    Barycentric<2> l = Barycentric<2>::Constant(other[ring]);
-    if (ring > 0) l[(point + 2) % 3] = 1 - 2 * other[ring];
+  for (const auto& [l, weight] : triangle_rule()) {
     double N[6];
     shape_functions<2>(static_cast<int>(x.size()), l, N);
-    mass +=
-        0.5 * weight[ring] * area_density(x, l) * Eigen::Map<Eigen::VectorXd>(N, mass.rows()) * l.transpose();
+    mass += weight * area_density(x, l) * Eigen::Map<Eigen::VectorXd>(N, mass.rows()) * l.transpose();
   }
   return mass;
 }

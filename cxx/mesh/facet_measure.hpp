@@ -1,8 +1,17 @@
 #pragma once
 // Integrals over boundary facets in their present place.
 #include "mesh/mesh.hpp"
+#include "mesh/simplex.hpp"
 
 namespace burnish {
+
+/// A point of a triangle: barycentric coordinates, weight; the weights sum up to 1/2, the area in the plane of l1 and l2.
+struct TrianglePoint {
+  Barycentric<2> l;
+  double weight;
+};
+/// Seven points, exact to degree 5.
+const std::array<TrianglePoint, 7>& triangle_rule();
 
 template <int Dim> class FacetMeasure {
 public:
@@ -25,7 +34,7 @@ private:
 };
 
 /// Triangles of space, of 3 or 6 nodes in the order of Facet (SimplexEdges<2>), curved ones as they are: dA is that of the
-/// quadratic map. Seven points, exact to degree 5: flat triangles whose mid nodes lie in the middle need 2 (T3) or 3 (T6).
+/// quadratic map. By triangle_rule: flat triangles whose mid nodes lie in the middle need 2 (T3) or 3 (T6).
 /// Integral of the shape functions there: A/3 at every node of T3; 0 at the vertices and A/3 at the mid nodes of T6.
 class FaceMeasure final : public FacetMeasure<3> {
 public:

@@ -1,7 +1,6 @@
 #include "parallel/first_rank.hpp"
 
 namespace burnish {
-namespace {
 
 void share_text(std::string& text) {
   std::size_t size = text.size();
@@ -9,8 +8,6 @@ void share_text(std::string& text) {
   text.resize(size);
   if (size > 0) ranks().broadcast(text.data(), size, 0);
 }
-
-} // namespace
 
 WorkEnd caught_end() {
   try {

@@ -6,6 +6,9 @@
 
 namespace burnish {
 
+/// Rank 0's text becomes that of all.
+void share_text(std::string& text);
+
 /// How a piece of work of rank 0 ended, as the others are told.
 struct WorkEnd {
   enum Kind : char { DONE, ARGUMENT_ERROR, FILE_ERROR, OTHER_ERROR } kind = DONE;

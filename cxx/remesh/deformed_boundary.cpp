@@ -1,17 +1,12 @@
 #include "remesh/deformed_boundary.hpp"
 #include "base/error.hpp"
+#include "remesh/deformed_surface.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 namespace burnish {
 namespace {
-
-constexpr double CORNER = 0.3;  // turn of the boundary at a vertex that stays [rad]
-constexpr double WITHIN = 0.25; // of an edge: how far its mid node may be moved
-constexpr double CURVED = 1e-4; // of an edge: the bulge of a straight one is smaller
-constexpr int SAMPLES = 16;     // of an arc, before its nearest place is refined
-constexpr int REFINEMENTS = 30; // by a third each
 
 Vector<2> tangent(const BoundaryArc& arc, bool end) {
   Vector<2> along = -3 * arc.x[0] + 4 * arc.x[1] - arc.x[2];
@@ -20,7 +15,8 @@ Vector<2> tangent(const BoundaryArc& arc, bool end) {
 }
 bool turns(const BoundaryArc& before, const BoundaryArc& after) {
   const Vector<2> a = tangent(before, true), b = tangent(after, false);
-  return before.label != after.label || std::abs(std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b))) > CORNER;
+  return before.label != after.label ||
+         std::abs(std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b))) > SHARP_TURN;
 }
 double length(const BoundaryArc& arc) { return (arc.x[1] - arc.x[0]).norm() + (arc.x[2] - arc.x[1]).norm(); }
 
@@ -36,27 +32,10 @@ void divide(const std::vector<BoundaryArc>& section, double size, std::vector<Ou
     const double wanted = number.back() * i / count;
     while (k + 1 < section.size() && number[k + 1] < wanted) ++k;
     const double s = std::min(1., (wanted - number[k]) / (number[k + 1] - number[k]));
-    const Vector<2> to = i == count ? section.back().x[2] : section[k].at(s);
+    const Vector<2> to = i == count ? section.back().x[2] : on_parabola<2>(section[k].x, s);
     edges.push_back({from, to, section.front().label});
     from = to;
   }
-}
-
-// Place on an arc nearest to x, and its squared distance.
-std::pair<Vector<2>, double> nearest_on(const BoundaryArc& arc, const Vector<2>& x) {
-  double best = 0, least = (arc.at(0) - x).squaredNorm();
-  const auto look = [&](double s) {
-    const double d = (arc.at(s) - x).squaredNorm();
-    if (d < least) least = d, best = s;
-  };
-  for (int i = 1; i <= SAMPLES; ++i) look(static_cast<double>(i) / SAMPLES);
-  double width = 1. / SAMPLES;
-  for (int i = 0; i < REFINEMENTS; ++i, width *= 2. / 3) {
-    const double middle = best;
-    look(std::max(0., middle - width / 2));
-    look(std::min(1., middle + width / 2));
-  }
-  return {arc.at(best), least};
 }
 
 // Area within the loops, of a ring its volume.
@@ -67,7 +46,7 @@ double enclosed(const std::vector<std::vector<BoundaryArc>>& loops, bool ring) {
   for (const auto& loop : loops)
     for (const BoundaryArc& arc : loop)
       for (const auto& [s, weight] : rule) {
-        const double x = arc.at(s)[0];
+        const double x = on_parabola<2>(arc.x, s)[0];
         const Vector<2> along = (4 * s - 3) * arc.x[0] + (4 - 8 * s) * arc.x[1] + (4 * s - 1) * arc.x[2];
         sum += weight * (ring ? M_PI * x * x : x) * along[1];
       }
@@ -96,7 +75,7 @@ Vector<2> place_of(const MiddleNode& middle, long label, const std::vector<Bound
   for (const BoundaryArc& arc : arcs) {
     const double reach = length(arc) + WITHIN * middle.outward.norm();
     if (arc.label != label || (arc.x[1] - middle.x).squaredNorm() > reach * reach) continue;
-    const auto found = nearest_on(arc, middle.x);
+    const auto found = nearest_on_parabola<2>(arc.x, middle.x);
     if (found.second < best.second) best = found;
   }
   return best.first;
@@ -117,13 +96,13 @@ void keep_volume(double volume, const Mesh<2>& fresh, Eigen::VectorXd& start) {
     start.segment<2>(2 * middle.node) += missing / per_way * middle.outward.normalized();
 }
 
-template <int Dim>
-void place_middles(const Mesh<Dim>&, const Eigen::VectorXd&, const Mesh<Dim>&, Eigen::VectorXd&) {}
+Eigen::VectorXd displacement(const Mesh<3>& old, const Eigen::VectorXd& u, const Mesh<3>& fresh) {
+  return surface_displacement(old, u, fresh);
+}
 
-template <>
-void place_middles<2>(const Mesh<2>& old, const Eigen::VectorXd& u, const Mesh<2>& fresh,
-                      Eigen::VectorXd& start) {
-  if (fresh.nodes_per_element == 3) return;
+Eigen::VectorXd displacement(const Mesh<2>& old, const Eigen::VectorXd& u, const Mesh<2>& fresh) {
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(fresh.num_dofs());
+  if (fresh.nodes_per_element == 3) return start;
   std::map<int, long> label; // of the edge of a mid node
   for (const Facet<2>& facet : fresh.facets) label[facet.middle[0]] = facet.label;
   const auto loops = boundary_loops(old, u);
@@ -132,13 +111,10 @@ void place_middles<2>(const Mesh<2>& old, const Eigen::VectorXd& u, const Mesh<2
   for (const MiddleNode& middle : middle_nodes(fresh))
     start.segment<2>(2 * middle.node) = place_of(middle, label[middle.node], arcs) - middle.x;
   keep_volume(enclosed(loops, old.axisymmetric), fresh, start);
+  return start;
 }
 
 } // namespace
-
-Vector<2> BoundaryArc::at(double s) const {
-  return (1 - s) * (1 - 2 * s) * x[0] + 4 * s * (1 - s) * x[1] + s * (2 * s - 1) * x[2];
-}
 
 std::vector<std::vector<BoundaryArc>> boundary_loops(const Mesh<2>& mesh, const Eigen::VectorXd& u) {
   std::map<std::pair<int, int>, int> elements; // of every edge
@@ -187,8 +163,7 @@ std::vector<OutlineEdge> outline(const Mesh<2>& mesh, const Eigen::VectorXd& u, 
 template <int Dim>
 Eigen::VectorXd boundary_displacement(const Mesh<Dim>& old, const Eigen::VectorXd& u, const Mesh<Dim>& fresh,
                                       const std::vector<char>& fixed) {
-  Eigen::VectorXd start = Eigen::VectorXd::Zero(fresh.num_dofs());
-  place_middles<Dim>(old, u, fresh, start);
+  Eigen::VectorXd start = displacement(old, u, fresh);
   for (std::size_t d = 0; d < fixed.size(); ++d)
     if (fixed[d]) start[static_cast<Eigen::Index>(d)] = 0;
   return start;

@@ -80,10 +80,7 @@ func int record(real t) {
   if (records == 0) { ofstream f(rcNewName("own.csv")); f << "t" << endl; rcReplaced(f, "own.csv"); }
   ++records;
   if (meshes == 0 && t > 0.35) {
-    Th = movemesh3(Th, transfo=[x + u, y + v, z + w]);
-    [u, v, w] = [0, 0, 0];
-    held.resize(Wh.ndof); held = planes(0, Wh, tgv=1);
-    rcOnNewMesh(S, C, M, Wh, u[], held);
+    rcRemesh3(S, C, M, Th, Wh, u, v, w, planes, 0.)
     ++meshes;
     height = z + meshes;
   }

@@ -1,5 +1,6 @@
 #include "cad/companion_gmsh/burnish_gmsh.h"
 #include "base/memory_limit.hpp"
+#include "cad/companion_gmsh/session.hpp"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -10,6 +11,8 @@
 #include <string>
 #include <sys/resource.h>
 #include <vector>
+
+using namespace burnish_gmsh;
 
 namespace {
 
@@ -42,41 +45,6 @@ private:
   rlimit m_cpu;
   burnish::MemoryLimit m_memory;
 };
-
-void start(bool prints) {
-  gmsh::initialize(0, nullptr, false); // no files of the user's options
-  gmsh::option::setNumber("General.Terminal", prints);
-  // an error thrown out of the parser would hide those that follow
-  gmsh::option::setNumber("General.AbortOnError", 0);
-  gmsh::model::add("burnish");
-  gmsh::logger::start();
-}
-
-bool begins_with(const std::string& text, const char* word) { return text.rfind(word, 0) == 0; }
-
-std::vector<std::string> log_lines() {
-  std::vector<std::string> log;
-  gmsh::logger::get(log);
-  return log;
-}
-
-std::string first_error() {
-  const std::string mark = "Error: ";
-  for (const std::string& line : log_lines())
-    if (line.compare(0, mark.size(), mark) == 0) return line.substr(mark.size());
-  return "";
-}
-
-std::string last_lines() {
-  std::vector<std::string> lines = log_lines(), bad;
-  for (const std::string& line : lines)
-    if (begins_with(line, "Error") || begins_with(line, "Warning")) bad.push_back(line);
-  if (!bad.empty()) lines = bad;
-  std::string text;
-  for (std::size_t i = lines.size() > 6 ? lines.size() - 6 : 0; i < lines.size(); ++i)
-    text += "\n  " + lines[i];
-  return text;
-}
 
 // Names with values before a DefineConstant are taken by it ...
 std::string before(const Numbers& numbers) {
@@ -162,24 +130,6 @@ std::string not_finite() {
       if (!std::isfinite(value)) return "point " + std::to_string(point.second) + " is not finite";
   }
   return "";
-}
-
-// Texts that are handed out.
-const char* told(const std::string& text) {
-  static std::string kept;
-  kept = text;
-  return kept.empty() ? nullptr : kept.c_str();
-}
-
-template <class Call> const char* without_exceptions(const Call& call) {
-  try {
-    return told(call());
-  } catch (const std::bad_alloc&) {
-    return told("it takes more than 2 GB of memory");
-  } catch (...) {
-    const std::string said = first_error();
-    return told(said.empty() ? "gmsh gives up without a reason" : said);
-  }
 }
 
 } // namespace

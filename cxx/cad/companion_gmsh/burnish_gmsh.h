@@ -41,6 +41,26 @@ const char* burnish_gmsh_mesh(const char* file, const burnish_gmsh_number* numbe
 typedef const char* (*burnish_gmsh_mesh_call)(const char*, const burnish_gmsh_number*, int, const char*,
                                               const char*, int, const char*);
 
+/* A body whose surface is a set of patches, each to be meshed anew between the lines where it meets others. */
+typedef struct {
+  const double* x; /* nodes of the surface, 3 coordinates each */
+  int nodes;
+  const int* triangle; /* 3 nodes each, from 0 */
+  const int* patch;    /* of each triangle, from 0, without a gap */
+  int triangles;
+  const int* line;         /* nodes of the lines where patches meet, one line after another; closed ones end where they begin */
+  const int* line_start;   /* of each, and the end */
+  const int* line_patches; /* 2 each */
+  int lines;
+  const double* size; /* tetrahedra of the body, 16 numbers each: x, y, z of the corners, lengths of edges there */
+  int tetrahedra;
+} burnish_gmsh_body;
+
+/* Meshes it and writes a text file: numbers of nodes, tetrahedra, triangles; places of the nodes; nodes of the
+   tetrahedra, from 0; nodes and patch of the triangles of the surface. Prints and returns as burnish_gmsh_mesh. */
+const char* burnish_gmsh_fill(const burnish_gmsh_body* body, const char* result);
+typedef const char* (*burnish_gmsh_fill_call)(const burnish_gmsh_body*, const char*);
+
 #ifdef __cplusplus
 }
 #endif
