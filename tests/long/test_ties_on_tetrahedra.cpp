@@ -105,6 +105,7 @@ Measured measure(const char* name, RolledTetrahedra& scene, int press,
       m.strain, 100 * m.one, 100. * static_cast<double>(zones.one_read) / static_cast<double>(zones.steps),
       static_cast<double>(zones.changes) / static_cast<double>(zones.steps),
       static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  if (!scene.reasons().empty()) std::printf("%s\n", scene.reasons().c_str());
   std::fflush(stdout);
   return m;
 }
