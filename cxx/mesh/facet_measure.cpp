@@ -7,14 +7,19 @@ namespace {
 
 /// dA/dl1 dl2 at barycentric coordinates l of a triangle in space [area].
 double area_density(const std::vector<Vector<3>>& x, const Barycentric<2>& l) {
-  const std::array<Vector<2>, 3> gradient{Vector<2>(-1, -1), Vector<2>(1, 0), Vector<2>(0, 1)};
-  Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
-  const int nodes = static_cast<int>(x.size());
-  for (int a = 0; a < nodes; ++a) tangents += x[a] * shape_gradient<2, 2>(nodes, l, gradient, a).transpose();
+  const auto tangents = triangle_tangents(x, l);
   return tangents.col(0).cross(tangents.col(1)).norm();
 }
 
 } // namespace
+
+Eigen::Matrix<double, 3, 2> triangle_tangents(const std::vector<Vector<3>>& x, const Barycentric<2>& l) {
+  const std::array<Vector<2>, 3> gradient{Vector<2>(-1, -1), Vector<2>(1, 0), Vector<2>(0, 1)};
+  Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
+  const int nodes = static_cast<int>(x.size());
+  for (int a = 0; a < nodes; ++a) tangents += x[a] * shape_gradient<2, 2>(nodes, l, gradient, a).transpose();
+  return tangents;
+}
 
 Eigen::MatrixXd EdgeMeasure::masses(const std::vector<Vector<2>>& x) const {
   const bool quadratic = x.size() == 3;

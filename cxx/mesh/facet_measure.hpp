@@ -12,6 +12,9 @@ struct TrianglePoint {
 };
 /// Seven points, exact to degree 5.
 const std::array<TrianglePoint, 7>& triangle_rule();
+/// Derivatives of the place by l1 and l2 on a triangle in space, where l0 = 1 - l1 - l2, as columns.
+/// @param x its 3 or 6 nodes, in the order of nodes_of [length]
+Eigen::Matrix<double, 3, 2> triangle_tangents(const std::vector<Vector<3>>& x, const Barycentric<2>& l);
 
 template <int Dim> class FacetMeasure {
 public:

@@ -27,21 +27,13 @@ Vector<3> place_on(const FaceNodes& x, const Barycentric<2>& l) {
   return place;
 }
 
-Eigen::Matrix<double, 3, 2> tangents_of(const FaceNodes& x, const Barycentric<2>& l) {
-  const std::array<Vector<2>, 3> gradient{Vector<2>(-1, -1), Vector<2>(1, 0), Vector<2>(0, 1)};
-  Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
-  const int nodes = static_cast<int>(x.size());
-  for (int a = 0; a < nodes; ++a) tangents += x[a] * shape_gradient<2, 2>(nodes, l, gradient, a).transpose();
-  return tangents;
-}
-
 // The foot, if it is inside, else the nearest place of an edge.
 std::pair<Vector<3>, double> nearest_on(const FaceNodes& x, const Vector<3>& p) {
   Eigen::Vector2d at(1. / 3, 1. / 3);
   bool found = false;
   for (int i = 0; i < NEWTON && !found; ++i) {
     const Barycentric<2> l = coordinates(at[0], at[1]);
-    const auto T = tangents_of(x, l);
+    const auto T = triangle_tangents(x, l);
     const Eigen::Vector2d move = (T.transpose() * T).ldlt().solve(T.transpose() * (p - place_on(x, l)));
     at = (at + move).cwiseMax(-1).cwiseMin(2);
     found = move.norm() < FOUND;
@@ -62,7 +54,7 @@ std::pair<Vector<3>, double> nearest_on(const FaceNodes& x, const Vector<3>& p) 
 double volume_behind(const FaceNodes& x) {
   double sum = 0;
   for (const TrianglePoint& point : triangle_rule()) {
-    const auto T = tangents_of(x, point.l);
+    const auto T = triangle_tangents(x, point.l);
     sum += point.weight / 3 * place_on(x, point.l).dot(T.col(0).cross(T.col(1)));
   }
   return sum;

@@ -12,8 +12,6 @@ using FaceNodes = std::vector<Vector<3>>;
 
 /// Place at barycentric coordinates l [length].
 Vector<3> place_on(const FaceNodes& x, const Barycentric<2>& l);
-/// Derivatives of the place by l1 and l2, where l0 = 1 - l1 - l2, as columns [length].
-Eigen::Matrix<double, 3, 2> tangents_of(const FaceNodes& x, const Barycentric<2>& l);
 /// Its place nearest to p, and the squared distance [length^2].
 std::pair<Vector<3>, double> nearest_on(const FaceNodes& x, const Vector<3>& p);
 /// Volume between the face and the origin, positive where the origin is behind it: of a closed surface the sum is what it

@@ -1,4 +1,5 @@
 #include "remesh/deformed_surface.hpp"
+#include "mesh/facet_measure.hpp"
 #include "remesh/deformed_boundary.hpp"
 #include <algorithm>
 #include <array>
@@ -40,7 +41,7 @@ Edge edge_of(const BoundaryFace& face, int i) {
 Vector<3> normal_at(const BoundaryFace& face, int i) {
   Barycentric<2> l = Barycentric<2>::Zero();
   for (const int v : SimplexEdges<2>::ends[i]) l[v] = 0.5;
-  const auto T = tangents_of(face.x, l);
+  const auto T = triangle_tangents(face.x, l);
   return T.col(0).cross(T.col(1)).normalized();
 }
 Vector<3> center(const BoundaryFace& face) { return place_on(face.x, Barycentric<2>::Constant(1. / 3)); }

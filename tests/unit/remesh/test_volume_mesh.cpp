@@ -194,3 +194,14 @@ TEST(VolumeMesh, TakesLengthsOfEdges) {
   expect_invalid([&] { count(0); }, "a new mesh: length of edges = 0, expected > 0");
   expect_invalid([&] { count(1e-3); }, "number of tetrahedra that the lengths of edges make");
 }
+
+TEST(VolumeMesh, RefusesABodyThatGoesThroughItself) {
+  const Mesh<3> mesh = cube(4, 10);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.num_dofs());
+  for (int a = 0; a < mesh.num_nodes; ++a) { // the middle of the top comes out below
+    const Vector<3> X = mesh.node(a);
+    if (X[2] > 1 - 1e-9 && (X - Vector<3>(0.5, 0.5, 1)).norm() < 0.3) u[3 * a + 2] = -1.5;
+  }
+  expect_invalid([&] { volume_mesh(mesh, u, CornerSizes::Constant(4, mesh.num_elements, 0.25)); },
+                 "a new mesh: gmsh failed on the deformed workpiece");
+}
