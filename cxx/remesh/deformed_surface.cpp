@@ -1,6 +1,5 @@
 #include "remesh/deformed_surface.hpp"
 #include "mesh/facet_measure.hpp"
-#include "remesh/deformed_boundary.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -88,13 +87,13 @@ std::vector<char> halves(const std::vector<BoundaryFace>& faces, const std::vect
 }
 
 // Patches of the faces; their number.
-int divide(std::vector<BoundaryFace>& faces) {
+int divide(std::vector<BoundaryFace>& faces, double turn) {
   const auto edges = neighbors(faces);
   std::vector<std::pair<int, int>> joined;
   for (const auto& [a, b] : edges) {
     const BoundaryFace &one = faces[a.first], &other = faces[b.first];
     const double cosine = normal_at(one, a.second).dot(normal_at(other, b.second));
-    if (one.facet.label == other.facet.label && cosine > std::cos(SHARP_TURN))
+    if (one.facet.label == other.facet.label && cosine > std::cos(turn))
       joined.emplace_back(a.first, b.first);
   }
   std::vector<int> patch(faces.size());
@@ -137,9 +136,9 @@ std::vector<BoundaryFace> boundary_faces(const Mesh<3>& mesh, const Eigen::Vecto
   return faces;
 }
 
-DeformedSurface::DeformedSurface(const Mesh<3>& mesh, const Eigen::VectorXd& u)
+DeformedSurface::DeformedSurface(const Mesh<3>& mesh, const Eigen::VectorXd& u, double turn)
     : m_faces(boundary_faces(mesh, u)) {
-  m_patches.resize(divide(m_faces));
+  m_patches.resize(divide(m_faces, turn));
   std::map<Edge, std::vector<int>> of; // patch and vertex
   for (std::size_t f = 0; f < m_faces.size(); ++f)
     for (const int v : m_faces[f].facet.vertex) of[{m_faces[f].patch, v}].push_back(static_cast<int>(f));

@@ -3,6 +3,7 @@
 #include "mesh/mesh.hpp"
 #include "mesh/point_tree.hpp"
 #include "remesh/boundary_face.hpp"
+#include "remesh/deformed_boundary.hpp"
 #include <set>
 
 namespace burnish {
@@ -18,8 +19,8 @@ std::vector<BoundaryFace> boundary_faces(const Mesh<3>& mesh, const Eigen::Vecto
 /// A patch ends where the label changes and where the surface turns sharply. A closed one is cut in two.
 class DeformedSurface {
 public:
-  /// @param u displacement, num_dofs [length]
-  DeformedSurface(const Mesh<3>& mesh, const Eigen::VectorXd& u);
+  /// @param u displacement, num_dofs [length]; @param turn from which an edge ends a patch [rad]
+  DeformedSurface(const Mesh<3>& mesh, const Eigen::VectorXd& u, double turn = SHARP_TURN);
   const std::vector<BoundaryFace>& faces() const { return m_faces; }
   int num_patches() const { return static_cast<int>(m_patches.size()); }
   long label(int patch) const { return m_patches[patch].label; }

@@ -14,6 +14,10 @@ namespace {
 constexpr const char* WHERE = "a new mesh";
 constexpr double MOST_TETRAHEDRA = 5e6; // tetrahedra
 
+// Turns of the surface that end a patch, one after the other until gmsh can parametrize all of them: a patch of a crumpled dent
+// may touch itself at a vertex [rad].
+constexpr std::array<double, 3> TURNS{SHARP_TURN, 2 * SHARP_TURN, 3 * SHARP_TURN};
+
 // Volume of the tetrahedron with edges of length 1.
 const double UNIT = 1 / (6 * std::sqrt(2.));
 
@@ -83,16 +87,16 @@ void add_sizes(const Mesh<3>& mesh, const Eigen::VectorXd& u, const CornerSizes&
           "below 5e6");
 }
 
-// What gmsh writes, on all ranks that of the first.
-std::string filled(const burnish_gmsh_body& body) {
+// What gmsh writes, on all ranks that of the first; @param said what it says where it fails
+std::string filled(const burnish_gmsh_body& body, std::string& said) {
   std::string text;
   on_first_rank([&] {
     const TemporaryFolder folder;
-    const std::string result = folder.path() + "/mesh",
-                      said = gmsh_fill(body, result, folder.path() + "/log");
-    if (!said.empty()) fail(WHERE, "gmsh failed on the deformed workpiece: " + said);
-    text = file_content(result);
+    const std::string result = folder.path() + "/mesh";
+    said = gmsh_fill(body, result, folder.path() + "/log");
+    if (said.empty()) text = file_content(result);
   });
+  share_text(said);
   share_text(text);
   return text;
 }
@@ -129,6 +133,20 @@ void turn_inverted(VolumeMesh& mesh) {
   }
 }
 
+// Labels of the faces; vertices of the surface where they belong.
+VolumeMesh on_surface(const DeformedSurface& surface, GmshMesh found) {
+  VolumeMesh& fresh = found.mesh;
+  std::vector<std::set<int>> patches(fresh.node.size());
+  for (std::size_t f = 0; f < fresh.face.size(); ++f) {
+    fresh.label.push_back(surface.label(found.patch[f]));
+    for (const int node : fresh.face[f]) patches[node].insert(found.patch[f]);
+  }
+  for (std::size_t a = 0; a < patches.size(); ++a)
+    fresh.node[a] = surface.common_place(fresh.node[a], patches[a]);
+  turn_inverted(fresh);
+  return std::move(fresh);
+}
+
 // Those of equilateral elements as large as the reference mesh's around each vertex.
 CornerSizes reference_sizes(const Mesh<3>& mesh) {
   std::vector<double> sum(mesh.num_nodes, 0), number = sum;
@@ -146,21 +164,18 @@ CornerSizes reference_sizes(const Mesh<3>& mesh) {
 } // namespace
 
 VolumeMesh volume_mesh(const Mesh<3>& mesh, const Eigen::VectorXd& u, const CornerSizes& sizes) {
-  const DeformedSurface surface(mesh, u);
-  GmshArrays arrays;
-  add_surface(surface, arrays);
-  add_sizes(mesh, u, sizes, arrays);
-  GmshMesh found = read(filled(arrays.body()));
-  VolumeMesh& fresh = found.mesh;
-  std::vector<std::set<int>> patches(fresh.node.size());
-  for (std::size_t f = 0; f < fresh.face.size(); ++f) {
-    fresh.label.push_back(surface.label(found.patch[f]));
-    for (const int node : fresh.face[f]) patches[node].insert(found.patch[f]);
+  std::string first;
+  for (const double turn : TURNS) {
+    const DeformedSurface surface(mesh, u, turn);
+    GmshArrays arrays;
+    add_surface(surface, arrays);
+    add_sizes(mesh, u, sizes, arrays);
+    std::string said;
+    const std::string text = filled(arrays.body(), said);
+    if (said.empty()) return on_surface(surface, read(text));
+    if (first.empty()) first = said;
   }
-  for (std::size_t a = 0; a < patches.size(); ++a)
-    fresh.node[a] = surface.common_place(fresh.node[a], patches[a]);
-  turn_inverted(fresh);
-  return std::move(fresh);
+  fail(WHERE, "gmsh failed on the deformed workpiece: " + first);
 }
 
 // gmsh's number of tetrahedra is .6 to 1.7 of what the lengths ask for.

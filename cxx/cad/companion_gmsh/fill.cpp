@@ -154,8 +154,8 @@ private:
 const char* burnish_gmsh_fill(const burnish_gmsh_body* body, const char* result) {
   return without_exceptions([&]() -> std::string {
     start(true);
-    Patches patches(
-        *body); // (gmsh's own createTopology takes an order of addresses: no two meshes are the same)
+    // (gmsh's own createTopology takes an order of addresses: no two meshes are the same)
+    Patches patches(*body);
     gmsh::model::mesh::createGeometry();
     add_volume();
     set_sizes(*body);

@@ -205,3 +205,24 @@ TEST(VolumeMesh, RefusesABodyThatGoesThroughItself) {
   expect_invalid([&] { volume_mesh(mesh, u, CornerSizes::Constant(4, mesh.num_elements, 0.25)); },
                  "a new mesh: gmsh failed on the deformed workpiece");
 }
+
+// Two pyramids on the top meet in a vertex: the flat patch around them touches itself there.
+TEST(VolumeMesh, JoinsPatchesThatGmshCannotParametrize) {
+  const Mesh<3> mesh = cube(8, 10);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(mesh.num_dofs());
+  for (int a = 0; a < mesh.num_nodes; ++a) {
+    const Vector<3> X = mesh.node(a);
+    for (const double middle : {0.375, 0.625}) {
+      const double way = 0.125 - std::max(std::abs(X[0] - middle), std::abs(X[1] - middle));
+      if (X[2] > 1 - 1e-9) u[3 * a + 2] += 0.42 * std::max(0., way);
+    }
+  }
+  EXPECT_GT(DeformedSurface(mesh, u).num_patches(), 7);
+  EXPECT_EQ(DeformedSurface(mesh, u, 0.6).num_patches(), 6);
+  const VolumeMesh fresh = volume_mesh(mesh, u, CornerSizes::Constant(4, mesh.num_elements, 0.12));
+  const Mesh<3> linear = mesh_of(fresh);
+  require_valid(linear, "test");
+  const double volume = DeformedSurface(mesh, u).volume();
+  EXPECT_NEAR(DeformedSurface(linear, Eigen::VectorXd::Zero(linear.num_dofs())).volume(), volume,
+              5e-3 * volume);
+}
