@@ -49,6 +49,8 @@ PLUGIN   := $(BUILD)/plugins/burnish.so
 # the core opens these two when a .geo or a CAD file is to be read; it looks for them beside itself, then in ../plugins
 GMSH     := $(BUILD)/plugins/burnish_gmsh.so
 CAD      := $(BUILD)/plugins/burnish_cad.so
+# loaded by burnish before OpenMP's run time
+OPENMP   := $(BUILD)/plugins/burnish_openmp.so
 # ranks and factors of burnish -np, where Debian's MPI and MUMPS are (make test-mpi installs them)
 MPI      := $(if $(and $(wildcard $(MPI_INCLUDE)/mpi.h),$(wildcard $(MUMPS_INCLUDE)/dmumps_c.h)),$(BUILD)/plugins/burnish_mpi.so)
 WRAPPER  := $(BUILD)/burnish
@@ -72,6 +74,8 @@ CASES     = $(sort $(patsubst cases/%/,%,$(dir $(wildcard cases/*/*.edp))))
 EDP_FOLDERS := run cases mesh rivals
 export PYTHON CXX FREEFEM FREEFEM_MPI MPIRUN FREEFEM_LOAD FREEFEM_IDP EDP_FOLDERS PREFIX DESTDIR LDFLAGS JOBS MAKE
 export OPENBLAS_NUM_THREADS ?= 1
+# memory in huge pages, as in burnish: for all that is measured or tested
+export GLIBC_TUNABLES ?= glibc.malloc.hugetlb=1
 
 # --- commands --------------------------------------------------------------------------------------------------
 # Recursion with all cores, unless the user said -j; the lock keeps two makes out of one folder.
@@ -91,7 +95,7 @@ programs: packages ## build the test programs of make test
 	$(COMPILE) compile compile-programs
 
 compile: compile-run $(GMSH) $(CAD) $(MPI)
-compile-run: $(CORE) $(WRAPPER) $(PLUGIN)
+compile-run: $(CORE) $(WRAPPER) $(PLUGIN) $(OPENMP)
 compile-programs: $(call program,unit) $(call program,verification)
 
 # twice only where nothing is asked for
@@ -192,7 +196,7 @@ bench-processes: ## a model of up to 64 processes; OPTIONS=--measure: beside run
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) -B tests/benchmark/processes.py $(OPTIONS)
 
 install: build ## install for all users: PREFIX=/usr/local, DESTDIR=; the lines for plain FreeFem++ are printed
-	@.ci/install $(PLUGIN) $(GMSH) $(CAD) $(MPI)
+	@.ci/install $(PLUGIN) $(OPENMP) $(GMSH) $(CAD) $(MPI)
 
 deb: build ## the Debian package of the plugin that is built, build/burnish_VERSION_ARCHITECTURE.deb, checked by lintian
 	@$(PACKAGES) deb

@@ -19,10 +19,11 @@ GMSH_SOURCES   := $(call sources,cxx/cad/companion_gmsh)
 CAD_SOURCES    := cxx/cad/companion_occ/burnish_cad.cpp
 OCC_SOURCES    := $(call sources,cxx/cad/occ)
 MPI_SOURCES    := $(call sources,cxx/parallel/companion_mpi)
-CXX_SOURCES    := $(filter-out $(GMSH_SOURCES) $(CAD_SOURCES) $(OCC_SOURCES) $(MPI_SOURCES),$(call sources,cxx))
+OPENMP_SOURCES := cxx/solver/companion_openmp/burnish_openmp.cpp
+CXX_SOURCES    := $(filter-out $(GMSH_SOURCES) $(CAD_SOURCES) $(OCC_SOURCES) $(MPI_SOURCES) $(OPENMP_SOURCES),$(call sources,cxx))
 PLUGIN_SOURCES := $(sort $(wildcard plugins/*.cpp))
 $(foreach p,$(PROGRAMS),$(eval SOURCES_$(p) := $(if $(wildcard tests/$(p)),$(call sources,tests/$(p)))))
-ALL_SOURCES := $(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(OCC_SOURCES) $(MPI_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
+ALL_SOURCES := $(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(OCC_SOURCES) $(MPI_SOURCES) $(OPENMP_SOURCES) $(PLUGIN_SOURCES) $(foreach p,$(PROGRAMS),$(SOURCES_$(p)))
 
 # --- rules of compilation ----------------------------------------------------------------------------------------
 # $(call keep,TEXT): write TEXT to the target only if it changed, so that only real changes rebuild
@@ -56,7 +57,7 @@ $(foreach r,$(UNHURRIED),$(eval $(BUILD)/obj/cxx/$(r)/%: READ_BEFORE = -include 
 $(BUILD)/obj/plugins/%:          READ_BEFORE = -include $(BUILD)/read/plugins.hpp
 $(BUILD)/obj/tests/unit/%:         READ_BEFORE = -include $(BUILD)/read/tests.hpp
 $(BUILD)/obj/tests/verification/%: READ_BEFORE = -include $(BUILD)/read/tests.hpp
-$(call objects,$(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(OCC_SOURCES) $(MPI_SOURCES)): \
+$(call objects,$(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(OCC_SOURCES) $(MPI_SOURCES) $(OPENMP_SOURCES)): \
   $(BUILD)/read/core.hpp.gch $(BUILD)/read/unhurried.hpp.gch
 $(call objects,$(PLUGIN_SOURCES)): $(BUILD)/read/plugins.hpp.gch
 $(call objects,$(SOURCES_unit) $(SOURCES_verification)): $(BUILD)/read/tests.hpp.gch
@@ -94,13 +95,18 @@ $(GMSH): $(call objects,$(GMSH_SOURCES))
 	@.ci/said $(BUILD) "link    $@"
 	@$(CXX) -shared $(LDFLAGS) $^ -lgmsh -o $@.new && mv $@.new $@
 
+$(BUILD)/plugins/burnish_openmp.so: $(call objects,$(OPENMP_SOURCES))
+	@mkdir -p $(@D)
+	@.ci/said $(BUILD) "link    $@"
+	@$(CXX) -shared $(LDFLAGS) $^ -ldl -o $@.new && mv $@.new $@
+
 $(BUILD)/plugins/burnish_mpi.so: $(call objects,$(MPI_SOURCES))
 	@mkdir -p $(@D)
 	@.ci/said $(BUILD) "link    $@"
 	@$(CXX) -shared $(LDFLAGS) $^ $(MPI_LIBRARIES) -o $@.new && mv $@.new $@
 
 define program_rule
-$(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(OCC_CORE) $(CORE) | $(GMSH) $(CAD)
+$(BUILD)/tests/$(1): $(call objects,$(SOURCES_$(1))) $(OCC_CORE) $(CORE) | $(GMSH) $(CAD) $(OPENMP)
 	@mkdir -p $$(@D)
 	@.ci/said $(BUILD) "link    $$@"
 	@$$(CXX) $$(LDFLAGS) $$(filter %.o,$$^) $$(OCC_CORE) $$(CORE) $(2) -pthread -Wl,--as-needed $(OCC_MODELING) $$(LIBRARIES) -o $$@.new \

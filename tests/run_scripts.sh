@@ -4,6 +4,7 @@
 #            // expect exit: 20            the exit code it must end with
 #            // expect text: some words    words its output must hold (may be repeated)
 #            // options: -n 4              command line options of the script
+#            // environment: NAME=value    a variable that it finds
 #   .sh    a shell script          passes when it exits 0
 #   else   a GoogleTest program    every test in it counts
 # Runs $JOBS tests at a time from the top folder. Each test finds an empty folder of its own in $SCRATCH and the
@@ -39,7 +40,7 @@ start=$(date +%s.%N)
 passed=0 failed=0 why=
 case $test in
   *.edp) read -ra options <<<"$(note options)"
-         command=("$BURNISH" "$test" "${options[@]}") ;;
+         command=(env $(note environment) "$BURNISH" "$test" "${options[@]}") ;;
   *.sh)  command=(bash "$test") ;;
   *)     command=("$test" "--gtest_output=xml:$xml") ;;
 esac

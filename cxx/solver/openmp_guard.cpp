@@ -12,6 +12,8 @@ struct OpenmpRuntime {
   using Set = void(int);
   Get* get_levels = reinterpret_cast<Get*>(dlsym(RTLD_DEFAULT, "omp_get_max_active_levels"));
   Set* set_levels = reinterpret_cast<Set*>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
+  decltype(&burnish_serial_regions) set_serial =
+      reinterpret_cast<decltype(&burnish_serial_regions)>(dlsym(RTLD_DEFAULT, "burnish_serial_regions"));
   bool is_usable() const {
     auto* parallel = reinterpret_cast<Get*>(dlsym(RTLD_DEFAULT, "openblas_get_parallel"));
     return get_levels && set_levels && !(parallel && parallel() == OPENBLAS_OPENMP);
@@ -23,12 +25,16 @@ struct OpenmpRuntime {
 OpenmpGuard::OpenmpGuard() {
   const OpenmpRuntime runtime;
   if (!runtime.is_usable()) return;
+  if (runtime.set_serial) m_serial = runtime.set_serial(true);
   m_levels = runtime.get_levels();
   runtime.set_levels(0);
 }
 
 OpenmpGuard::~OpenmpGuard() {
-  if (m_levels >= 0) OpenmpRuntime().set_levels(m_levels);
+  if (m_levels < 0) return;
+  const OpenmpRuntime runtime;
+  if (runtime.set_serial) runtime.set_serial(m_serial);
+  runtime.set_levels(m_levels);
 }
 
 } // namespace burnish

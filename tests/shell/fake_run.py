@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -S
 """A program in place of burnish for the test of sweeps: fake_run.py SCRIPT [-options list | -option value ... -out FOLDER].
 
-Options a b c, numbers, word, steps, slow (seconds). Results: bowl = (a - 2)^2 + (b - 1)^2, product = a b, sum = a + b, ishigami of a, b, c.
+Options a b c, numbers, word, steps, slow (seconds; above 0.5 a run waits for the file HOLD of the environment, too). Results: bowl = (a - 2)^2 + (b - 1)^2, product = a b, sum = a + b, ishigami of a, b, c.
 History: curve = a (1 - exp(-b t)), strain = t^2. c above 0.9 is refused, a run stops early where product < -1 unless -steps 400.
 """
 import json
@@ -34,6 +34,8 @@ def main(words):
     with open(os.path.join(options["out"], "ran.txt"), "a") as file:
         file.write("ran\n")
     time.sleep(options["slow"])
+    while options["slow"] > 0.5 and not os.path.exists(os.environ.get("HOLD", "/")):
+        time.sleep(0.05)
     early = a * b < -1 and str(options["steps"]) != "400"
     results = {"bowl": (a - 2) ** 2 + (b - 1) ** 2, "product": a * b, "sum": a + b, "ishigami": math.sin(a) + 7 * math.sin(b) ** 2 + 0.1 * c ** 4 * math.sin(a)}
     summary = {"status": "stopped early" if early else "finished", "reason": "the product is too small" if early else "", "final": {"t": 1.0, "x": a, "Q_x": 0.0},

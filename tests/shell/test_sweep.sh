@@ -78,15 +78,17 @@ for k in 1 2; do
   [ "$(grep -lF -- "-steps $k" out/sweep/pair*/study.json | wc -l)" = 2 ] || fail "together: two studies took one name"
 done
 
-# 4. Stopped by Ctrl-C and killed: the rest runs, nothing twice, and no run is left
+# 4. Stopped by Ctrl-C and killed while the slow half is held: the rest runs, nothing twice, and no run is left
 for signal in INT KILL; do
-  (exec "$REAL" sweep press.edp a=1,2 b=1,2 slow=0.1,0.9 -jobs 4 -study "stop$signal" >"$SCRATCH/log" 2>&1) &
+  request=(a=1,2 b=1,2 slow=0.1,0.9 -steps "$signal" -study "stop$signal")
+  (HOLD=$SCRATCH/go$signal exec "$REAL" sweep press.edp "${request[@]}" -jobs 4 >"$SCRATCH/log" 2>&1) &
   pid=$!
-  for _ in $(seq 100); do [ "$(cat out/sweep/stop$signal/*/exit.txt 2>/dev/null | wc -l)" -ge 4 ] && break; sleep 0.05; done
+  for _ in $(seq 1200); do [ "$(cat out/sweep/stop$signal/*slow=0.1/exit.txt 2>/dev/null | wc -l)" = 4 ] && break; sleep 0.05; done
   kill -$signal $pid; wait $pid 2>/dev/null; status=$?
-  [ "$signal" = KILL ] || [ "$status" = 130 ] || fail "$signal: exit status $status"
-  sweep 0 "$signal" a=1,2 b=1,2 slow=0.1,0.9 -study "stop$signal"
-  holds "$signal" "8 variants, "
+  [ "$status" = "$([ "$signal" = KILL ] && echo 137 || echo 130)" ] || fail "$signal: exit status $status"
+  touch "$SCRATCH/go$signal"
+  sweep 0 "$signal" "${request[@]}"
+  holds "$signal" "8 variants, 4 ended before"
   [ "$(cat out/sweep/stop$signal/*/exit.txt | sort -u)" = 0 ] || fail "$signal: exit codes"
   for v in out/sweep/stop$signal/*slow=0.1; do [ "$(wc -l <"$v/ran.txt")" = 1 ] || fail "$signal: $v ran twice"; done
 done

@@ -1,9 +1,11 @@
+#include "base/companion_library.hpp"
 #include "base/error.hpp"
 #include "base/memory_limit.hpp"
 #include "solver/cholmod_factor.hpp"
 #include "solver/fill_ordering.hpp"
 #include "solver/openmp_guard.hpp"
 #include "unit/solver/sparse_sample.hpp"
+#include <atomic>
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -135,6 +137,23 @@ TEST(OpenmpGuard, LimitsAndRestoresTheNestingLevels) {
   }
   EXPECT_EQ(levels ? levels() : -1, before);
   EXPECT_NE(before, 0);
+}
+
+// burnish_openmp.so: a region is a plain call while a guard wants it, one of OpenMP's run time else.
+TEST(OpenmpGuard, SerialRegionsAreCallsOfTheSameThread) {
+  void* library = open_companion("burnish_openmp.so", "serial regions", "libgomp1");
+  const auto wanted = reinterpret_cast<decltype(&burnish_serial_regions)>(
+      companion_function(library, "burnish_openmp.so", "burnish_serial_regions"));
+  const auto parallel = reinterpret_cast<void (*)(void (*)(void*), void*, unsigned, unsigned)>(
+      companion_function(library, "burnish_openmp.so", "GOMP_parallel"));
+  std::atomic<int> calls{0};
+  const auto region = [](void* data) { ++*static_cast<std::atomic<int>*>(data); };
+  EXPECT_FALSE(wanted(true));
+  parallel(region, &calls, 3, 0);
+  EXPECT_EQ(calls, 1);
+  EXPECT_TRUE(wanted(false));
+  parallel(region, &calls, 3, 0);
+  EXPECT_EQ(calls, 4);
 }
 
 // Full triangle of 2000: 32 MB of factor where 28 MB are left.
