@@ -46,34 +46,17 @@ Vector<3> place(const R3& P) { return {P.x, P.y, P.z}; }
 double measure(const ::Triangle& K) { return K.area; }
 double measure(const ::Fem2D::Tet& K) { return K.mesure(); }
 
-// Mid node of the edge between two vertices of an element, -1 where it is linear.
-template <int Dim> int middle_of(const std::vector<int>& nodes, int a, int b) {
-  if (nodes.size() == Dim + 1) return -1;
-  for (int e = 0; e < num_edges<Dim>; ++e) {
-    const auto [i, j] = SimplexEdges<Dim>::ends[e];
-    if ((nodes[i] == a && nodes[j] == b) || (nodes[i] == b && nodes[j] == a)) return nodes[Dim + 1 + e];
-  }
-  return -1;
-}
-
 // All boundary facets of the space's mesh, as nodes of the space.
 template <int Dim>
 std::vector<Facet<Dim>> facets_of(const typename Freefem<Dim>::Space& V, const char* where) {
-  // vertices of the facet opposite to each vertex: in the plane the body is on their left, in space they are
-  // counter-clockwise seen from outside
-  static constexpr int opposite[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   std::vector<Facet<Dim>> facets;
   for (int b = 0; b < boundary_facets(V.Th); ++b) {
     int f = 0;
-    Facet<Dim> facet;
-    facet.element = V.Th.BoundaryElement(b, f);
+    const int element = V.Th.BoundaryElement(b, f);
+    const std::vector<int> nodes = element_nodes<Dim>(V, element, where);
+    Facet<Dim> facet = facet_opposite<Dim>(nodes.data(), nodes.size() > Dim + 1, f);
+    facet.element = element;
     facet.label = V.Th.be(b).lab;
-    const std::vector<int> nodes = element_nodes<Dim>(V, facet.element, where);
-    for (int v = 0; v < Dim; ++v) facet.vertex[v] = nodes[Dim == 2 ? (f + 1 + v) % 3 : opposite[f][v]];
-    for (int e = 0; e < num_edges<Dim - 1>; ++e) {
-      const auto [i, j] = SimplexEdges<Dim - 1>::ends[e];
-      facet.middle[e] = middle_of<Dim>(nodes, facet.vertex[i], facet.vertex[j]);
-    }
     facets.push_back(facet);
   }
   return facets;

@@ -9,7 +9,7 @@ namespace {
 constexpr double LEAST_YIELD = 1e-6, MOST_HARDENING = 1; // over Young's modulus
 constexpr double MOST_STRAIN = 8; // at the end of a table of the yield stress: known ones end below
 
-constexpr double ELASTIC = 1e30, ROUND = 1e-9;
+constexpr double ELASTIC = 1e30, ROUND = 1e-9, MOST_MULTIPLE = 1e6;
 
 /// Whether it is 1, 10, 100, ... or 0.1, 0.01, ...
 bool power_of_ten(double value) {
@@ -17,9 +17,12 @@ bool power_of_ten(double value) {
   return std::abs(exponent - std::round(exponent)) < ROUND;
 }
 
+bool round_multiple(double ratio) { return ratio <= MOST_MULTIPLE * (1 + ROUND) && power_of_ten(ratio); }
+
 /// Whether a yield stress above Young's modulus says that the workpiece is elastic: 1e30, or a round number, or a round multiple of a modulus.
 bool elastic_on_purpose(double sigY, double E, double G) {
-  return sigY >= ELASTIC || power_of_ten(sigY) || power_of_ten(sigY / E) || (G > 0 && power_of_ten(sigY / G));
+  return sigY >= ELASTIC || power_of_ten(sigY) || round_multiple(sigY / E) ||
+         (G > 0 && round_multiple(sigY / G));
 }
 
 double number(const LawNumbers& numbers, const char* name) {

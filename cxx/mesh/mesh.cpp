@@ -1,5 +1,6 @@
 #include "mesh/mesh.hpp"
 #include "base/error.hpp"
+#include "mesh/simplex.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -172,6 +173,26 @@ template <> std::vector<int> nodes_along<2>(const std::vector<Facet<2>>& facets)
   return ChainWalk(facets).order();
 }
 
+template <int Dim> Facet<Dim> facet_opposite(const int* nodes, bool quadratic, int f) {
+  static constexpr int opposite[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  std::array<int, Dim> corner;
+  for (int v = 0; v < Dim; ++v) corner[v] = Dim == 2 ? (f + 1 + v) % 3 : opposite[f][v];
+  const auto middle = [&](int a, int b) {
+    for (int e = 0; quadratic && e < num_edges<Dim>; ++e)
+      if (std::minmax(a, b) == std::minmax(SimplexEdges<Dim>::ends[e][0], SimplexEdges<Dim>::ends[e][1]))
+        return nodes[Dim + 1 + e];
+    return -1;
+  };
+  Facet<Dim> facet;
+  for (int v = 0; v < Dim; ++v) facet.vertex[v] = nodes[corner[v]];
+  for (int e = 0; e < num_edges<Dim - 1>; ++e)
+    facet.middle[e] =
+        middle(corner[SimplexEdges<Dim - 1>::ends[e][0]], corner[SimplexEdges<Dim - 1>::ends[e][1]]);
+  return facet;
+}
+
+template Facet<2> facet_opposite<2>(const int*, bool, int);
+template Facet<3> facet_opposite<3>(const int*, bool, int);
 template void require_valid<2>(const Mesh<2>&, const char*);
 template void require_valid<3>(const Mesh<3>&, const char*);
 template std::vector<Facet<2>> facets_with<2>(const Mesh<2>&, const std::vector<long>&, const char*);

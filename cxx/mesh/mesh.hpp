@@ -58,4 +58,9 @@ template <int Dim> std::vector<int> nodes_of(const Facet<Dim>& facet) {
   return nodes;
 }
 
+/// The facet of an element opposite to its vertex f: in the plane the body is on its left, in space it is counter-clockwise seen from
+/// outside. Without element and label.
+/// @param nodes of the element: its vertices, then, if it is quadratic, the mid nodes of its edges (SimplexEdges<Dim>)
+template <int Dim> Facet<Dim> facet_opposite(const int* nodes, bool quadratic, int f);
+
 } // namespace burnish

@@ -21,18 +21,6 @@ Triple sorted(Triple v) {
   return v;
 }
 
-// Counter-clockwise seen from outside: the face opposite to each vertex.
-constexpr int OPPOSITE[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-
-int middle_of(const Mesh<3>& mesh, int element, int a, int b) {
-  const int* node = mesh.element(element);
-  for (int e = 0; e < num_edges<3> && mesh.nodes_per_element > 4; ++e) {
-    const auto [i, j] = SimplexEdges<3>::ends[e];
-    if (std::minmax(node[i], node[j]) == std::minmax(a, b)) return node[4 + e];
-  }
-  return -1;
-}
-
 Edge edge_of(const BoundaryFace& face, int i) {
   const auto [a, b] = SimplexEdges<2>::ends[i];
   return std::minmax(face.facet.vertex[a], face.facet.vertex[b]);
@@ -116,15 +104,11 @@ std::vector<BoundaryFace> boundary_faces(const Mesh<3>& mesh, const Eigen::Vecto
   for (const Facet<3>& facet : mesh.facets) label[sorted(facet.vertex)] = facet.label;
   std::map<Triple, BoundaryFace> found;
   for (int e = 0; e < mesh.num_elements; ++e)
-    for (const auto& corner : OPPOSITE) {
+    for (int f = 0; f < 4; ++f) {
       BoundaryFace face;
-      for (int v = 0; v < 3; ++v) face.facet.vertex[v] = mesh.element(e)[corner[v]];
+      face.facet = facet_opposite<3>(mesh.element(e), mesh.nodes_per_element > 4, f);
       const Triple key = sorted(face.facet.vertex);
       if (found.erase(key) > 0) continue; // between two elements
-      for (int i = 0; i < 3; ++i) {
-        const auto [a, b] = SimplexEdges<2>::ends[i];
-        face.facet.middle[i] = middle_of(mesh, e, face.facet.vertex[a], face.facet.vertex[b]);
-      }
       face.facet.element = e;
       const auto named = label.find(key);
       face.facet.label = named == label.end() ? 0 : named->second;

@@ -32,7 +32,9 @@ TEST_P(DenseKernels, CholeskyAndInverse) {
   solve_lower(L, false, X);
   solve_lower(L, true, X);
   EXPECT_LT((C * X - B).norm(), 1e-12 * B.norm());
-  if (n >= LARGE_BLOCK) EXPECT_LT((inverse_from_cholesky(L, n) * B - X).norm(), 1e-12 * X.norm());
+  if (n >= LARGE_BLOCK) {
+    EXPECT_LT((inverse_from_cholesky(L, n) * B - X).norm(), 1e-12 * X.norm());
+  }
   Eigen::MatrixXd indefinite = C;
   indefinite(n - 1, n - 1) = -1;
   EXPECT_FALSE(cholesky(indefinite));

@@ -20,6 +20,28 @@ Discretization<3> labeled() {
 
 } // namespace
 
+TEST(MeshInSpace, FacetsOppositeToVertices) {
+  const Discretization<3> mesh = two_tetrahedra(10);
+  const int* nodes = mesh.element(1);
+  for (int f = 0; f < 4; ++f) {
+    const Facet<3> facet = facet_opposite<3>(nodes, true, f);
+    const Vector<3> a = mesh.node(facet.vertex[0]), b = mesh.node(facet.vertex[1]),
+                    c = mesh.node(facet.vertex[2]);
+    EXPECT_GT((b - a).cross(c - a).dot(a - mesh.node(nodes[f])), 0)
+        << "counter-clockwise from outside, " << f;
+    for (int e = 0; e < 3; ++e) {
+      const auto [i, j] = SimplexEdges<2>::ends[e];
+      const Vector<3> middle = 0.5 * (mesh.node(facet.vertex[i]) + mesh.node(facet.vertex[j]));
+      EXPECT_LE((mesh.node(facet.middle[e]) - middle).norm(), 1e-15);
+    }
+    EXPECT_EQ(facet_opposite<3>(nodes, false, f).middle, (std::array<int, 3>{-1, -1, -1}));
+  }
+  const int triangle[] = {5, 6, 7, 8, 9, 10};
+  const Facet<2> edge = facet_opposite<2>(triangle, true, 1);
+  EXPECT_EQ(edge.vertex, (std::array<int, 2>{7, 5})) << "the body is on the left";
+  EXPECT_EQ(edge.middle[0], 9);
+}
+
 TEST(MeshInSpace, FacetsAndTheirNodes) {
   const Discretization<3> mesh = labeled();
   EXPECT_NO_THROW(require_valid<3>(mesh, "here"));
