@@ -1,10 +1,10 @@
 # How Burnish is compiled: included by the Makefile, which has the places and the products.
-# gcc collects garbage a tenth of its time otherwise
-COLLECT := $(if $(findstring clang,$(shell $(CXX) --version)),,--param ggc-min-heapsize=1000000)
 # what was compiled before need not be compiled again, where there is a ccache; it takes headers that are read before with these words
 CCACHE := $(shell command -v ccache)
 export CCACHE_SLOPPINESS ?= pch_defines,time_macros,include_file_mtime,include_file_ctime
-FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -ffp-contract=off -Wall -Wextra -Wno-subobject-linkage$(if $(CCACHE), -fpch-preprocess) $(COLLECT) -I. -Icxx \
+CLANG := $(findstring clang,$(CXX))
+FLAGS = -std=c++17 $(OPTIMIZE) -DNDEBUG -fPIC -ffp-contract=off -Wall -Wextra $(if $(CLANG),,-Wno-subobject-linkage) \
+        $(if $(CCACHE),$(if $(CLANG),-Xclang -fno-pch-timestamp,-fpch-preprocess)) -I. -Icxx \
         -isystem $(EIGEN_INCLUDE) -isystem $(SPARSE_INCLUDE) -isystem $(OCC_INCLUDE) $(CPPFLAGS) $(CXXFLAGS)
 PLUGIN_FLAGS = $(GLUE_OPTIMIZE) -isystem $(FREEFEM_INCLUDE) -Wno-mismatched-new-delete
 
@@ -57,6 +57,7 @@ $(foreach r,$(UNHURRIED),$(eval $(BUILD)/obj/cxx/$(r)/%: READ_BEFORE = -include 
 $(BUILD)/obj/plugins/%:          READ_BEFORE = -include $(BUILD)/read/plugins.hpp
 $(BUILD)/obj/tests/unit/%:         READ_BEFORE = -include $(BUILD)/read/tests.hpp
 $(BUILD)/obj/tests/verification/%: READ_BEFORE = -include $(BUILD)/read/tests.hpp
+$(BUILD)/obj/tests/unit/% $(BUILD)/obj/tests/verification/% $(BUILD)/read/tests.hpp.gch: GROUP_FLAGS = -Itests -O0
 $(call objects,$(CXX_SOURCES) $(GMSH_SOURCES) $(CAD_SOURCES) $(OCC_SOURCES) $(MPI_SOURCES) $(OPENMP_SOURCES)): \
   $(BUILD)/read/core.hpp.gch $(BUILD)/read/unhurried.hpp.gch
 $(call objects,$(PLUGIN_SOURCES)): $(BUILD)/read/plugins.hpp.gch
@@ -66,7 +67,6 @@ $(BUILD)/read/unhurried.hpp.gch: GROUP_FLAGS = $(GLUE_OPTIMIZE)
 $(BUILD)/read/plugins.hpp.gch: plugins/precompiled.hpp cxx/base/precompiled.hpp
 $(BUILD)/read/plugins.hpp.gch: GROUP_FLAGS = $(PLUGIN_FLAGS)
 $(BUILD)/read/tests.hpp.gch: tests/support/precompiled.hpp cxx/base/precompiled.hpp
-$(BUILD)/read/tests.hpp.gch: GROUP_FLAGS = -Itests $(GLUE_OPTIMIZE)
 $(BUILD)/read/%.hpp.gch: $(BUILD)/flags
 	@mkdir -p $(@D)
 	@.ci/said $(BUILD) "read    $(firstword $(filter %/precompiled.hpp,$^))"

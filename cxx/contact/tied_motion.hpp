@@ -25,4 +25,14 @@ SurfacePlace<Dim> tied_place(const ContactModel<Dim>& model, const ContactState<
 template <int Dim>
 Curvature<Dim> foot_slope(const ContactModel<Dim>& model, const ContactState<Dim>& state, int middle);
 
+// (specialized for each dimension: told before any use)
+template <>
+TiedEnd<2> tied_end(const ContactModel<2>&, const ContactState<2>&, const std::vector<Pose<2>>&, int, int);
+template <>
+TiedEnd<3> tied_end(const ContactModel<3>&, const ContactState<3>&, const std::vector<Pose<3>>&, int, int);
+template <> SurfacePlace<2> tied_place(const ContactModel<2>&, const ContactState<2>&, int);
+template <> SurfacePlace<3> tied_place(const ContactModel<3>&, const ContactState<3>&, int);
+template <> Curvature<2> foot_slope(const ContactModel<2>&, const ContactState<2>&, int);
+template <> Curvature<3> foot_slope(const ContactModel<3>&, const ContactState<3>&, int);
+
 } // namespace burnish

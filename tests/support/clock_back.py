@@ -16,7 +16,7 @@ PATIENCE = 120                       # seconds
 def preload(scratch):
     """Compiles the clock; `date` shows that it can be set back."""
     library, back = scratch / "clock_back.so", scratch / "back"
-    subprocess.run([os.environ.get("CXX", "g++"), "-x", "c", "-shared", "-fPIC", "-o", library, Path(__file__).with_suffix(".c")], check=True)
+    subprocess.run([os.environ.get("CXX", "clang++"), "-x", "c", "-shared", "-fPIC", "-o", library, Path(__file__).with_suffix(".c")], check=True)
     os.environ.update(LD_PRELOAD=str(library), CLOCK_BACK=str(back))
     before = int(subprocess.check_output(["date", "+%s"]))
     back.touch()

@@ -13,10 +13,10 @@ public:
         m_lambda(lambda), m_mu(mu) {}
   double yield_at = NEVER; ///< fraction of every step at which all points yield
 
-  Tensor<3> second_piola(const Tensor<3>& F) const { return moduli((F.transpose() * F - I()) / 2); }
+  Tensor<3> second_piola(const Tensor<3>& F) const { return stress_of((F.transpose() * F - I()) / 2); }
   double energy(const Tensor<3>& F) const {
     const Tensor<3> E = (F.transpose() * F - I()) / 2;
-    return 0.5 * (moduli(E).array() * E.array()).sum();
+    return 0.5 * (stress_of(E).array() * E.array()).sum();
   }
 
   PointResult update(const PointStep<3>& step, PointTrial&, PointUpdate<3>& now) const override {
@@ -37,7 +37,7 @@ public:
       const Gradient<3> unit = Gradient<3>::Unit(c);
       const Tensor<3> dF = mesh_part<3>(unit), half = F.transpose() * dF;
       Gradient<3> column;
-      mesh_part<3>(column) = dF * S + F * moduli((half + half.transpose()) / 2);
+      mesh_part<3>(column) = dF * S + F * stress_of((half + half.transpose()) / 2);
       A.col(c) = column;
     }
     return A;
@@ -49,7 +49,7 @@ public:
 
 private:
   static Tensor<3> I() { return Tensor<3>::Identity(); }
-  Tensor<3> moduli(const Tensor<3>& E) const { return m_lambda * E.trace() * I() + 2 * m_mu * E; }
+  Tensor<3> stress_of(const Tensor<3>& E) const { return m_lambda * E.trace() * I() + 2 * m_mu * E; }
   static Stress<3> components(const Tensor<3>& t) {
     Stress<3> s;
     for (int k = 0; k < 6; ++k) s[k] = t(PointTraits<3>::place[k][0], PointTraits<3>::place[k][1]);

@@ -42,7 +42,8 @@ CadCurve::CadCurve(const std::vector<CadPiece>& curves, bool inside)
 bool CadCurve::counterclockwise() const {
   double area = 0;
   const Vector<2> origin = m_search.cells()[0].x[0];
-  for (const CadCell& cell : m_search.cells()) area += cross({cell.x[0] - origin}, {cell.x[1] - origin});
+  for (const CadCell& cell : m_search.cells())
+    area += cross(Vector<2>(cell.x[0] - origin), Vector<2>(cell.x[1] - origin));
   return area > 0;
 }
 

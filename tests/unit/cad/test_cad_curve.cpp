@@ -116,7 +116,8 @@ TEST(CadCurve, GapAgainstAFineSearch) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-15, 15);
   double worst = 0;
-  for (const auto& [name, curve] : curves()) {
+  for (const auto& [name, given] : curves()) {
+    const auto& curve = given;
     SCOPED_TRACE(name);
     const double step = curve.length() / 2000;
     for (int trial = 0; trial < 20; ++trial) {

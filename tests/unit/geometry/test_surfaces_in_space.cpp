@@ -48,7 +48,8 @@ TEST(SurfacesInSpace, APlaceIsItsOwnFoot) {
 
 // dy = E d(eta), dn = E B d(eta), d2y/d(eta)2 = -n B (METHOD.md (2.4)).
 TEST(SurfacesInSpace, FrameAgainstDifferencesAlongItsOwnMotion) {
-  for (const auto& [name, surface] : surfaces(skew_axis())) {
+  for (const auto& [name, given] : surfaces(skew_axis())) {
+    const auto& surface = given;
     const auto places = smooth_places(*surface, 60, 0.05);
     EXPECT_GE(places.size(), 20u) << name;
     for (const auto& place : places) {
@@ -77,8 +78,9 @@ TEST(SurfacesInSpace, FrameAgainstDifferencesAlongItsOwnMotion) {
 
 // y(eta) is y + E eta - n (eta'B eta)/2 but for terms of third order.
 TEST(SurfacesInSpace, MotionIsOfSecondOrder) {
-  for (const auto& [name, surface] : surfaces(skew_axis()))
-    for (const auto& place : smooth_places(*surface, 40, 0.1)) {
+  for (const auto& [name, given] : surfaces(skew_axis()))
+    for (const auto& place : smooth_places(*given, 40, 0.1)) {
+      const auto& surface = given;
       const SurfaceFrame<3> frame = surface->frame(place);
       const auto error = [&](double size) {
         const Param<3> eta = size * Param<3>(0.6, -0.8);
