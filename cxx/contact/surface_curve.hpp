@@ -17,6 +17,9 @@ namespace burnish {
 template <int Dim>
 Eigen::VectorXd places_on_curve(const Mesh<Dim>& mesh, const std::vector<Facet<Dim>>& surface,
                                 double corner = 0.6);
+// (specialized for each dimension: told before any use)
+template <> Eigen::VectorXd places_on_curve<2>(const Mesh<2>&, const std::vector<Facet<2>>&, double);
+template <> Eigen::VectorXd places_on_curve<3>(const Mesh<3>&, const std::vector<Facet<3>>&, double);
 
 /// The same with the mid nodes where the script says.
 /// @param places num_dofs; only those of the mid nodes of the surface count [length]
