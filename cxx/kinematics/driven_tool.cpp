@@ -36,7 +36,7 @@ template <int Dim> Prescription& DrivenTool<Dim>::prescription() {
 }
 
 template <int Dim> void DrivenTool<Dim>::force(const std::string& coordinate, const std::string& text) {
-  index(coordinate); // throws
+  index(coordinate);                                            // throws
   auto& formula = m_formulas[std::make_pair(coordinate, text)]; // in braces clang 14 omits ~pair: no link
   if (!formula) formula = force_formula(m_name, coordinate, text, tool().coordinates().names(), m_parameters);
   prescription().force(coordinate, formula);
