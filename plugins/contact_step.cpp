@@ -1,6 +1,6 @@
 // The verbs of a step, for a user-defined loop; rcRun calls them through S.next.
 //   rcConverged, rcIterate, rcRefactorize, rcBacktracked, rcFailed   results of C.check and C.correct: take the step; another
-//       iteration; a new tangent first; gone back half way, check again; shorten the step, C.reason tells why
+//       iteration; a new tangent first; gone part of the way back, check again; shorten the step, C.reason tells why
 //   C.begin(u, t, dt)   a step begins; the prescriptions have their values at t + dt
 //     u         in: accepted, out: predicted displacement | length
 //     t         start of the step | time | | finite

@@ -9,8 +9,9 @@
 namespace burnish {
 namespace {
 
-constexpr int MAX_BACKTRACKS = 3; // steps back half way per step (ALGORITHMS.md 5.6)
-constexpr int MAX_UNSOLVED = 3;   // iterations in a row whose window has no solution
+constexpr int MAX_BACKTRACKS = 3;    // ways back in a step (ALGORITHMS.md 5.6)
+constexpr double LEAST_SHARE = 0.05; // of an increment that is left by a way back
+constexpr int MAX_UNSOLVED = 3;      // iterations in a row whose window has no solution
 
 // Iterations that a tolerance takes, over those of the default one.
 double more_digits(double tolerance) {
@@ -70,7 +71,8 @@ template <int Dim> StepStatus Iteration<Dim>::check(Eigen::VectorXd& u, const Ei
     return backtrack(u);
   m_policy.go_on(residual);
   m_R = R;
-  const bool renew = (m_policy.grows() && residual > allowed) || m_policy.lags();
+  const bool came_back = m_number >= 2 && m_u_before.size() == 0;
+  const bool renew = (m_policy.grows() && residual > allowed) || m_policy.lags() || came_back;
   return renew ? StepStatus::REFACTORIZE : StepStatus::ITERATE;
 }
 
@@ -112,12 +114,14 @@ template <int Dim> void Iteration<Dim>::arrive(const Eigen::VectorXd& u) {
   find_places(u);
 }
 
-// The iterate goes half way back to the one before.
+// The iterate goes back to where the worst residual passes zero if it changes sign in between, as that of a point does which unloads.
 template <int Dim> StepStatus Iteration<Dim>::backtrack(Eigen::VectorXd& u) {
   ++m_backtracks;
   ++m_counts.backtracks;
-  u = 0.5 * (u + m_u_before);
-  m_state.q = 0.5 * (m_state.q + m_q_before);
+  const double before = m_policy.last(),
+               share = std::max(LEAST_SHARE, before / (before + m_balance.last().residual));
+  u = m_u_before + share * (u - m_u_before);
+  m_state.q = m_q_before + share * (m_state.q - m_q_before);
   follow(m_model, m_state.q);
   find_places(u);
   m_u_before.resize(0);

@@ -30,8 +30,8 @@ public:
   /// @param adapt false: contact states stay fixed (event stepping)
   void begin(const PrescribedValues& prescribed, const ContactState<Dim>& predicted, EntryPlaces<Dim> entry,
              bool adapt);
-  /// Convergence test at displacement u with residual force R (internal minus external nodal force). May move u half way back
-  /// (BACKTRACKED). @returns REFACTORIZE where the convergence asks for a new tangent
+  /// Convergence test at displacement u with residual force R (internal minus external nodal force). May move u part of
+  /// the way back (BACKTRACKED). @returns REFACTORIZE where the convergence asks for a new tangent, and after a way back
   /// @throws std::invalid_argument for wrong sizes or NaN in R
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   /// A window has been solved. @param contradictions states that contradict the forces of its solution

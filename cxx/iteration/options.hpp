@@ -22,7 +22,7 @@ enum class StepStatus {
   CONVERGED,   ///< residual and states within tolerance
   ITERATE,     ///< call correct()
   REFACTORIZE, ///< a new tangent is wanted, then correct()
-  BACKTRACKED, ///< the iterate went half way back: evaluate the internal force again
+  BACKTRACKED, ///< the iterate went part of the way back: evaluate the internal force again
   FAILED,      ///< give the step up; reason() tells why
 };
 

@@ -90,6 +90,34 @@ TEST(Corrector, NonlinearBodyConvergesByTheSameFactor) {
   EXPECT_LE(held.unbalanced(), 1e-9);
 }
 
+// ALGORITHMS.md (5.5): back to where the residual would pass zero, and on from there with a new tangent.
+TEST(Corrector, AWayBackEndsInANewTangent) {
+  IterationOptions options;
+  options.tolerance = 1e-12;
+  Held held(0.3, options);
+  Iteration<2>& iteration = *held.iteration;
+  held.begin();
+  Eigen::VectorXd before;
+  for (int k = 0; k < 2; ++k) {
+    ASSERT_EQ(iteration.check(held.u, held.spring.force(held.u)), StepStatus::ITERATE);
+    if (k == 0) {
+      ASSERT_EQ(held.corrector->factorize(held.spring.tangent(held.u), held.u), FactorStatus::OK);
+    }
+    before = held.u;
+    ASSERT_EQ(held.corrector->correct(held.u, held.spring.force(held.u)), StepStatus::ITERATE);
+  }
+  const Eigen::VectorXd all = held.u;
+  const double r0 = iteration.policy().last();
+  const Eigen::VectorXd grown = held.spring.force(all).array() + 10 * r0;
+  ASSERT_EQ(iteration.check(held.u, grown), StepStatus::BACKTRACKED);
+  const double r1 = iteration.balance().last().residual;
+  EXPECT_GT(r1, 2 * r0);
+  expect_close(held.u, before + r0 / (r0 + r1) * (all - before), (all - before).cwiseAbs().maxCoeff(), 1e-12,
+               "what is left of the increment");
+  EXPECT_EQ(iteration.check(held.u, held.spring.force(held.u)), StepStatus::REFACTORIZE);
+  EXPECT_LT(iteration.balance().last().residual, 2 * r0); // which alone would not ask for it
+}
+
 // One iteration by the condensed system is one by factor and dense block.
 TEST(Corrector, AdvanceIsCorrectOnALinearBody) {
   Held dense(0), sparse(0);
