@@ -71,7 +71,8 @@ template <int Dim> StepStatus Iteration<Dim>::check(Eigen::VectorXd& u, const Ei
     return backtrack(u);
   m_policy.go_on(residual);
   m_R = R;
-  const bool came_back = m_number >= 2 && m_u_before.size() == 0;
+  const bool came_back =
+      Dim == 2 && m_number >= 2 && m_u_before.size() == 0 && m_balance.last().worst_dof >= 0; // of the body
   const bool renew = (m_policy.grows() && residual > allowed) || m_policy.lags() || came_back;
   return renew ? StepStatus::REFACTORIZE : StepStatus::ITERATE;
 }
@@ -114,12 +115,13 @@ template <int Dim> void Iteration<Dim>::arrive(const Eigen::VectorXd& u) {
   find_places(u);
 }
 
-// The iterate goes back to where the worst residual passes zero if it changes sign in between, as that of a point does which unloads.
+// In the plane the iterate goes back to where a residual that changes its sign on the way passes zero, as that of a point does which
+// unloads; in space half of the way.
 template <int Dim> StepStatus Iteration<Dim>::backtrack(Eigen::VectorXd& u) {
   ++m_backtracks;
   ++m_counts.backtracks;
   const double before = m_policy.last(),
-               share = std::max(LEAST_SHARE, before / (before + m_balance.last().residual));
+               share = Dim == 3 ? 0.5 : std::max(LEAST_SHARE, before / (before + m_balance.last().residual));
   u = m_u_before + share * (u - m_u_before);
   m_state.q = m_q_before + share * (m_state.q - m_q_before);
   follow(m_model, m_state.q);
