@@ -89,7 +89,6 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
     fail("Stepper", "jumps= with a law of the script, whose state cannot be taken back over several pieces");
   m_body.workpiece().set_step_length(m_control.dt());
   m_tries = 0;
-  m_refused_jump.clear();
   return try_step();
 }
 
@@ -204,7 +203,8 @@ template <int Dim> void Stepper<Dim>::warn_of_error() {
 
 template <int Dim> Task Stepper<Dim>::accepted() {
   const double t = m_control.time(), dt = m_control.dt(), part = m_scheme->reached() - t;
-  if (part < dt - SHORTEST_REST * dt) m_control.cut(part / dt); // the rest of the step failed
+  if (part < dt - SHORTEST_REST * dt) m_control.cut(part / dt);                // the rest of the step failed
+  if (part >= SHORT_STEP * m_control.options().dt_max) m_refused_jump.clear(); // it has gone on
   m_control.accepted();
   measure_step();
   m_counts.scheme.pileups += m_options.scheme == Scheme::EVENT && m_tries >= MAX_TRIES;

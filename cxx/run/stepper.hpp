@@ -155,7 +155,7 @@ private:
   int m_made = 0; // iterations of this equilibrium at its last check
   bool m_refused = false, m_stopped = false, m_at_floor = false, m_halted = false;
   std::string m_refusal, m_reason, m_last_rejection;
-  std::string m_refused_jump; // why a jump of this step was given up, "" if none was
+  std::string m_refused_jump; // why a jump was given up since the run last went on, "" if none was
   double m_rejected_dt = 0;
 };
 
