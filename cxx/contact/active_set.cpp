@@ -52,7 +52,11 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
     if (!problem.adapt) break;
     const ContactState<Dim> before = trial;
     solution.left = solver.test(solution, trial, severity);
-    if (solution.left == 0) break;
+    if (solution.left == 0 && !solution.held_back) break;
+    if (solution.left == 0) {
+      solver.let_run();
+      continue;
+    }
     if (best.F.size() == 0 || solution.left < best.left) best = solution;
     if (solution.passes >= problem.max_passes) break;
     if ((solution.stopped = stop_asked())) return solution;

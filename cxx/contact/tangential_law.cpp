@@ -22,8 +22,9 @@ Change TangentialLaw<Dim>::test(NodeState state, double N, const DecidingForce<D
     const bool may_stick = !frictionless() && !deciding.unpressed;
     return may_stick && slips_back(slip, m, tolerance.slip) ? Change::STICK : Change::NONE;
   }
-  if (tension) { // without friction to take off, the direction of sliding would be one of rounding
-    const bool held = force.T.norm() > tolerance.force;
+  if (tension) { // with little friction to take off, the direction of sliding would be one of rounding
+    const double drawn = Dim == 3 ? capacity(-N, deciding.area) : 0;
+    const bool held = force.T.norm() > std::max(drawn, tolerance.force);
     return m_friction->sticks_always() || !held ? Change::RELEASE : Change::SLIDE;
   }
   if (deciding.unpressed) return Change::SLIDE;

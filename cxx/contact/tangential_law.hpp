@@ -67,9 +67,10 @@ public:
 
   /// State test of a node in contact.
   ///   slides: released at tension, sticks when it has slipped against its direction
-  ///   sticks: slides at tension or outside the cone; released at tension where it never slides
+  ///   sticks: slides outside the cone; at tension it slides while it has friction, in space more than a pressure as large would
+  ///   allow, else, or where it never slides, it is released
   ///   unpressed: slides and does not stick
-  /// (A sticking node under tension first slides, only a sliding one is released: METHOD.md 5.4.)
+  /// (METHOD.md 5.4)
   /// @param N the node's own normal force, which tells tension [force]; @param slip of the step, in E [length]
   Change test(NodeState state, double N, const DecidingForce<Dim>& deciding, const Param<Dim>& slip,
               const Param<Dim>& m, const ContactTolerance& tolerance) const;

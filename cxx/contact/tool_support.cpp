@@ -183,13 +183,6 @@ std::vector<char> held_by_friction(const ContactModel<Dim>& model, const Prescri
 }
 
 template <int Dim>
-std::vector<char> turning_tools(std::vector<char> by_friction, const ContactState<Dim>& state) {
-  for (const auto& node : state.nodes)
-    if (!by_friction.empty() && sticks(node.state)) by_friction[node.tool] = 0;
-  return by_friction;
-}
-
-template <int Dim>
 std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                const ContactState<Dim>& state) {
   std::vector<int> result;
@@ -220,7 +213,6 @@ std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedV
                                                   const ContactState<Dim>&);                                 \
   template std::vector<char> held_by_friction<Dim>(const ContactModel<Dim>&, const PrescribedValues&,        \
                                                    const ContactState<Dim>&);                                \
-  template std::vector<char> turning_tools<Dim>(std::vector<char>, const ContactState<Dim>&);                \
   template std::vector<int> sole_supports<Dim>(const ContactModel<Dim>&, const PrescribedValues&,            \
                                                const ContactState<Dim>&);
 BURNISH_INSTANTIATE(2)

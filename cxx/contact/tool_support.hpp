@@ -11,7 +11,7 @@ constexpr int MAX_SUPPORTS = 8;
 /// Makes one node of a tool stick where a coordinate under force would otherwise only meet sliding friction:
 /// the sliding node with the smallest slip.
 /// @param refused per candidate: sticking was tried and exceeded the friction, taken last; may be empty
-/// @param turning per tool: 1, none of it has to stick, see turning_tools; empty: none
+/// @param turning per tool: 1, none of it has to stick: turning directions resist it (METHOD.md 5.5); empty: none
 /// @param geared  of a tool whose coordinate shares its force with another one's through a coupling, too, where that was not refused
 ///        yet: each of them may stick, and one may slide everywhere. With refused
 /// @returns its candidate number or -1 if nothing had to be done
@@ -51,11 +51,6 @@ std::vector<int> idle_coordinates(const ContactModel<Dim>& model, const Prescrib
 template <int Dim>
 std::vector<char> held_by_friction(const ContactModel<Dim>& model, const PrescribedValues& prescribed,
                                    const ContactState<Dim>& state);
-
-/// Tools that friction alone holds and on which all nodes slide: their turning directions resist it (METHOD.md 5.5).
-/// @param by_friction of held_by_friction, or empty @returns per tool 0 or 1, or empty
-template <int Dim>
-std::vector<char> turning_tools(std::vector<char> by_friction, const ContactState<Dim>& state);
 
 /// Candidates whose stick is the only one that supports their tool.
 template <int Dim>

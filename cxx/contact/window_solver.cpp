@@ -5,6 +5,7 @@
 #include "contact/slip_direction.hpp"
 #include "contact/tool_support.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace burnish {
 namespace {
@@ -33,6 +34,25 @@ template <int Dim> Eigen::VectorXd of_nodes(const Eigen::VectorXd& window, const
   return part;
 }
 
+// The idle coordinate that moves points of contact farthest, if that is beyond all that those under motion do; -1: none.
+template <int Dim, class Idle>
+int runaway(const std::vector<NodeLinearization<Dim>>& nodes, const PrescribedValues& prescribed,
+            const Eigen::VectorXd& dq, double spacing, const Idle& idle) {
+  constexpr double beyond = 10; // over the spacing of nodes and what coordinates under motion move by
+  double driven = spacing, most = 0;
+  int farthest = -1;
+  for (const NodeLinearization<Dim>& node : nodes)
+    for (std::size_t j = 0; node.in_contact && j < node.at.size(); ++j) {
+      const int k = node.at[j];
+      const double way = node.x_q.col(static_cast<Eigen::Index>(j)).norm() * std::abs(dq[k]);
+      if (prescribed.is_motion[k]) driven = std::max(driven, way);
+      if (way <= most || !idle(k)) continue;
+      most = way;
+      farthest = k;
+    }
+  return most > beyond * driven ? farthest : -1;
+}
+
 } // namespace
 
 template <int Dim>
@@ -41,7 +61,7 @@ WindowSolver<Dim>::WindowSolver(const WindowProblem<Dim>& problem)
       m_released(problem.start->nodes.size(), 0) {
   if (Dim == 3 && problem.adapt)
     m_by_friction = held_by_friction(m_model, *problem.prescribed, *problem.start);
-  if (!problem.first) m_turning = turning_tools(m_by_friction, *problem.start);
+  if (!problem.first) m_turning = m_by_friction;
   if (!m_by_friction.empty() && problem.added_stiffness.size() > 0) // as is a body between tools
     m_by_friction.assign(m_by_friction.size(), 1);
 }
@@ -106,22 +126,29 @@ std::vector<NodeLinearization<Dim>> WindowSolver<Dim>::linearize(const ContactSt
   return nodes;
 }
 
-// In space a coordinate without a force of its own that turns out to be unresisted keeps its place in this pass: all nodes may
-// slide, and the next pass has others.
+// In space a coordinate without a force of its own that nothing resists, or so little that it runs away, keeps its place in this
+// pass: all nodes may slide, and the next pass has others.
 template <int Dim>
 ContactBlockSolution<Dim> WindowSolver<Dim>::solved_with_idle(PrescribedValues& prescribed,
-                                                              const ContactBlockInput<Dim>& input) const {
-  auto block = solve_contact_block(m_model, prescribed, m_problem.start->q, input);
-  if (Dim == 2 || !m_problem.adapt || !block.singular) return block;
-  const Eigen::VectorXd drive = driving_force(m_model, prescribed, m_problem.start->q).value;
-  while (block.singular && block.weakest_coordinate >= 0) {
-    const int k = block.weakest_coordinate;
-    if (prescribed.is_motion[k] || prescribed.is_held(k) || m_model.coupling_of(k) || drive[k] != 0) break;
+                                                              const ContactBlockInput<Dim>& input,
+                                                              bool& held_back) const {
+  const Eigen::VectorXd& q = m_problem.start->q;
+  auto block = solve_contact_block(m_model, prescribed, q, input);
+  if (Dim == 2 || !m_problem.adapt) return block;
+  const Eigen::VectorXd drive = driving_force(m_model, prescribed, q).value;
+  const auto idle = [&](int k) {
+    return !prescribed.is_motion[k] && !prescribed.is_held(k) && !m_model.coupling_of(k) && drive[k] == 0;
+  };
+  for (;;) {
+    const bool looks = !block.singular && !m_lets_run;
+    const int far = looks ? runaway(*input.nodes, prescribed, block.dq, m_body.spacing, idle) : -1;
+    const int k = block.singular ? block.weakest_coordinate : far;
+    if (k < 0 || !idle(k)) return block;
+    held_back = held_back || far >= 0;
     prescribed.is_motion[k] = 1;
-    prescribed.value[k] = m_problem.resting ? (*m_problem.resting)[k] : m_problem.start->q[k];
-    block = solve_contact_block(m_model, prescribed, m_problem.start->q, input);
+    prescribed.value[k] = m_problem.resting ? (*m_problem.resting)[k] : q[k];
+    block = solve_contact_block(m_model, prescribed, q, input);
   }
-  return block;
 }
 
 template <int Dim>
@@ -142,7 +169,8 @@ bool WindowSolver<Dim>::solve(const ContactState<Dim>& trial, WindowSolution<Dim
   input.test_stability = m_problem.test_stability;
   const Eigen::VectorXd& resting = m_problem.resting ? *m_problem.resting : m_problem.start->q;
   PrescribedValues prescribed = with_idle_given(m_model, *m_problem.prescribed, trial, resting);
-  const auto block = solved_with_idle(prescribed, input);
+  out.held_back = false;
+  const auto block = solved_with_idle(prescribed, input, out.held_back);
   out.unstable = block.unstable;
   out.singular = block.singular;
   out.weakest_coordinate = block.weakest_coordinate;

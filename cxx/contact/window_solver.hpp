@@ -36,6 +36,7 @@ template <int Dim> struct WindowSolution {
   bool indefinite =
       false; ///< singular, since a part of the flexibility is not positive definite: the body is not
   int weakest_coordinate = -1;
+  bool held_back = false; ///< a coordinate that runs away was kept at its place (METHOD.md 5.5)
   int passes = 0;
   bool stopped = false; ///< the run shall end (stop_asked): no solution
   int left = 0; ///< states that contradict the forces in the last pass; 0: it is a solution of the window
@@ -48,7 +49,7 @@ template <int Dim> class WindowSolver {
 public:
   /// @param problem must outlive it
   explicit WindowSolver(const WindowProblem<Dim>& problem);
-  /// Tools whose nodes all slide at the start, in turning directions that resist (METHOD.md 5.5); none in the first iteration of a
+  /// Tools that friction alone holds, whose turning directions resist (METHOD.md 5.5); none in the first iteration of a
   /// step. Empty in the plane.
   const std::vector<char>& turning() const { return m_turning; }
   /// Solves with the states of the trial. @returns false if it cannot be done; out tells why, and keeps its passes
@@ -61,13 +62,15 @@ public:
            std::vector<double>& severity) const;
   /// After a pass: nodes that it has released come back, if they do, without the force that they had at the start.
   void note_released(const ContactState<Dim>& before, const ContactState<Dim>& after);
+  /// From now on coordinates that run away are not held back (WindowSolution::held_back).
+  void let_run() { m_lets_run = true; }
 
 private:
   std::vector<int> active_positions(const ContactState<Dim>& trial) const;
   std::vector<NodeLinearization<Dim>>
   linearize(const ContactState<Dim>& trial, const std::vector<int>& active, Eigen::VectorXd& offset) const;
   ContactBlockSolution<Dim> solved_with_idle(PrescribedValues& prescribed,
-                                             const ContactBlockInput<Dim>& input) const;
+                                             const ContactBlockInput<Dim>& input, bool& held_back) const;
   template <class Force>
   std::vector<DecidingForce<Dim>> deciding_at(const ContactState<Dim>& state,
                                               const std::vector<Pose<Dim>>& poses,
@@ -79,6 +82,7 @@ private:
   const std::vector<int>& m_window;
   std::vector<char> m_released;               // per candidate, by a pass, in space
   std::vector<char> m_by_friction, m_turning; // per tool, in space; empty: states stay
+  bool m_lets_run = false;                    // let_run
 };
 
 } // namespace burnish

@@ -1,5 +1,6 @@
 #pragma once
 // How wide the contact of a tool is where it carries most.
+#include "base/archive.hpp"
 #include "diagnosis/accepted_step.hpp"
 
 namespace burnish {
