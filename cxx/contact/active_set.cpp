@@ -64,10 +64,9 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
     solver.note_released(before, trial);
     note_refused(before, trial, refused);
   }
-  // The one that contradicts itself least; in space also where a body between tools has none that sticks left, since what has not
-  // pressed yet does not turn (METHOD.md 3.12): the next iteration knows forces.
-  const bool loose = Dim == 3 && solution.singular && problem.first && problem.added_stiffness.size() > 0;
-  if (loose ? best.F.size() > 0 : solution.left > 0 && !solution.singular) {
+  // The one that contradicts itself least; in space also where a pass has lost what holds a tool: the next iteration knows other
+  // forces and directions.
+  if (solution.singular ? Dim == 3 && best.F.size() > 0 : solution.left > 0) {
     best.passes = solution.passes;
     solution = std::move(best);
   }
