@@ -1,6 +1,7 @@
 // Tools that touched nothing (ALGORITHMS.md 17.1).
 #include "diagnosis/before/wrong_side.hpp"
 #include "diagnosis/observers.hpp"
+#include <algorithm>
 
 namespace burnish {
 namespace {
@@ -8,10 +9,17 @@ namespace {
 template <int Dim> class IdleTools final : public ObserverOf<IdleTools<Dim>, Dim> {
 public:
   BURNISH_REMEMBERS(m_touched)
-  void look(const AcceptedStep<Dim>& step, FindingList&) override {
+  void look(const AcceptedStep<Dim>& step, FindingList& findings) override {
     m_touched.resize(step.model().tools.size());
     for (const auto& node : step.contact.nodes)
       if (in_contact(node.state)) m_touched[node.tool] = 1;
+    const bool any = std::find(m_touched.begin(), m_touched.end(), 1) != m_touched.end();
+    if (any || !step.last || !step.u.isZero(0)) return;
+    Finding* finding = findings.report("idle tools", "", Severity::WARNING, 0, step.t);
+    if (finding)
+      finding->text =
+          "no tool has touched the workpiece, and nothing else has moved it: look at the signs of the "
+          "program's motions, and at the side that the tools are on";
   }
   void end(const EndedRun<Dim>& run, std::vector<Statement>& list) const override {
     for (int tool = 0; tool < static_cast<int>(m_touched.size()); ++tool) {
