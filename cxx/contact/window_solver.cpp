@@ -53,6 +53,23 @@ int runaway(const std::vector<NodeLinearization<Dim>>& nodes, const PrescribedVa
   return most > beyond * driven ? farthest : -1;
 }
 
+// Whether the forces F on the nodes balance what drives coordinate k, but for the change of their arms in this iteration.
+template <int Dim>
+bool balances(const std::vector<NodeLinearization<Dim>>& nodes, const Eigen::VectorXd& F, int k,
+              double drive) {
+  constexpr double nearly = 0.01;
+  double sum = 0, size = std::abs(drive);
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+    for (std::size_t j = 0; nodes[a].in_contact && j < nodes[a].at.size(); ++j) {
+      if (nodes[a].at[j] != k) continue;
+      const double part =
+          nodes[a].x_q.col(static_cast<Eigen::Index>(j)).dot(F.template segment<Dim>(Dim * a));
+      sum += part;
+      size += std::abs(part);
+    }
+  return std::abs(sum - drive) <= nearly * size;
+}
+
 } // namespace
 
 template <int Dim>
@@ -126,28 +143,32 @@ std::vector<NodeLinearization<Dim>> WindowSolver<Dim>::linearize(const ContactSt
   return nodes;
 }
 
-// In space a coordinate without a force of its own that nothing resists, or so little that it runs away, keeps its place in this
-// pass: all nodes may slide, and the next pass has others.
+// A coordinate that nothing resists keeps its place in this pass where that leaves it in balance: turns of a body that only free
+// tools hold cost nothing until they press. In space, where all nodes may slide and the next pass has others, it is one without a
+// force of its own, also where it is resisted so little that it runs away.
 template <int Dim>
 ContactBlockSolution<Dim> WindowSolver<Dim>::solved_with_idle(PrescribedValues& prescribed,
                                                               const ContactBlockInput<Dim>& input,
                                                               bool& held_back) const {
   const Eigen::VectorXd& q = m_problem.start->q;
   auto block = solve_contact_block(m_model, prescribed, q, input);
-  if (Dim == 2 || !m_problem.adapt) return block;
+  if (!m_problem.adapt) return block;
   const Eigen::VectorXd drive = driving_force(m_model, prescribed, q).value;
-  const auto idle = [&](int k) {
-    return !prescribed.is_motion[k] && !prescribed.is_held(k) && !m_model.coupling_of(k) && drive[k] == 0;
+  const auto may_rest = [&](int k) {
+    return !prescribed.is_motion[k] && !prescribed.is_held(k) && !m_model.coupling_of(k) &&
+           (Dim == 2 || drive[k] == 0);
   };
   for (;;) {
-    const bool looks = !block.singular && !m_lets_run;
-    const int far = looks ? runaway(*input.nodes, prescribed, block.dq, m_body.spacing, idle) : -1;
+    const bool looks = Dim == 3 && !block.singular && !m_lets_run;
+    const int far = looks ? runaway(*input.nodes, prescribed, block.dq, m_body.spacing, may_rest) : -1;
     const int k = block.singular ? block.weakest_coordinate : far;
-    if (k < 0 || !idle(k)) return block;
+    if (k < 0 || !may_rest(k)) return block;
     held_back = held_back || far >= 0;
     prescribed.is_motion[k] = 1;
     prescribed.value[k] = m_problem.resting ? (*m_problem.resting)[k] : q[k];
-    block = solve_contact_block(m_model, prescribed, q, input);
+    auto at_rest = solve_contact_block(m_model, prescribed, q, input);
+    if (Dim == 2 && !at_rest.singular && !balances<Dim>(*input.nodes, at_rest.F, k, drive[k])) return block;
+    block = std::move(at_rest);
   }
 }
 

@@ -213,6 +213,24 @@ TEST(ActiveSet, FloatingBodyMaySlideEverywhere) {
   EXPECT_LE(solution.passes, 6);
 }
 
+// Along a plate without friction nothing resists x: it keeps its place where it is in balance there, and is named where it is not.
+TEST(ActiveSet, UnresistedCoordinateKeepsItsPlaceInBalance) {
+  for (const double force : {0., 0.01}) {
+    Springs springs(0, -0.1);
+    springs.prescribed.is_motion[0] = 0;
+    springs.prescribed.value[0] = force;
+    springs.start.q[0] = 0.5;
+    const auto solution = springs.solve();
+    EXPECT_EQ(solution.singular, force > 0);
+    if (force > 0) {
+      EXPECT_EQ(solution.weakest_coordinate, 0);
+      continue;
+    }
+    EXPECT_EQ(solution.state.q[0], 0.5);
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(Springs::pressure(solution, i), 0.1, 1e-14);
+  }
+}
+
 TEST(ActiveSet, SingularBlockIsReported) {
   Springs springs(0.3);
   springs.prescribed.is_motion[1] = 0; // a load on the plate that touches nothing
