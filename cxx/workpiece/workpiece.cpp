@@ -7,6 +7,9 @@ namespace burnish {
 namespace {
 
 constexpr int ELEMENTS_AT_A_TIME = 64; // moved and updated while they are in the nearest cache
+// Part of elastic moduli in a point that has been elastic and plastic in turn (ALGORITHMS.md 5.2)
+constexpr int FIRST_SWITCHES = 2; // from so many switches on
+constexpr double BLEND_PER_SWITCH = 0.03, LARGEST_BLEND = 0.3;
 
 template <int Dim> Discretization<Dim> valid(Discretization<Dim> mesh) {
   require_sizes(mesh, "Workpiece");
@@ -53,7 +56,8 @@ Workpiece<Dim>::Workpiece(Discretization<Dim> discretization, std::shared_ptr<co
     : m_discretization(valid(std::move(discretization))), m_law(valid(std::move(law))), m_options(options),
       m_assembly(m_discretization), m_division(m_discretization), m_axis(m_discretization),
       m_state_old(initial_state(m_discretization, m_law->internal_variables())), m_state(m_state_old),
-      m_trial(m_discretization.num_points()), m_integrity(m_law->internal_variables().initial()) {
+      m_trial(m_discretization.num_points()), m_switches(m_discretization.num_points()),
+      m_integrity(m_law->internal_variables().initial()) {
   burnish::require_valid(m_options, "Workpiece");
   if (!m_law->has_moduli()) set_user_defined(true);
 }
@@ -135,7 +139,11 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
   require(iteration >= 0, where, "iteration", iteration, ">= 0");
   burnish::require_valid(m_options, where);
   m_axis.check(displacement, where);
-  if (iteration == 0) std::fill(m_trial.begin(), m_trial.end(), PointTrial{});
+  if (iteration == 0) {
+    std::fill(m_trial.begin(), m_trial.end(), PointTrial{});
+    std::fill(m_switches.begin(), m_switches.end(), 0);
+  }
+  const std::vector<char> before = m_state.plastic;
   m_state.displacement = displacement;
   m_state.dt = dt;
   m_updated = true;
@@ -143,6 +151,8 @@ UpdateResult Workpiece<Dim>::update(const Eigen::VectorXd& displacement, double 
   m_integrity.move(m_state_old, m_state);
   const UpdateResult found = update_elements(iteration);
   if (found.status != UpdateStatus::OK) return found;
+  for (std::size_t p = 0; iteration > 0 && p < before.size(); ++p)
+    m_switches[p] += before[p] != m_state.plastic[p];
   // a node of no element
   if (!displacement.allFinite())
     return {UpdateStatus::NOT_FINITE, -1, std::numeric_limits<double>::quiet_NaN()};
@@ -159,6 +169,13 @@ template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal_force() const {
   return force;
 }
 
+// A plastic tangent is some hundred times too soft for a point that unloads.
+template <int Dim> double Workpiece<Dim>::own_blend(int point, TangentKind kind) const {
+  const int switches = m_switches[point];
+  if (kind != TangentKind::CONSISTENT || !m_updated || switches < FIRST_SWITCHES) return 0;
+  return std::min(BLEND_PER_SWITCH * switches, LARGEST_BLEND);
+}
+
 template <int Dim>
 PiolaTangent<Dim> Workpiece<Dim>::exact_moduli(int point, TangentKind kind, double elastic_blend) const {
   const PointStep<Dim> step = point_step(point);
@@ -169,7 +186,8 @@ PiolaTangent<Dim> Workpiece<Dim>::exact_moduli(int point, TangentKind kind, doub
   if (kind == TangentKind::ELASTIC) return w * elastic();
   PiolaTangent<Dim> A = m_user ? m_user->moduli(point, *m_law, step, now)
                                : m_law->tangent(m_updated ? kind : TangentKind::RATE, step, trial, now);
-  if (now.plastic && elastic_blend > 0 && m_law->has_moduli()) A += elastic_blend * (elastic() - A);
+  const double blend = std::max(elastic_blend, own_blend(point, kind));
+  if (now.plastic && blend > 0 && m_law->has_moduli()) A += blend * (elastic() - A);
   return w * A;
 }
 

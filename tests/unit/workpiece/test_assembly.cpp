@@ -200,6 +200,30 @@ TEST(Assembly, BlendMixesElasticModuliIntoPlasticPoints) {
     }
 }
 
+// From the second switch on .03 of elastic moduli for each, .3 at most; a new step begins without.
+TEST(Assembly, PointsThatGoToAndFroGetElasticModuli) {
+  Workpiece<2> body = workpiece(6, {});
+  const Eigen::VectorXd plastic = bent(body.discretization(), 1, 0.002), elastic = 0 * plastic;
+  Workpiece<2> once = body;
+  once.update(plastic, 1, 0);
+  ASSERT_GT(plastic_points(once), 0);
+  for (int iteration = 0; iteration <= 14; ++iteration) {
+    body.update(iteration % 2 ? elastic : plastic, 1, iteration);
+    if (iteration % 2) continue;
+    const double part = iteration < 2 ? 0 : std::min(0.03 * iteration, 0.3);
+    for (int p = 0; p < body.discretization().num_points(); ++p) {
+      const PiolaTangent<2> pure = once.point_moduli(p, TangentKind::CONSISTENT);
+      const PiolaTangent<2> stiff = once.point_moduli(p, TangentKind::ELASTIC);
+      const PiolaTangent<2> expected =
+          once.state().plastic[p] ? PiolaTangent<2>(pure + part * (stiff - pure)) : pure;
+      EXPECT_LE((body.point_moduli(p, TangentKind::CONSISTENT) - expected).norm(), 1e-14 * pure.norm());
+    }
+  }
+  EXPECT_EQ(tangent(body, TangentKind::RATE), tangent(once, TangentKind::RATE));
+  body.update(plastic, 1, 0);
+  EXPECT_EQ(tangent(body, TangentKind::CONSISTENT), tangent(once, TangentKind::CONSISTENT));
+}
+
 TEST(Assembly, PointModuliAndPiolaGiveTheSameForms) {
   const Workpiece<2> body = after_two_steps(6, {}, 0.01);
   const Discretization<2>& mesh = body.discretization();
