@@ -7,7 +7,8 @@
 namespace burnish {
 namespace {
 
-constexpr double WINDOW_NODES = 4; // margin of the window around a contact, in node spacings
+// Margin of the window around a contact, in node spacings: no whole number, at which rounding would choose the nodes.
+constexpr double WINDOW_NODES = 4.3;
 
 template <int Dim>
 std::vector<Vector<Dim>> contact_places(const ContactModel<Dim>& model, const BodyView<Dim>& body,

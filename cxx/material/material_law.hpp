@@ -16,8 +16,10 @@ inline constexpr double NEVER = std::numeric_limits<double>::infinity();
 
 enum class TangentKind {
   CONSISTENT, ///< linearization of the chosen finite-step update
-  RATE,       ///< rate tangent, METHOD.md (1.8), at the end of the step; the point loads if `plastic`
-  ELASTIC,    ///< elastic moduli with the geometric terms
+  DAMPED, ///< the same, with a part of elastic moduli where updates of the step go to and fro between elastic and
+          ///< plastic (ALGORITHMS.md 5.2): of a workpiece
+  RATE,    ///< rate tangent, METHOD.md (1.8), at the end of the step; the point loads if `plastic`
+  ELASTIC, ///< elastic moduli with the geometric terms
 };
 
 /// How the stress drives a point through its yield surface: powers s:dd of the deviator on strain increments

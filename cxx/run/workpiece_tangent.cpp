@@ -15,7 +15,7 @@ bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece
   contact.corrector().forget_mixing();
   do {
     NodeBlockMatrix<Dim> K = workpiece.pattern();
-    workpiece.tangent(K, TangentKind::CONSISTENT, contact.iteration().policy().elastic_blend());
+    workpiece.tangent(K, TangentKind::DAMPED, contact.iteration().policy().elastic_blend());
     if (contact.factorize(std::move(K), u) == FactorStatus::OK) return true;
   } while (!contact.iteration().policy().blend_exhausted());
   return false;

@@ -170,10 +170,11 @@ template <int Dim> Eigen::VectorXd Workpiece<Dim>::internal_force() const {
 }
 
 // A plastic tangent is some hundred times too soft for a point that unloads.
-template <int Dim> double Workpiece<Dim>::own_blend(int point, TangentKind kind) const {
+template <int Dim> double Workpiece<Dim>::own_blend(int point) const {
   const int switches = m_switches[point];
-  if (kind != TangentKind::CONSISTENT || !m_updated || switches < FIRST_SWITCHES) return 0;
-  return std::min(BLEND_PER_SWITCH * switches, LARGEST_BLEND);
+  return m_updated && !m_user && switches >= FIRST_SWITCHES
+             ? std::min(BLEND_PER_SWITCH * switches, LARGEST_BLEND)
+             : 0;
 }
 
 template <int Dim>
@@ -184,10 +185,13 @@ PiolaTangent<Dim> Workpiece<Dim>::exact_moduli(int point, TangentKind kind, doub
   const double w = integrity_of(m_state, point);
   const auto elastic = [&] { return m_law->tangent(TangentKind::ELASTIC, step, trial, now); };
   if (kind == TangentKind::ELASTIC) return w * elastic();
+  if (kind == TangentKind::DAMPED) {
+    kind = TangentKind::CONSISTENT;
+    elastic_blend = std::max(elastic_blend, own_blend(point));
+  }
   PiolaTangent<Dim> A = m_user ? m_user->moduli(point, *m_law, step, now)
                                : m_law->tangent(m_updated ? kind : TangentKind::RATE, step, trial, now);
-  const double blend = std::max(elastic_blend, own_blend(point, kind));
-  if (now.plastic && blend > 0 && m_law->has_moduli()) A += blend * (elastic() - A);
+  if (now.plastic && elastic_blend > 0 && m_law->has_moduli()) A += elastic_blend * (elastic() - A);
   return w * A;
 }
 

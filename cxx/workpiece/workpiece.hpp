@@ -50,8 +50,6 @@ public:
   /// N/R on the radial dof, the force of the whole ring; num_dofs [force].
   Eigen::VectorXd internal_force() const;
   /// Its tangent (symmetric part), into a matrix with this discretization's pattern: replaces the values, or makes them.
-  /// CONSISTENT: with a part of elastic moduli in points that have gone to and fro between elastic and plastic in the
-  /// updates of this step (ALGORITHMS.md 5.2).
   /// Right after accept, revert or set_state the increment is zero and CONSISTENT means RATE, its limit for a
   /// step that goes on like the last one. RATE: a point loads if it flowed in the last update.
   /// @param elastic_blend 0..1: part of elastic moduli in plastic points (ALGORITHMS.md 5.2)
@@ -113,7 +111,7 @@ private:
   UpdateResult update_points(int first, int end, int iteration);
   PiolaTangent<Dim> moduli(int point, TangentKind kind, double elastic_blend) const;
   PiolaTangent<Dim> exact_moduli(int point, TangentKind kind, double elastic_blend) const;
-  double own_blend(int point, TangentKind kind) const;
+  double own_blend(int point) const;
   void require_point(const char* where, int point) const;
 
   Discretization<Dim> m_discretization;

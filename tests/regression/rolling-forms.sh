@@ -5,11 +5,12 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 run() { name=$1; shift; "$BURNISH" cases/rolling/rolling.edp -pictures 0 -series 1 -out "$SCRATCH/$name" "$@" >"$SCRATCH/$name.log" || { tail -20 "$SCRATCH/$name.log"; exit 1; }; }
 coarse="-inner 4 -outer 40 -sides 8 -update single"
-run implicit $coarse
-run implicit-law $coarse -forms 1 -assembly core
-run implicit-forms $coarse -forms 1
-run event $coarse -scheme event -turn 3
-run event-law $coarse -scheme event -turn 3 -forms 1 -assembly core
+exact="-tolerance 1e-9" # the core damps tangents of its own law, so iterates differ
+run implicit $coarse $exact
+run implicit-law $coarse $exact -forms 1 -assembly core
+run implicit-forms $coarse $exact -forms 1
+run event $coarse $exact -scheme event -turn 3
+run event-law $coarse $exact -scheme event -turn 3 -forms 1 -assembly core
 small="-inner 3 -outer 24 -sides 5 -update single -steps 40 -turn 2 -tolerance 1e-9"
 run umfpack $small -solver UMFPACK
 run umfpack-law $small -forms 1 -assembly core -solver UMFPACK

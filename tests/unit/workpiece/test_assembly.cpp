@@ -216,12 +216,13 @@ TEST(Assembly, PointsThatGoToAndFroGetElasticModuli) {
       const PiolaTangent<2> stiff = once.point_moduli(p, TangentKind::ELASTIC);
       const PiolaTangent<2> expected =
           once.state().plastic[p] ? PiolaTangent<2>(pure + part * (stiff - pure)) : pure;
-      EXPECT_LE((body.point_moduli(p, TangentKind::CONSISTENT) - expected).norm(), 1e-14 * pure.norm());
+      EXPECT_LE((body.point_moduli(p, TangentKind::DAMPED) - expected).norm(), 1e-14 * pure.norm());
+      EXPECT_EQ(body.point_moduli(p, TangentKind::CONSISTENT), pure);
     }
   }
   EXPECT_EQ(tangent(body, TangentKind::RATE), tangent(once, TangentKind::RATE));
   body.update(plastic, 1, 0);
-  EXPECT_EQ(tangent(body, TangentKind::CONSISTENT), tangent(once, TangentKind::CONSISTENT));
+  EXPECT_EQ(tangent(body, TangentKind::DAMPED), tangent(once, TangentKind::CONSISTENT));
 }
 
 TEST(Assembly, PointModuliAndPiolaGiveTheSameForms) {
