@@ -18,7 +18,7 @@ bool worse(double r, const Balance& result) {
 }
 
 constexpr double AROUND =
-    2; // spacings around the contact of a light tool where free nodes are held to its tolerance
+    2.2; // spacings around the contact of a light tool where free nodes are held to its tolerance
 
 // Weights of the residuals of all mesh nodes: beside a light tool that of the tool. Empty: all 1.
 template <int Dim> std::vector<double> weights_near_tools(const BalancedState<Dim>& state) {
