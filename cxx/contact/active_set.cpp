@@ -17,6 +17,17 @@ void note_refused(const ContactState<Dim>& before, const ContactState<Dim>& afte
     refused[i] = refused[i] || (sticks(before.nodes[i].state) && after.nodes[i].state == NodeState::SLIDING);
 }
 
+// A node that slid when the iteration began and slides again is where it was then: from a place to which a pass has taken it, or where
+// it stuck, its way would be a chord of the tool.
+template <int Dim> void slide_on(const ContactState<Dim>& start, ContactState<Dim>& trial) {
+  for (std::size_t i = 0; i < trial.nodes.size(); ++i) {
+    const ContactNode<Dim>& began = start.nodes[i];
+    ContactNode<Dim>& node = trial.nodes[i];
+    if (node.state == NodeState::SLIDING && began.state == NodeState::SLIDING && began.tool == node.tool)
+      node.place = began.place;
+  }
+}
+
 template <int Dim> bool none_sticks(const ContactState<Dim>& state) {
   return std::none_of(state.nodes.begin(), state.nodes.end(),
                       [](const auto& node) { return sticks(node.state); });
@@ -62,6 +73,7 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
     if ((solution.stopped = stop_asked())) return solution;
     choice.choose(before, severity, trial);
     solver.note_released(before, trial);
+    slide_on(state, trial);
     note_refused(before, trial, refused);
   }
   // The one that contradicts itself least; in space also where a pass has lost what holds a tool: the next iteration knows other

@@ -213,6 +213,32 @@ TEST(ActiveSet, FloatingBodyMaySlideEverywhere) {
   EXPECT_LE(solution.passes, 6);
 }
 
+// On a curved tool, too, trials to stick leave nothing behind: nodes that slide again do so from where the iteration began, not
+// from where they stuck.
+TEST(ActiveSet, NodesSlideOnFromWhereTheyWere) {
+  Springs springs(0.3);
+  springs.model.tools[0] =
+      profile_tool("roller", std::make_shared<Circle>(40, false), std::make_shared<Cartesian>());
+  springs.start.q = springs.prescribed.value = Eigen::Vector3d(2.5, 39.9, 0);
+  const double slips[] = {0.4, 0.1, -0.2, -0.3};
+  for (int i = 1; i < 5; ++i) {
+    springs.touch(i, NodeState::SLIDING, i < 3 ? -1 : 1);
+    ContactNode<2>& node = springs.start.nodes[i];
+    node.slip_origin = place_of(*springs.model.tools[0], EventScene::s(node) + slips[i - 1]);
+    springs.problem.free_increment[2 * i] = i < 3 ? -0.05 : 0.05; // more than friction holds
+  }
+  for (const int i : {0, 5}) springs.problem.free_increment[2 * i + 1] = -1; // out of reach
+  const Eigen::VectorXd added = Eigen::VectorXd::Zero(12);
+  springs.problem.adapt = false;
+  const Eigen::VectorXd F = springs.solve().F;
+  springs.problem.adapt = true;
+  springs.problem.added_stiffness = added;
+  const auto solution = springs.solve();
+  EXPECT_GT(solution.passes, 1) << "a neutral point was looked for";
+  for (int i = 1; i < 5; ++i) EXPECT_STREQ(name_of(solution.state.nodes[i].state), "sliding");
+  EXPECT_LE((solution.F - F).norm(), 1e-12);
+}
+
 // Along a plate without friction nothing resists x: it keeps its place where it is in balance there, and is named where it is not.
 TEST(ActiveSet, UnresistedCoordinateKeepsItsPlaceInBalance) {
   for (const double force : {0., 0.01}) {
