@@ -1,4 +1,4 @@
-"""What cases/tables.py measures of sheets: cases/bending, u-channel, cup, leveller, roll-bending; those drawn at random: sheet_sweeps.py."""
+"""What cases/tables.py measures of sheets: cases/bending, strip-rolling, u-channel, cup, leveller, roll-bending; those drawn at random: sheet_sweeps.py."""
 import csv
 import os
 
@@ -163,7 +163,31 @@ def winding_mesh():
     return table(["elements", "moment N", "by the work", "bent, load", "form touched", "springback", "pure bending", "steps (rejected)", "CPU s", ""], rows)
 
 
-TABLES = {"bending": {"stroke": bending_stroke, "thickness": bending_thickness},
+STRIP = (("gripped (1) or refused (0)", "{:.0f}", "mu >= tan of the angle after the push"), ("pusher's force at the end", "{:.3f}", "0; kept"),
+         ("pusher's force / roll force", "{:.5f}", "0.04785 (within 1 %)"), ("roll force at the end", "{:.1f}", ""),
+         ("roll torque at the end", "{:.1f}", ""), ("released by the pusher after", "{:.4f}", ""), ("roll force", "{:.1f}", "slab 1561"),
+         ("roll torque", "{:.1f}", "slab 3824"), ("thickness behind the rolls", "{:.4f}", "gap 3.2"),
+         ("speed of nose / tail", "{:.4f}", "1.2490 (within 0.5 %)"), ("neutral angle / alpha", "{:.4f}", "slab 0.323"),
+         ("forward slip", "{:.2f}", "slab 2.47, see below"))
+
+
+def strip_bite():
+    """Two rolls and one, above the angle of friction and below it."""
+    runs = [run("strip-rolling", f"-check 0 -series 0 -rolls {rolls} -ratio {ratio}") for rolls in (2, 1) for ratio in (1.4, 0.7)]
+
+    def cell(r, name, form):
+        return form.format(r.result(name)) if name in r.summary["results"] else "-"
+
+    def named(name):
+        unit = next(r.summary["results"][name]["unit"] for r in runs if name in r.summary["results"])
+        return name if unit in ("-", "") else f"{name}, {unit}"
+
+    rows = [[named(name), *(cell(r, name, form) for r in runs), expected] for name, form, expected in STRIP]
+    rows.append(["steps (rejected), CPU s", *(f"{r.steps} ({r.counts['rejected_steps']}), {r.cpu}" for r in runs), ""])
+    return table(["Quantity", "two rolls, `-ratio 1.4`", "two rolls, `-ratio 0.7`", "half, 1.4", "half, 0.7", "Expected"], rows)
+
+
+TABLES = {"strip-rolling": {"bite": strip_bite}, "bending": {"stroke": bending_stroke, "thickness": bending_thickness},
           "u-channel": {"mesh": channel_mesh, "numisheet": channel_numisheet, "tight": channel_tight},
           "roll-bending": {"mesh": winding_mesh}, "leveller": {"rolls": leveller_rolls},
           "cup": {"mesh": cup_mesh, "gap": cup_gap, "ratio": cup_ratio}}

@@ -1,4 +1,4 @@
-"""Measures the tables of the READMEs of cases/rolling and, in planetary_tables.py, sheet_tables.py, sheet_sweeps.py and space_tables.py, planetary, bending, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch, plate-rolling, ring-rolling, and writes them there:
+"""Measures the tables of the READMEs of cases/rolling and, in planetary_tables.py, sheet_tables.py, sheet_sweeps.py and space_tables.py, planetary, bending, strip-rolling, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch, plate-rolling, ring-rolling, and writes them there:
 
     make tables                          all of them, one run after the other: about half an hour
     make tables OPTIONS="rolling"        those of one README
