@@ -53,9 +53,12 @@ void refuse_unfit(const basicAC_F0& args, const basicAC_F0::name_and_type* names
         std::find_if(names, names + n, [&](const auto& one) { return name == one.name; });
     if (known == names + n) refuse_unknown(name, names, n);
     const aType type = map_type[known->type->name()], value = given.second.left();
-    if (type && value && !type->CastingFrom(value))
-      throw PluginError("named parameter " + name + "= is of type " + type_name(value->name()) +
-                        ", expected " + type_name(type->name()));
+    if (!type || !value || type->CastingFrom(value)) continue;
+    const std::string is = type_name(value->name()), wanted = type_name(type->name());
+    const bool literal =
+        is == "[...]" && wanted.find('[') != std::string::npos; // FreeFEM makes no array of it here
+    throw PluginError("named parameter " + name + "= is of type " + is + ", expected " + wanted +
+                      (literal ? ": " + wanted + " list = [...]; before, and " + name + "=list" : ""));
   }
 }
 

@@ -96,6 +96,8 @@ fespace Vh(Th, [P1, P1]);
 contact C = rcContact(Vh, labels=6);
 END
 refuse 20 'named parameter labels= is of type int, expected int[int]' "$BURNISH" "$SCRATCH/typed.edp"
+sed 's/labels=6/labels=[3, 4]/' "$SCRATCH/typed.edp" >"$SCRATCH/listed.edp"
+refuse 20 'expected int[int]: int[int] list = [...]; before, and labels=list' "$BURNISH" "$SCRATCH/listed.edp"
 sed 's/labels=6/label="top"/' "$SCRATCH/typed.edp" >"$SCRATCH/worded.edp"
 refuse 20 'named parameter label= is of type string, expected int' "$BURNISH" "$SCRATCH/worded.edp"
 cat >"$SCRATCH/shell.edp" <<'END'
