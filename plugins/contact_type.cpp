@@ -165,6 +165,7 @@ struct AddTool {
       auto& object = of_dimension<Dim>(handle->get(), "contact.add", advice);
       contact.setup->add_tool(object.tool, friction, reach_of(a, contact));
       object.added = true;
+      tools_of_no_contact().erase(object.tool->name());
       object.contact = m.object->share();
       return true;
     });

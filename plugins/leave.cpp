@@ -2,6 +2,7 @@
 #include "parallel/ranks.hpp"
 #include "plugin.hpp"
 #include "script_options.hpp"
+#include "types.hpp"
 
 #include <cstdlib>
 #include <unistd.h>
@@ -33,6 +34,10 @@ struct Leave : Error {
 
 int owed = 0;
 void pay(int status, void*) {
+  for (const std::string& name : tools_of_no_contact())
+    if (status == 0 && owed == 0)
+      cout << "burnish: warning: tool \"" << name
+           << "\" is moved or loaded, but belongs to no contact, expected C.add" << endl;
   if (status == 0 && owed == 0 && ignores_option()) owed = 20;
   const bool pays = status == 0 && owed != 0;
   if (!pays && ranks().size() == 1) return;

@@ -159,8 +159,12 @@ double place(const Method<ToolHandle, PlaceTag>& m, string* const& name, const d
     return value;
   });
 }
+template <class Object> void note_driven(const Object& object) {
+  if (!object.added) tools_of_no_contact().insert(object.tool->name());
+}
 double move(const Method<ToolHandle, MoveTag>& m, string* const& name, const double& value) {
   return on(m.object, [&](auto& object) {
+    note_driven(object);
     called("tool.move", [&] { object.tool->prescription().move(*name, value); });
     return value;
   });
@@ -170,12 +174,14 @@ double move_whole(const Method<ToolHandle, MoveTag>& m, string* const& name, con
 }
 double move_by_formula(const Method<ToolHandle, MoveTag>& m, string* const& name, string* const& text) {
   return on(m.object, [&](auto& object) {
+    note_driven(object);
     called("tool.move", [&] { object.tool->move(*name, *text); });
     return 0.;
   });
 }
 double prescribe_force(const Method<ToolHandle, ForceTag>& m, string* const& name, const double& value) {
   return on(m.object, [&](auto& object) {
+    note_driven(object);
     called("tool.force", [&] { object.tool->prescription().force(*name, value); });
     return value;
   });
@@ -187,6 +193,7 @@ double prescribe_whole_force(const Method<ToolHandle, ForceTag>& m, string* cons
 }
 double prescribe_formula(const Method<ToolHandle, ForceTag>& m, string* const& name, string* const& text) {
   return on(m.object, [&](auto& object) {
+    note_driven(object);
     called("tool.force", [&] { object.tool->force(*name, *text); });
     return 0.;
   });
@@ -211,6 +218,11 @@ string* name_of_tool(Stack stack, ToolHandle* const& h) {
 }
 
 } // namespace
+
+std::set<std::string>& tools_of_no_contact() {
+  static auto* names = new std::set<std::string>; // read when the program exits, after destructors
+  return *names;
+}
 
 void register_tool() {
   Dcl_Type<ToolHandle*>(InitP<ToolHandle>, Destroy<ToolHandle>);

@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 
 namespace burnish {
 
@@ -53,6 +54,9 @@ template <int Dim> struct ToolOf final : ToolObject {
   ToolOf() : ToolObject(Dim) {}
   std::shared_ptr<DrivenTool<Dim>> tool;
 };
+
+/// Names of tools that the script has moved or loaded, and that no contact has so far: C.add forgotten.
+std::set<std::string>& tools_of_no_contact();
 
 struct MaterialObject : OfDimension {
   static constexpr const char* TYPE = "material";

@@ -32,6 +32,8 @@ early='burnish: stopped early at t = '
 
 wrong misspelled 's/force("angle", 0)/force("theta", 0)/' 20 "$early|tool \"roller\" has no coordinate \"theta\", expected one of x, y, angle"
 wrong forgotten '/force("angle", 0)/d' 20 "$early|coordinate \"angle\" of tool \"roller\" has neither motion nor force"
+wrong unadded 's/^contact C/tool spare(circle=1e-3, name="spare");\nspare.coordinates("cartesian");\n&/; s/roller.force("angle", 0);/&\n  spare.move("x", 0);/' \
+  0 'tool "spare" is moved or loaded, but belongs to no contact'
 wrong apart '/^C.approach/d' 20 "$early|is under force but the tool touches nothing"
 wrong pulling 's/-4e5\*t/4e5*t/' 3 "$early|step below its floor"
 wrong free 's/ fixed=held,//' 20 "$early"
