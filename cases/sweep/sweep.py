@@ -51,6 +51,11 @@ def finish(study, answer):
     study.write()
     columns, rows = rows_of(study)
     write_csv(f"{study.folder}/sweep.csv", columns, rows)
+    try:
+        from parquet import write_parquet
+        write_parquet(f"{study.folder}/sweep.parquet", columns, rows)
+    except ImportError as missing:
+        print(f"no sweep.parquet: {missing} (python3-thrift)")
     if list_failed(study, rows):
         print("burnish sweep: every variant failed", file=sys.stderr)
         return 1

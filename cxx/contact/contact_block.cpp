@@ -145,7 +145,8 @@ int weakest_coordinate(const Eigen::MatrixXd& scaled, Eigen::Index first) {
 // Solves with rows and columns equilibrated; reports the coordinate that nothing resists.
 bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eigen::Index first,
                   Eigen::VectorXd& z, int& weakest) {
-  constexpr double least_rcond = 1e-14; // of the scaled matrix: below, it counts as singular
+  constexpr double least_rcond =
+      1e-13; // of the scaled matrix: below, it counts as singular; rounding leaves up to 2e-14
   const Eigen::Index n = matrix.rows();
   Eigen::VectorXd scale(n), beside = Eigen::VectorXd::Zero(n); // largest entry of row and column
   for (Eigen::Index j = 0; j < n; ++j) {

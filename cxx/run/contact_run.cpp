@@ -225,11 +225,10 @@ template <int Dim> Failure ContactRun<Dim>::leaps(const Eigen::VectorXd& u) cons
   const SteppedPath<Dim> path{&m_accepted.contact, &m_iteration.state(), &m_step.u_start, &u};
   const Failure passage = tool_passage(*m_setup, path);
   if (passage || m_step.stepping == Stepping::RATES) return passage;
-  const Failure jump = body_jump(*m_setup, path, m_loads.hold.acts(m_step.end()));
-  if (jump) return jump;
-  return sudden_jump(
-      *m_setup, path, m_step.prescribed,
-      {m_step.dt, m_accepted.history.dt, m_accepted.history.dq, m_iteration.first_increment()});
+  const auto& last = m_accepted.history;
+  const StepRates rates{m_step.dt, last.dt, last.dq, last.du, m_iteration.first_increment()};
+  const Failure jump = body_jump(*m_setup, path, rates, m_loads.hold.acts(m_step.end()));
+  return jump ? jump : sudden_jump(*m_setup, path, m_step.prescribed, rates);
 }
 
 template <int Dim> StepStatus ContactRun<Dim>::checked(Eigen::VectorXd& u, const Eigen::VectorXd& R) {

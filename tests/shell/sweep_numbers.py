@@ -1,5 +1,6 @@
 """What cases/sweep computes of its variants, against known functions: response surface, its error, Sobol indices, intervals."""
 import contextlib
+import hashlib
 import io
 import sys
 import tempfile
@@ -10,6 +11,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "cases/sweep"))
 from analysis import elementary_effects, scaled, sobol, surface_of  # noqa: E402
 from identify import identify, intervals  # noqa: E402
+from parquet import write_parquet  # noqa: E402
 from solve import least_squares  # noqa: E402
 from values import combinations, parse_vary  # noqa: E402
 
@@ -144,6 +146,14 @@ if held.min() < 23:
 drawn = combinations(parse_vary(["R=5:15:latin", "mu=0.1,0.2", "E=1:100:3:log"]), 3, 1)
 if len(drawn) != 18 or sorted({int(3 * (float(v["R"]) - 5) / 10) for v in drawn}) != [0, 1, 2] or {v["E"] for v in drawn} != {"1", "10", "100"}:
     wrong.append(f"values of a hypercube: {drawn}")
+
+# These bytes were read by DuckDB, by Arrow and by hyparquet: 19 rows, numbers in R and depth, texts, 9 and 18 nulls.
+table = [{"R": "14", "law": "j2", "depth": 0.25}, {"R": "16.5", "law": "\u00e9", "depth": ""}] * 9 + [{"R": "20", "reason": "exit code 3"}]
+with tempfile.TemporaryDirectory() as place:
+    write_parquet(f"{place}/table", ["R", "law", "depth", "reason"], table)
+    digest = hashlib.sha256(Path(f"{place}/table").read_bytes()).hexdigest()
+if digest != "57089a81ee7d03ee83b623005fb07c62f999de517153002d10c0350bbf7f1e7d":
+    wrong.append(f"Parquet file: {digest}")
 
 print(*wrong, f"{len(wrong)} wrong", sep="\n")
 sys.exit(bool(wrong))

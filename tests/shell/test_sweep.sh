@@ -24,6 +24,7 @@ holds grid "a=-4,b=1,c=0.5: exit code 10: the product is too small"
 holds grid "a,b,c,status,bowl,product,sum,ishigami," $top/sweep.csv
 holds grid "2,1,0.5,finished,0.0,2.0,3.0," $top/sweep.csv
 holds grid "[6/6] "
+[ "$(head -c 4 $top/sweep.parquet)" = PAR1 ] || fail "grid: no sweep.parquet"
 ran grid $top 6
 before=$(cat $top/*/summary.json | md5sum)
 sweep 0 same a=-4,1,2 b=1:2:2 c=0.5

@@ -171,24 +171,32 @@ Failure sudden_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path
 }
 
 template <int Dim>
-Failure body_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path, bool on_hold) {
+Failure body_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path, const StepRates& rates,
+                  bool on_hold) {
   const auto touching = [](const ContactNode<Dim>& node) { return in_contact(node.state); };
   const BodyView<Dim>& body = setup.body();
   if (constrains_rigid_motions(body)) return {};
   if (std::none_of(path.start->nodes.begin(), path.start->nodes.end(), touching)) return {};
   const auto& model = setup.model();
   const auto first = model.poses(path.start->q), last = model.poses(path.end->q);
-  double driven = 0, way = 0; // by tools and supports; of the surface
+  const bool known = rates.last_dt > 0 && rates.last_du.size() == path.u_end->size();
+  double driven = 0, way = 0,
+         before = 0; // by tools and supports; of the surface, in this step and in the last one
   for (std::size_t t = 0; t < first.size(); ++t)
     driven = std::max(driven, pose_change(first[t], last[t], model.tools[t]->surface().length_scale()));
   for (Eigen::Index d = 0; d < path.u_end->size(); ++d)
     if (body.fixed[d]) driven = std::max(driven, std::abs((*path.u_end)[d] - (*path.u_start)[d]));
-  for (const int node : setup.candidates())
+  for (const int node : setup.candidates()) {
     way = std::max(way, (body.position(*path.u_end, node) - body.position(*path.u_start, node)).norm());
+    if (known)
+      before = std::max(before, rates.last_du.template segment<Dim>(Eigen::Index{Dim} * node).norm());
+  }
   // where its springs alone keep a motion of the body, nothing else brings it back
   const bool on_springs = on_hold && unheld(setup, *path.start, *path.u_start);
   const double least = (on_springs ? HELD_JUMP : JUMP_LENGTH) * body.spacing;
-  if (way <= least || way <= JUMP_RATE * driven) return {};
+  const double expected =
+      known && !on_springs ? before * rates.dt / rates.last_dt : 0; // an end turns far about a die
+  if (way <= least || way <= JUMP_RATE * std::max(driven, expected)) return {};
   Failure failure(Cause::BODY_JUMP);
   failure.value = way;
   failure.allowed = driven;
@@ -201,7 +209,7 @@ Failure body_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path, 
   template Failure tool_passage<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&);                     \
   template Failure sudden_jump<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&,                       \
                                     const PrescribedValues&, const StepRates&);                              \
-  template Failure body_jump<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&, bool);
+  template Failure body_jump<Dim>(const ContactSetup<Dim>&, const SteppedPath<Dim>&, const StepRates&, bool);
 BURNISH_INSTANTIATE(2)
 BURNISH_INSTANTIATE(3)
 

@@ -16,10 +16,11 @@ template <int Dim> struct SteppedPath {
   const Eigen::VectorXd *u_start, *u_end;
 };
 
-/// Lengths and coordinates of a step and of the one before.
+/// Lengths and increments of a step and of the one before.
 struct StepRates {
   double dt, last_dt;              ///< last_dt 0: there was none
-  const Eigen::VectorXd& last_dq;  ///< of the last step
+  const Eigen::VectorXd& last_dq;  ///< of the coordinates, in the last step
+  const Eigen::VectorXd& last_du;  ///< of the displacements, in the last step
   const Eigen::VectorXd& first_dq; ///< by the first iteration of this step; empty: unknown
 };
 
@@ -37,9 +38,11 @@ Failure sudden_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path
                     const PrescribedValues& prescribed, const StepRates& rates);
 
 /// The surface of a workpiece that its supports do not hold, and that a tool touches, moves much further than tools and
-/// supports: by JUMP_RATE and JUMP_LENGTH, or less on a soft hold alone. @returns the failure, or NONE
+/// supports, and than it did at the rate of the last step: by JUMP_RATE and JUMP_LENGTH. On a soft hold alone less is enough, at any
+/// rate. @returns the failure, or NONE
 /// @param on_hold a soft hold acts
 template <int Dim>
-Failure body_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path, bool on_hold);
+Failure body_jump(const ContactSetup<Dim>& setup, const SteppedPath<Dim>& path, const StepRates& rates,
+                  bool on_hold);
 
 } // namespace burnish
