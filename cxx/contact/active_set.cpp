@@ -8,6 +8,7 @@ namespace burnish {
 namespace {
 
 constexpr int MAX_NEUTRAL_TRIALS = 4; // a neutral point is looked for that often (stick_at_neutral_point)
+constexpr int MAX_LOSSES = 4;         // passes that have lost the last node that stuck, and go on
 
 // Nodes that could not stick.
 template <int Dim>
@@ -43,7 +44,8 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   ContactState<Dim> trial = state;
   std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
   const bool turns = Dim == 3 && !problem.first && none_sticks(state);
-  int trials = turns ? MAX_NEUTRAL_TRIALS : 0, supports = 0;
+  int trials = turns ? MAX_NEUTRAL_TRIALS : 0, supports = 0, losses = 0;
+  const bool by_friction = Dim == 2 && problem.added_stiffness.size() > 0; // holds the body
   PassChoice<Dim> choice(model, *problem.window);
   std::vector<double> severity(state.nodes.size());
   WindowSolution<Dim> best;
@@ -56,9 +58,12 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
       trials += stick_at_neutral_point(model, trial, refused);
     follow_ends(model, trial);
     if (!solver.solve(trial, solution)) {
-      if (Dim == 2 || !problem.adapt || solution.passes >= problem.max_passes) break;
-      if (stick_unsupported(model, *problem.prescribed, trial, refused, {}, true) < 0) break;
-      continue;
+      if (!problem.adapt || solution.passes >= problem.max_passes) break;
+      if (by_friction && none_sticks(trial) && ++losses <= MAX_LOSSES) {
+        refused.assign(refused.size(), 0);
+        if (stick_at_neutral_point(model, trial, refused, true)) continue;
+      }
+      if (Dim == 2 || stick_unsupported(model, *problem.prescribed, trial, refused, {}, true) < 0) break;
     }
     if (!problem.adapt) break;
     const ContactState<Dim> before = trial;
@@ -76,9 +81,10 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
     slide_on(state, trial);
     note_refused(before, trial, refused);
   }
-  // The one that contradicts itself least; in space also where a pass has lost what holds a tool: the next iteration knows other
-  // forces and directions.
-  if (solution.singular ? Dim == 3 && best.F.size() > 0 : solution.left > 0) {
+  // The one that contradicts itself least; also where a pass has lost what holds a tool in space, or all that holds the body: the
+  // next iteration knows other forces and directions.
+  const bool goes_on = Dim == 3 || (by_friction && none_sticks(trial));
+  if (solution.singular ? goes_on && best.F.size() > 0 : solution.left > 0) {
     best.passes = solution.passes;
     solution = std::move(best);
   }
