@@ -64,6 +64,7 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
         if (stick_at_neutral_point(model, trial, refused, true)) continue;
       }
       if (Dim == 2 || stick_unsupported(model, *problem.prescribed, trial, refused, {}, true) < 0) break;
+      continue;
     }
     if (!problem.adapt) break;
     const ContactState<Dim> before = trial;
