@@ -9,6 +9,8 @@
 namespace burnish {
 namespace {
 
+// Rounding leaves 2e-14 of a block that nothing resists in the plane; in space spins are resisted by as little.
+template <int Dim> constexpr double LEAST_RCOND = Dim == 2 ? 1e-13 : 1e-14;
 constexpr double LEAST_DIAGONAL =
     1e-12; // of the largest entry beside it: smaller ones do not set the scale of an unknown
 
@@ -142,11 +144,10 @@ int weakest_coordinate(const Eigen::MatrixXd& scaled, Eigen::Index first) {
   return static_cast<int>(k);
 }
 
-// Solves with rows and columns equilibrated; reports the coordinate that nothing resists.
+// Solves with rows and columns equilibrated; reports the coordinate that nothing resists. least_rcond: of the scaled matrix; below, it
+// counts as singular.
 bool solve_scaled(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs, Eigen::Index first,
-                  Eigen::VectorXd& z, int& weakest) {
-  constexpr double least_rcond =
-      1e-13; // of the scaled matrix: below, it counts as singular; rounding leaves up to 2e-14
+                  double least_rcond, Eigen::VectorXd& z, int& weakest) {
   const Eigen::Index n = matrix.rows();
   Eigen::VectorXd scale(n), beside = Eigen::VectorXd::Zero(n); // largest entry of row and column
   for (Eigen::Index j = 0; j < n; ++j) {
@@ -251,7 +252,7 @@ ContactBlockSolution<Dim> solve_contact_block(const ContactModel<Dim>& model,
   ContactBlockSolution<Dim> solution;
   if (input.test_stability) solution.unstable = is_unstable(model, prescribed, c.num_nodal, matrix);
   Eigen::VectorXd z;
-  if (!solve_scaled(matrix, rhs, c.num_nodal, z, solution.weakest_coordinate)) {
+  if (!solve_scaled(matrix, rhs, c.num_nodal, LEAST_RCOND<Dim>, z, solution.weakest_coordinate)) {
     solution.singular = true;
     return solution;
   }
