@@ -8,6 +8,7 @@ namespace burnish {
 namespace {
 
 constexpr int MAX_NEUTRAL_TRIALS = 4; // a neutral point is looked for that often (stick_at_neutral_point)
+constexpr int SETTLED = 4;            // iterations after which no neutral point is looked for in space
 constexpr int MAX_LOSSES = 4;         // passes that have lost the last node that stuck, and go on
 
 // Nodes that could not stick.
@@ -43,7 +44,8 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   WindowSolver<Dim> solver(problem);
   ContactState<Dim> trial = state;
   std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
-  const bool turns = Dim == 3 && !problem.first && none_sticks(state);
+  const bool turns =
+      Dim == 3 && problem.iteration > 0 && (problem.iteration >= SETTLED || none_sticks(state));
   int trials = turns ? MAX_NEUTRAL_TRIALS : 0, supports = 0, losses = 0;
   const bool by_friction = Dim == 2 && problem.added_stiffness.size() > 0; // holds the body
   PassChoice<Dim> choice(model, *problem.window);

@@ -78,7 +78,7 @@ WindowSolver<Dim>::WindowSolver(const WindowProblem<Dim>& problem)
       m_released(problem.start->nodes.size(), 0) {
   if (Dim == 3 && problem.adapt)
     m_by_friction = held_by_friction(m_model, *problem.prescribed, *problem.start);
-  if (!problem.first) m_turning = m_by_friction;
+  if (problem.iteration > 0) m_turning = m_by_friction;
   if (!m_by_friction.empty() && problem.added_stiffness.size() > 0) // as is a body between tools
     m_by_friction.assign(m_by_friction.size(), 1);
 }

@@ -23,7 +23,7 @@ template <int Dim> struct WindowProblem {
   const Eigen::VectorXd* u = nullptr;       ///< displacement at the linearization point, num_dofs
   const Eigen::VectorXd* R = nullptr;       ///< residual force there, num_dofs
   EntryPlaces<Dim>* entry = nullptr;
-  bool first = true;     ///< the first iteration of its step
+  int iteration = 0;     ///< number in its step
   bool adapt = true;     ///< false: states stay as they are (event stepping)
   Tolerances tolerances; ///< of the state tests
   int max_passes = 100;  ///< over the window

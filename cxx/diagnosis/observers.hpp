@@ -35,6 +35,7 @@
   X(turning_check)                                                                                           \
   X(turning_slip)                                                                                            \
   X(smooth_vertices)                                                                                         \
+  X(held_across)                                                                                             \
   X(damage_under_force)                                                                                      \
   X(jumps)
 

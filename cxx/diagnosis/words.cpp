@@ -89,7 +89,7 @@ template <int Dim> std::string words(const Failure& f, const ContactModel<Dim>& 
     return "the solver has not solved with the tangent, which is singular to it";
   case Cause::NOT_HELD:
     return "the workpiece is not held: neither supports (fixed=) nor the tools that touch it take all its "
-           "rigid motions";
+           "rigid motions; soft springs do: contact.hold";
   case Cause::TIPS_OVER:
     return "nothing resists a motion of the tools under force control: a tool tips over or rolls away";
   case Cause::UNRESISTED:
@@ -120,7 +120,7 @@ template <int Dim> std::string words(const Failure& f, const ContactModel<Dim>& 
                     " draws the tool away from the workpiece, which only pushes");
   case Cause::UNHELD:
     return "the workpiece is not held: neither supports (fixed=) nor the nodes in contact take all its rigid "
-           "motions";
+           "motions; soft springs do: contact.hold";
   case Cause::INCOMPRESSIBLE:
     return sentence("the workpiece is nearly incompressible, its bulk modulus ", f.value,
                     " times its shear modulus (nu = ", f.allowed,

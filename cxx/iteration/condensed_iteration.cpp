@@ -54,7 +54,7 @@ template <int Dim> void CondensedIteration<Dim>::begin_passes() {
   m_iteration.state_problem(problem);
   if (Dim == 3 && problem.adapt)
     m_by_friction = held_by_friction(m_iteration.model(), m_iteration.prescribed(), m_iteration.state());
-  m_turning = problem.first ? std::vector<char>() : m_by_friction;
+  m_turning = problem.iteration == 0 ? std::vector<char>() : m_by_friction;
   m_supports = 0;
 }
 

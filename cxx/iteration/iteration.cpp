@@ -93,7 +93,7 @@ template <int Dim> void Iteration<Dim>::state_problem(WindowProblem<Dim>& proble
   problem.resting = &m_predicted_q;
   problem.R = &m_R;
   problem.entry = &m_entry;
-  problem.first = m_number == 0;
+  problem.iteration = m_number;
   problem.adapt = m_adapt;
   problem.tolerances = m_balance.state_tolerances();
 }

@@ -108,6 +108,21 @@ PredictedWays Predictor<Dim>::carry_increment(const ContactState<Dim>& state, co
   return result;
 }
 
+// Place of a node in contact; of one that its supports hold along the way of its tool the place moves on along the tool by that way,
+// and where it sticks across the way is kept (METHOD.md 3.7).
+template <int Dim>
+SurfacePlace<Dim> Predictor<Dim>::followed_across(const std::vector<Pose<Dim>>& poses, int candidate,
+                                                  const ContactNode<Dim>& node, const Vector<Dim>& x) const {
+  constexpr double moves = 1e-6; // of a spacing
+  if (Dim == 2 || !sticks(node.state) || !m_model.is_constrained(candidate)) return node.place;
+  const auto& tool = *m_model.tools[node.tool];
+  const SurfacePoint<Dim> p = tool.point(poses[node.tool], node.place);
+  const Curvature<Dim> held = Curvature<Dim>::Identity() - slip_space(m_model, candidate, p);
+  const Vector<Dim> way = p.E * (held * (p.E.transpose() * (x - p.x)));
+  if (!(way.norm() > moves * m_body.spacing)) return node.place;
+  return tool.foot(poses[node.tool], p.x + way, node.place.hint).place;
+}
+
 // Where each candidate is when the step begins: contact nodes at their place, free ones at their projection.
 template <int Dim>
 EntryPlaces<Dim> Predictor<Dim>::entry_places(const ContactState<Dim>& state,
@@ -116,8 +131,10 @@ EntryPlaces<Dim> Predictor<Dim>::entry_places(const ContactState<Dim>& state,
   std::vector<ContactNode<Dim>>& entry = result.nodes;
   const auto poses = m_model.poses(state.q);
   for (std::size_t i = 0; i < entry.size(); ++i) {
-    if (!in_contact(entry[i].state)) {
-      const Vector<Dim> x = m_body.position(u, m_model.candidates[i]);
+    const Vector<Dim> x = m_body.position(u, m_model.candidates[i]);
+    if (in_contact(entry[i].state))
+      entry[i].place = followed_across(poses, static_cast<int>(i), entry[i], x);
+    else {
       const auto nearest = nearest_tool(m_model, poses, x, entry[i], static_cast<int>(i));
       entry[i].tool = nearest.tool;
       entry[i].place = nearest.foot.place;

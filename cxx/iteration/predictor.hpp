@@ -58,6 +58,8 @@ private:
                                 const StepHistory<Dim>& history, const std::vector<CarrierMotion>& motions,
                                 double ratio) const;
   EntryPlaces<Dim> entry_places(const ContactState<Dim>& state, const Eigen::VectorXd& u) const;
+  SurfacePlace<Dim> followed_across(const std::vector<Pose<Dim>>& poses, int candidate,
+                                    const ContactNode<Dim>& node, const Vector<Dim>& x) const;
   void carry_states(const ContactState<Dim>& old, const std::vector<CarrierMotion>& motions, bool tied,
                     ContactState<Dim>& state) const;
   void place_contact_nodes(const CarriedStates& states, const std::vector<ContactNode<Dim>>& before,
