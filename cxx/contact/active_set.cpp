@@ -30,9 +30,11 @@ template <int Dim> void slide_on(const ContactState<Dim>& start, ContactState<Di
   }
 }
 
-template <int Dim> bool none_sticks(const ContactState<Dim>& state) {
-  return std::none_of(state.nodes.begin(), state.nodes.end(),
-                      [](const auto& node) { return sticks(node.state); });
+// Whether no node sticks, but for those of some tools.
+template <int Dim> bool none_sticks(const ContactState<Dim>& state, const std::vector<char>& without = {}) {
+  return std::none_of(state.nodes.begin(), state.nodes.end(), [&](const auto& node) {
+    return sticks(node.state) && (without.empty() || !without[node.tool]);
+  });
 }
 
 } // namespace
@@ -48,6 +50,8 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
       Dim == 3 && problem.iteration > 0 && (problem.iteration >= SETTLED || none_sticks(state));
   int trials = turns ? MAX_NEUTRAL_TRIALS : 0, supports = 0, losses = 0;
   const bool by_friction = Dim == 2 && problem.added_stiffness.size() > 0; // holds the body
+  std::vector<char> idle; // tools that friction holds, and that hold nothing by it
+  if (by_friction) idle = held_by_friction(model, *problem.prescribed, state);
   PassChoice<Dim> choice(model, *problem.window);
   std::vector<double> severity(state.nodes.size());
   WindowSolution<Dim> best;
@@ -61,9 +65,9 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
     follow_ends(model, trial);
     if (!solver.solve(trial, solution)) {
       if (!problem.adapt || solution.passes >= problem.max_passes) break;
-      if (by_friction && none_sticks(trial) && ++losses <= MAX_LOSSES) {
+      if (by_friction && none_sticks(trial, idle) && ++losses <= MAX_LOSSES) {
         refused.assign(refused.size(), 0);
-        if (stick_at_neutral_point(model, trial, refused, true)) continue;
+        if (stick_at_neutral_point(model, trial, refused, &idle)) continue;
       }
       if (Dim == 2 || stick_unsupported(model, *problem.prescribed, trial, refused, {}, true) < 0) break;
       continue;
@@ -86,7 +90,7 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   }
   // The one that contradicts itself least; also where a pass has lost what holds a tool in space, or all that holds the body: the
   // next iteration knows other forces and directions.
-  const bool goes_on = Dim == 3 || (by_friction && none_sticks(trial));
+  const bool goes_on = Dim == 3 || (by_friction && none_sticks(trial, idle));
   if (solution.singular ? goes_on && best.F.size() > 0 : solution.left > 0) {
     best.passes = solution.passes;
     solution = std::move(best);

@@ -107,7 +107,7 @@ template <int Dim> void relieve_vertices(const ContactModel<Dim>& model, Contact
 
 template <int Dim>
 bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& state,
-                            const std::vector<char>& refused, bool anywhere) {
+                            const std::vector<char>& refused, const std::vector<char>* idle) {
   int best = -1;
   double smallest = 0;
   bool neutral = false;
@@ -118,11 +118,8 @@ bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& s
     const auto& node = state.nodes[i];
     if (!in_contact(node.state) || !model.can_slip(static_cast<int>(i))) continue;
     if (model.is_weightless(static_cast<int>(i)) && !node.bears && !node.has_ties) continue;
-    if (sticks(node.state)) return false;
-    if (model.laws[node.tool].frictionless()) {
-      if (anywhere) continue;
-      return false;
-    }
+    if (idle && ((*idle)[node.tool] || model.laws[node.tool].frictionless())) continue;
+    if (sticks(node.state) || model.laws[node.tool].frictionless()) return false;
     const Vector<Dim> here = poses[node.tool].R * node.slip_direction;
     if (direction[node.tool].isZero()) direction[node.tool] = here;
     neutral = neutral || direction[node.tool].dot(here) < 0;
@@ -131,7 +128,7 @@ bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& s
     best = static_cast<int>(i);
     smallest = slip;
   }
-  if (best < 0 || !(neutral || anywhere)) return false;
+  if (best < 0 || !(neutral || idle)) return false;
   make_stick(state.nodes[best]);
   return true;
 }
@@ -210,7 +207,7 @@ std::vector<int> sole_supports(const ContactModel<Dim>& model, const PrescribedV
                                       const std::vector<char>&, const std::vector<char>&, bool);             \
   template void relieve_vertices<Dim>(const ContactModel<Dim>&, ContactState<Dim>&);                         \
   template bool stick_at_neutral_point<Dim>(const ContactModel<Dim>&, ContactState<Dim>&,                    \
-                                            const std::vector<char>&, bool);                                 \
+                                            const std::vector<char>&, const std::vector<char>*);             \
   template void support_after_events<Dim>(const ContactModel<Dim>&, const PrescribedValues&,                 \
                                           const std::vector<ContactEvent<Dim>>&, bool, ContactState<Dim>&);  \
   template std::vector<int> idle_coordinates<Dim>(const ContactModel<Dim>&, const PrescribedValues&,         \

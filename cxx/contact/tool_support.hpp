@@ -27,10 +27,11 @@ template <int Dim> void relieve_vertices(const ContactModel<Dim>& model, Contact
 /// A body that only its tools support slides one way before the neutral point of a tool, the other way behind it.
 /// If no node sticks there, nothing but the curvature of the contact supports it along the tool, and the solution
 /// is far off: the node that slipped least sticks, unless it could not before. @returns whether one was chosen
-/// @param anywhere also where all slide one way, and tools without friction touch it
+/// @param idle also where all slide one way; tools without friction do not count then, nor those that are 1 here: friction has to
+///             hold them (held_by_friction), so that what sticks to them holds nothing
 template <int Dim>
 bool stick_at_neutral_point(const ContactModel<Dim>& model, ContactState<Dim>& state,
-                            const std::vector<char>& refused, bool anywhere = false);
+                            const std::vector<char>& refused, const std::vector<char>* idle = nullptr);
 
 /// After events: a coordinate under force that only friction resists keeps a sticking node. Where the last one has just
 /// begun to slide, the neutral point moves on toward the nodes that slide the other way: the one of them that slipped
