@@ -16,7 +16,8 @@ public:
     const std::size_t tools = step.model().tools.size();
     m_most.resize(tools);
     std::vector<double> lost(tools, 0), friction(tools, 0);
-    if (m_q.size() == step.contact.q.size()) {
+    if (m_q.size() == step.contact.q.size() &&
+        m_x.size() == Dim * static_cast<Eigen::Index>(step.contact.nodes.size())) {
       const std::vector<Pose<Dim>> before = step.model().poses(m_q);
       for (const auto& node : step.touching) {
         const int tool = step.contact.nodes[node.candidate].tool;
