@@ -49,7 +49,7 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
   const bool turns =
       Dim == 3 && problem.iteration > 0 && (problem.iteration >= SETTLED || none_sticks(state));
   int trials = turns ? MAX_NEUTRAL_TRIALS : 0, supports = 0, losses = 0;
-  const bool by_friction = Dim == 2 && problem.added_stiffness.size() > 0; // holds the body
+  const bool by_friction = problem.added_stiffness.size() > 0; // holds the body
   std::vector<char> idle; // tools that friction holds, and that hold nothing by it
   if (by_friction) idle = held_by_friction(model, *problem.prescribed, state);
   PassChoice<Dim> choice(model, *problem.window);
