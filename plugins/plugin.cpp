@@ -5,6 +5,7 @@
 #include "leave.hpp"
 #include "number_list.hpp"
 #include "parallel.hpp"
+#include "solver/blas_info.hpp"
 
 namespace burnish {
 
@@ -58,6 +59,7 @@ string* new_string(Stack stack, const std::string& text) {
 }
 
 static void init() {
+  take_blas_kernels();
   join_ranks();
   register_end();
   note_names_before();

@@ -1,5 +1,6 @@
 #include "solver/blas_info.hpp"
 #include "base/error.hpp"
+#include <cstdlib>
 #include <dlfcn.h>
 #include <sstream>
 #include <suitesparse/cholmod.h>
@@ -30,6 +31,32 @@ std::string blas_name() {
 }
 
 bool is_reference_blas() { return find_function<char*()>("openblas_get_config") == nullptr; }
+
+std::string better_blas_kernels(const std::string& taken) {
+#ifdef __x86_64__
+  if (taken != "Prescott") return "";
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    return "SkylakeX";
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return "Haswell";
+#endif
+  return "";
+}
+
+std::string take_blas_kernels() {
+  const char* choice = "OPENBLAS_CORETYPE";
+  auto* name = find_function<char*()>("openblas_get_corename");
+  auto* quit = find_function<void()>("gotoblas_dynamic_quit");
+  auto* init = find_function<void()>("gotoblas_dynamic_init");
+  if (!name || !quit || !init || std::getenv(choice)) return "";
+  const std::string better = better_blas_kernels(name());
+  if (better.empty()) return "";
+  setenv(choice, better.c_str(), 1);
+  quit();
+  init();
+  unsetenv(choice);
+  return better;
+}
 
 bool set_blas_threads(int count) {
   require(count >= 1, "set_blas_threads", "count", count, "count >= 1");

@@ -4,7 +4,7 @@
 set -u
 failures=0
 fail() { echo "FAILED: $1"; failures=$((failures + 1)); }
-"$BURNISH" cases/upsetting/upsetting.edp -n 6 -steps 60 -pictures 0 -check 0 -model auto -accuracy 0.05 -out "$SCRATCH/loose" >"$SCRATCH/loose.txt" ||
+"$BURNISH" cases/upsetting/upsetting.edp -n 12 -steps 60 -pictures 0 -check 0 -model auto -accuracy 0.05 -out "$SCRATCH/loose" >"$SCRATCH/loose.txt" ||
   fail "loose: exit status $?"
 grep -A20 "leaner models" "$SCRATCH/loose.txt"
 leanest=$(sed -n 's/^  leanest: \(.*[^ ]\)  *([0-9.]* times faster)$/\1/p' "$SCRATCH/loose.txt")
@@ -12,7 +12,7 @@ leanest=$(sed -n 's/^  leanest: \(.*[^ ]\)  *([0-9.]* times faster)$/\1/p' "$SCR
 grep -q "linear elements .*(too much)" "$SCRATCH/loose.txt" || fail "linear elements, which let side nodes fold over, are taken"
 # what is proposed keeps what it promises
 read -ra words <<<"$leanest"
-"$BURNISH" cases/upsetting/upsetting.edp -n 6 -steps 60 "${words[@]}" -pictures 0 -check 0 -out "$SCRATCH/lean" >/dev/null || fail "leanest: exit status $?"
+"$BURNISH" cases/upsetting/upsetting.edp -n 12 -steps 60 "${words[@]}" -pictures 0 -check 0 -out "$SCRATCH/lean" >/dev/null || fail "leanest: exit status $?"
 "$PYTHON" - "$SCRATCH" <<'END' || fail "results of the leanest model"
 import json, sys
 base, lean = (json.load(open(f"{sys.argv[1]}/{name}/summary.json"))["results"] for name in ("loose", "lean"))
