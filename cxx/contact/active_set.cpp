@@ -1,23 +1,10 @@
 #include "contact/active_set.hpp"
 #include "base/stop_request.hpp"
 #include "contact/pass_choice.hpp"
-#include "contact/tool_support.hpp"
-#include <algorithm>
+#include "contact/support_by_friction.hpp"
 
 namespace burnish {
 namespace {
-
-constexpr int MAX_NEUTRAL_TRIALS = 4; // a neutral point is looked for that often (stick_at_neutral_point)
-constexpr int SETTLED = 4;            // iterations after which no neutral point is looked for in space
-constexpr int MAX_LOSSES = 4;         // passes that have lost the last node that stuck, and go on
-
-// Nodes that could not stick.
-template <int Dim>
-void note_refused(const ContactState<Dim>& before, const ContactState<Dim>& after,
-                  std::vector<char>& refused) {
-  for (std::size_t i = 0; i < refused.size(); ++i)
-    refused[i] = refused[i] || (sticks(before.nodes[i].state) && after.nodes[i].state == NodeState::SLIDING);
-}
 
 // A node that slid when the iteration began and slides again is where it was then: from a place to which a pass has taken it, or where
 // it stuck, its way would be a chord of the tool.
@@ -30,46 +17,20 @@ template <int Dim> void slide_on(const ContactState<Dim>& start, ContactState<Di
   }
 }
 
-// Whether no node sticks, but for those of some tools.
-template <int Dim> bool none_sticks(const ContactState<Dim>& state, const std::vector<char>& without = {}) {
-  return std::none_of(state.nodes.begin(), state.nodes.end(), [&](const auto& node) {
-    return sticks(node.state) && (without.empty() || !without[node.tool]);
-  });
-}
-
 } // namespace
 
 template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& problem) {
-  WindowSolution<Dim> solution;
-  const ContactModel<Dim>& model = *problem.model;
-  const ContactState<Dim>& state = *problem.start;
+  WindowSolution<Dim> solution, best;
   WindowSolver<Dim> solver(problem);
-  ContactState<Dim> trial = state;
-  std::vector<char> refused(state.nodes.size(), 0); // nodes that could not stick
-  const bool turns =
-      Dim == 3 && problem.iteration > 0 && (problem.iteration >= SETTLED || none_sticks(state));
-  int trials = turns ? MAX_NEUTRAL_TRIALS : 0, supports = 0, losses = 0;
-  const bool by_friction = problem.added_stiffness.size() > 0; // holds the body
-  std::vector<char> idle; // tools that friction holds, and that hold nothing by it
-  if (by_friction) idle = held_by_friction(model, *problem.prescribed, state);
-  PassChoice<Dim> choice(model, *problem.window);
-  std::vector<double> severity(state.nodes.size());
-  WindowSolution<Dim> best;
+  SupportByFriction<Dim> support(problem);
+  PassChoice<Dim> choice(*problem.model, *problem.window);
+  ContactState<Dim> trial = *problem.start;
+  std::vector<double> severity(trial.nodes.size());
   for (solution.passes = 1;; ++solution.passes) {
-    if (problem.adapt) relieve_vertices(model, trial);
-    while (problem.adapt && (Dim == 2 || supports < MAX_SUPPORTS) &&
-           stick_unsupported(model, *problem.prescribed, trial, refused, solver.turning(), true) >= 0)
-      ++supports;
-    if (problem.adapt && problem.added_stiffness.size() > 0 && trials < MAX_NEUTRAL_TRIALS)
-      trials += stick_at_neutral_point(model, trial, refused);
-    follow_ends(model, trial);
+    if (problem.adapt) support.begin_pass(solver, trial);
+    follow_ends(*problem.model, trial);
     if (!solver.solve(trial, solution)) {
-      if (!problem.adapt || solution.passes >= problem.max_passes) break;
-      if (by_friction && none_sticks(trial, idle) && ++losses <= MAX_LOSSES) {
-        refused.assign(refused.size(), 0);
-        if (stick_at_neutral_point(model, trial, refused, &idle)) continue;
-      }
-      if (Dim == 2 || stick_unsupported(model, *problem.prescribed, trial, refused, {}, true) < 0) break;
+      if (!problem.adapt || solution.passes >= problem.max_passes || !support.regain(trial)) break;
       continue;
     }
     if (!problem.adapt) break;
@@ -84,14 +45,14 @@ template <int Dim> WindowSolution<Dim> solve_window(const WindowProblem<Dim>& pr
     if (solution.passes >= problem.max_passes) break;
     if ((solution.stopped = stop_asked())) return solution;
     choice.choose(before, severity, trial);
+    if (choice.cycles()) support.leave_cycle(solver, before, solution.left, trial);
     solver.note_released(before, trial);
-    slide_on(state, trial);
-    note_refused(before, trial, refused);
+    slide_on(*problem.start, trial);
+    support.note_refused(before, trial);
   }
   // The one that contradicts itself least; also where a pass has lost what holds a tool in space, or all that holds the body: the
   // next iteration knows other forces and directions.
-  const bool goes_on = Dim == 3 || (by_friction && none_sticks(trial, idle));
-  if (solution.singular ? goes_on && best.F.size() > 0 : solution.left > 0) {
+  if (solution.singular ? (Dim == 3 || support.is_lost(trial)) && best.F.size() > 0 : solution.left > 0) {
     best.passes = solution.passes;
     solution = std::move(best);
   }

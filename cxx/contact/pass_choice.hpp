@@ -16,6 +16,8 @@ public:
   /// @param before states that were solved with; @param severity per candidate, see WindowSolver::test
   /// @param trial  states with all changes; in it those that are not made are taken back
   void choose(const ContactState<Dim>& before, const std::vector<double>& severity, ContactState<Dim>& trial);
+  /// Whether one of the last passes had states that had been there before.
+  bool cycles() const { return m_alone > 0; }
 
 private:
   enum class Kind { NONE, ENTERS, LEAVES, TURNS };
