@@ -8,6 +8,7 @@ namespace {
 constexpr int MAX_NEUTRAL_TRIALS = 4; // a neutral point is looked for that often (stick_at_neutral_point)
 constexpr int SETTLED = 4;            // iterations after which no neutral point is looked for in space
 constexpr int MAX_LOSSES = 4;         // passes that have lost the last node that stuck, and go on
+constexpr int MAX_CYCLES = 4;         // nodes that stick on trial where states cycle
 
 // Whether no node sticks, but for those of some tools.
 template <int Dim> bool none_sticks(const ContactState<Dim>& state, const std::vector<char>& without = {}) {
@@ -50,10 +51,10 @@ template <int Dim>
 void SupportByFriction<Dim>::leave_cycle(const WindowSolver<Dim>& solver, const ContactState<Dim>& before,
                                          int left, ContactState<Dim>& trial) {
   ContactState<Dim> other = before;
-  if (!is_lost(before) || m_losses >= MAX_LOSSES ||
+  if (!is_lost(before) || m_cycles >= MAX_CYCLES ||
       !stick_at_neutral_point(m_model, other, m_refused, &m_idle))
     return;
-  ++m_losses;
+  ++m_cycles;
   WindowSolution<Dim> solution;
   const EntryPlaces<Dim> entry = *m_problem.entry; // the test notes what it releases
   ContactState<Dim> tested = other;

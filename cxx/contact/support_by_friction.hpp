@@ -29,7 +29,7 @@ private:
   std::vector<char> m_refused; // candidates that could not stick
   bool m_floating;             // only tools hold the body
   std::vector<char> m_idle;    // tools that friction holds, and that hold nothing by it
-  int m_trials = 0, m_supports = 0, m_losses = 0;
+  int m_trials = 0, m_supports = 0, m_losses = 0, m_cycles = 0;
 };
 
 } // namespace burnish

@@ -242,6 +242,7 @@ template <int Dim> StepStatus Corrector<Dim>::correct(Eigen::VectorXd& u, const 
       m_has_factor = false;
       return StepStatus::REFACTORIZE;
     }
+    if (solution.singular && m_floating && m_iteration.rests()) return StepStatus::ITERATE;
     if (solution.singular) return m_iteration.give_up(singular(solution, problem));
   }
   if (solution.unstable) return m_iteration.give_up(Cause::UNSTABLE);

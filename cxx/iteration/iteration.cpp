@@ -105,6 +105,15 @@ template <int Dim> void Iteration<Dim>::leave(const Eigen::VectorXd& u, const Ei
   m_q_before = m_state.q;
 }
 
+template <int Dim> bool Iteration<Dim>::rests() {
+  if (m_number > 0 || m_balance.last().residual > m_balance.allowed() || m_balance.last().inconsistent > 0)
+    return false;
+  for (int k = 0; k < m_model.num_coordinates(); ++k)
+    if (m_prescribed.is_motion[k] && m_state.q[k] != m_prescribed.value[k]) return false;
+  m_number = 1;
+  return true;
+}
+
 template <int Dim> StepStatus Iteration<Dim>::solved(int contradictions) {
   m_unsolved = contradictions > 0 ? m_unsolved + 1 : 0;
   return m_unsolved < MAX_UNSOLVED ? StepStatus::ITERATE : give_up(not_converged());

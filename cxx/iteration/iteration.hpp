@@ -34,6 +34,9 @@ public:
   /// the way back (BACKTRACKED). @returns REFACTORIZE where the convergence asks for a new tangent, and after a way back
   /// @throws std::invalid_argument for wrong sizes or NaN in R
   StepStatus check(Eigen::VectorXd& u, const Eigen::VectorXd& R);
+  /// Before the first iteration, where the window has no solution: whether nothing asks for one. Forces and states are in order and
+  /// coordinates under motion have arrived, so that what nothing holds stays where it is; the next check() takes the state.
+  bool rests();
   /// A window has been solved. @param contradictions states that contradict the forces of its solution
   /// @returns FAILED after three windows in a row without a solution: such iterates lead nowhere
   StepStatus solved(int contradictions);
