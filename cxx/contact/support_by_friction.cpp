@@ -1,4 +1,6 @@
 #include "contact/support_by_friction.hpp"
+#include "base/decompositions.hpp"
+#include "contact/rigid_modes.hpp"
 #include "contact/tool_support.hpp"
 #include <algorithm>
 
@@ -15,6 +17,31 @@ template <int Dim> bool none_sticks(const ContactState<Dim>& state, const std::v
   return std::none_of(state.nodes.begin(), state.nodes.end(), [&](const auto& node) {
     return sticks(node.state) && (without.empty() || !without[node.tool]);
   });
+}
+
+// Whether contact without friction would hold the body: its rigid motions that no support takes press against tools, by their share
+// along the normals, squared.
+template <int Dim> bool normals_hold(const WindowProblem<Dim>& problem, const ContactState<Dim>& state) {
+  constexpr double unsupported = 1e-9, held = 0.1;
+  const BodyView<Dim>& body = *problem.body;
+  const ContactModel<Dim>& model = *problem.model;
+  const RigidModes<Dim> motions(body, body.position(*problem.u, model.candidates[0]));
+  const SymmetricEigen supports = symmetric_eigen(motions.resisted_by_supports(body, *problem.u));
+  const Eigen::Index left = (supports.values.array() <= unsupported * supports.values.maxCoeff()).count();
+  if (left == 0) return true;
+  typename RigidModes<Dim>::Form pressed = RigidModes<Dim>::Form::Zero();
+  const auto poses = model.poses(state.q);
+  int touching = 0;
+  for (std::size_t i = 0; i < state.nodes.size(); ++i) {
+    const ContactNode<Dim>& node = state.nodes[i];
+    if (!in_contact(node.state)) continue;
+    const Vector<Dim> n = model.tools[node.tool]->point(poses[node.tool], node.place).n;
+    const auto along = (n.transpose() * motions(body.position(*problem.u, model.candidates[i]))).eval();
+    pressed += along.transpose() * along;
+    ++touching;
+  }
+  const Eigen::MatrixXd free = supports.vectors.leftCols(left);
+  return symmetric_eigen(free.transpose() * pressed * free).values[0] > held * touching;
 }
 
 } // namespace
@@ -51,7 +78,7 @@ template <int Dim>
 void SupportByFriction<Dim>::leave_cycle(const WindowSolver<Dim>& solver, const ContactState<Dim>& before,
                                          int left, ContactState<Dim>& trial) {
   ContactState<Dim> other = before;
-  if (!is_lost(before) || m_cycles >= MAX_CYCLES ||
+  if (!is_lost(before) || m_cycles >= MAX_CYCLES || normals_hold(m_problem, before) ||
       !stick_at_neutral_point(m_model, other, m_refused, &m_idle))
     return;
   ++m_cycles;

@@ -1,8 +1,8 @@
 #include "diagnosis/before/floating_check.hpp"
 #include "base/decompositions.hpp"
 #include "base/error.hpp"
+#include "contact/rigid_modes.hpp"
 #include "contact/tool_support.hpp"
-#include "diagnosis/rigid_modes.hpp"
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "diagnosis/step/unheld_workpiece.hpp"
 #include "base/decompositions.hpp"
+#include "contact/rigid_modes.hpp"
 #include "diagnosis/observers.hpp"
-#include "diagnosis/rigid_modes.hpp"
 #include <algorithm>
 
 namespace burnish {
