@@ -3,15 +3,13 @@
 #include "contact/coupling.hpp"
 #include "contact/slip_direction.hpp"
 #include "iteration/not_converged.hpp"
-#include <algorithm>
 #include <cmath>
 
 namespace burnish {
 namespace {
 
-constexpr int MAX_BACKTRACKS = 3;    // ways back in a step (ALGORITHMS.md 5.6)
-constexpr double LEAST_SHARE = 0.05; // of an increment that is left by a way back
-constexpr int MAX_UNSOLVED = 3;      // iterations in a row whose window has no solution
+constexpr int MAX_UNSOLVED = 3;  // iterations in a row whose window has no solution
+constexpr int MAX_HALF_WAYS = 3; // ways back in a step in space (ALGORITHMS.md 5.6)
 
 // Iterations that a tolerance takes, over those of the default one.
 double more_digits(double tolerance) {
@@ -39,9 +37,10 @@ void Iteration<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
   m_predicted_q = predicted.q;
   m_entry = std::move(entry);
   m_adapt = adapt;
-  m_number = m_backtracks = m_unsolved = 0;
+  m_number = m_unsolved = m_half_ways = 0;
   m_first_dq.resize(0);
   m_R.resize(0);
+  m_way_back.begin();
   m_policy.begin();
   m_failure = {};
 }
@@ -67,22 +66,20 @@ template <int Dim> StepStatus Iteration<Dim>::check(Eigen::VectorXd& u, const Ei
   m_policy.look(residual, allowed);
   const double bound = more_digits(m_options.tolerance) * m_options.max_iterations;
   if (m_number >= 2 * bound || (m_number >= bound && m_policy.lags())) return give_up(not_converged());
-  if (m_policy.grows() && m_number >= 2 && m_backtracks < MAX_BACKTRACKS && m_u_before.size() == u.size())
-    return backtrack(u);
+  if (m_number >= 2 && went_too_far(u, R)) return StepStatus::BACKTRACKED;
+  const bool careful = Dim == 2 && (m_policy.has_grown() || m_way_back.made() > 0);
+  const bool renew = careful || m_policy.grows() || m_policy.lags();
   m_policy.go_on(residual);
   m_R = R;
-  const bool came_back =
-      Dim == 2 && m_number >= 2 && m_u_before.size() == 0 && m_balance.last().worst_dof >= 0; // of the body
-  const bool renew = (m_policy.grows() && residual > allowed) || m_policy.lags() || came_back;
   return renew ? StepStatus::REFACTORIZE : StepStatus::ITERATE;
 }
 
 template <int Dim> Failure Iteration<Dim>::not_converged() const {
-  const bool moved = m_q_before.size() == m_state.q.size();
+  const bool moved = m_way_back.start().q.size() == m_state.q.size();
   return burnish::not_converged<Dim>({m_model, m_body, m_state, m_prescribed, m_balance, m_options, m_number,
                                       m_unsolved, m_policy.last(),
-                                      moved ? m_state.q - m_q_before : Eigen::VectorXd(),
-                                      m_state.q - m_predicted_q, m_first_dq, m_u_before, m_R});
+                                      moved ? m_state.q - m_way_back.start().q : Eigen::VectorXd(),
+                                      m_state.q - m_predicted_q, m_first_dq, m_way_back.start().u, m_R});
 }
 
 template <int Dim> void Iteration<Dim>::state_problem(WindowProblem<Dim>& problem) {
@@ -101,8 +98,7 @@ template <int Dim> void Iteration<Dim>::state_problem(WindowProblem<Dim>& proble
 template <int Dim> void Iteration<Dim>::leave(const Eigen::VectorXd& u, const Eigen::VectorXd& dq) {
   if (++m_number == 1) m_first_dq = dq;
   ++m_counts.iterations;
-  m_u_before = u;
-  m_q_before = m_state.q;
+  m_way_back.leave({u, m_state.q, m_R});
 }
 
 template <int Dim> bool Iteration<Dim>::rests() {
@@ -124,19 +120,19 @@ template <int Dim> void Iteration<Dim>::arrive(const Eigen::VectorXd& u) {
   find_places(u);
 }
 
-// In the plane the iterate goes back to where a residual that changes its sign on the way passes zero, as that of a point does which
-// unloads; in space half of the way.
-template <int Dim> StepStatus Iteration<Dim>::backtrack(Eigen::VectorXd& u) {
-  ++m_backtracks;
+// In space what grows is often the friction of nodes whose slip turns, which the work of the body's forces does not see.
+template <int Dim> bool Iteration<Dim>::went_too_far(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+  bool moved = false;
+  if (Dim == 2)
+    moved = m_way_back.go_back(u, m_state.q, R, free_of_contact(m_body, m_model.candidates, m_state),
+                               m_policy.has_grown());
+  else if (m_policy.grows() && m_half_ways < MAX_HALF_WAYS)
+    moved = m_way_back.go_half(u, m_state.q);
+  if (!moved) return false;
+  m_half_ways += Dim == 3;
   ++m_counts.backtracks;
-  const double before = m_policy.last(),
-               share = Dim == 3 ? 0.5 : std::max(LEAST_SHARE, before / (before + m_balance.last().residual));
-  u = m_u_before + share * (u - m_u_before);
-  m_state.q = m_q_before + share * (m_state.q - m_q_before);
-  follow(m_model, m_state.q);
-  find_places(u);
-  m_u_before.resize(0);
-  return StepStatus::BACKTRACKED;
+  arrive(u);
+  return true;
 }
 
 // Places of the contact nodes: sliding ones at the foot, sticking ones where they stick. The nodes themselves stay where they are:

@@ -5,6 +5,7 @@
 #include "iteration/failure.hpp"
 #include "iteration/step_balance.hpp"
 #include "iteration/tangent_policy.hpp"
+#include "iteration/way_back.hpp"
 
 namespace burnish {
 
@@ -63,7 +64,7 @@ public:
   const Eigen::VectorXd& first_increment() const { return m_first_dq; }
 
 private:
-  StepStatus backtrack(Eigen::VectorXd& u);
+  bool went_too_far(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   void find_places(const Eigen::VectorXd& u);
   Failure not_converged() const;
 
@@ -78,10 +79,9 @@ private:
   TangentPolicy m_policy;
   IterationCounts m_counts;
   Failure m_failure;
-  int m_number = 0, m_backtracks = 0, m_unsolved = 0;
-  Eigen::VectorXd m_predicted_q;
-  Eigen::VectorXd m_u_before, m_q_before; // iterate before the last iteration, for backtracking
-  Eigen::VectorXd m_first_dq, m_R;        // m_R: of the last check
+  int m_number = 0, m_unsolved = 0, m_half_ways = 0;
+  WayBack m_way_back;
+  Eigen::VectorXd m_predicted_q, m_first_dq, m_R; // m_R: of the last check
 };
 
 } // namespace burnish

@@ -5,8 +5,8 @@
 namespace burnish {
 namespace {
 
-constexpr double GROWS = 2;    // residual ratio from which the iterate goes back or the tangent is taken anew
-constexpr int RATE_WINDOW = 4; // iterations that the rate of convergence is measured over
+constexpr double GROWS = 2;      // residual ratio from which an iteration goes back or takes a new tangent
+constexpr int RATE_WINDOW = 4;   // iterations that the rate of convergence is measured over
 constexpr double RATE_BOUND = 8; // a new tangent is taken where that rate leaves more iterations than this
 // Condensed: part of elastic moduli after 0, 1, 2, ... iterations that were slow
 constexpr std::array<double, 4> BLEND_BY_SLOWNESS{0, 0.2, 0.2, 0.4};
@@ -25,7 +25,8 @@ void TangentPolicy::begin() {
 
 void TangentPolicy::look(double residual, double allowed) {
   m_lags = !m_condensed && m_rate.slow(residual, allowed);
-  m_grows = m_last >= 0 && residual > GROWS * m_last;
+  m_grows = m_last >= 0 && residual > allowed && residual > GROWS * m_last;
+  m_grown = m_grown || m_grows;
 }
 
 void TangentPolicy::go_on(double residual) {

@@ -13,8 +13,9 @@ public:
   bool condensed() const { return m_condensed; }
   /// Looks at the residual of an iterate that has not converged [force].
   void look(double residual, double allowed);
-  bool grows() const { return m_grows; } ///< it is much larger than that of the last iterate
-  bool lags() const { return m_lags; }   ///< the rate of convergence asks for too many iterations more
+  bool grows() const { return m_grows; }     ///< it is much larger than that of the last iterate
+  bool has_grown() const { return m_grown; } ///< it has been so in this step
+  bool lags() const { return m_lags; }       ///< the rate of convergence asks for too many iterations more
   /// The iteration goes on from it.
   void go_on(double residual);
   double last() const { return m_last; } ///< residual that it went on from last [force], < 0: none
@@ -31,7 +32,7 @@ public:
 
 private:
   ConvergenceRate m_rate;
-  bool m_condensed = false, m_grows = false, m_lags = false;
+  bool m_condensed = false, m_grows = false, m_grown = false, m_lags = false;
   double m_last = -1;
   int m_slow = 0, m_indefinite = 0; // m_slow: condensed iterations that were slow
   int m_falls = 0;                  // condensed iterations in a row that made the residual smaller
