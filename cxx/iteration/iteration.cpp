@@ -8,7 +8,9 @@
 namespace burnish {
 namespace {
 
-constexpr int MAX_UNSOLVED = 3;  // iterations in a row whose window has no solution
+constexpr int MAX_UNSOLVED = 3; // iterations in a row whose window has no solution
+constexpr double NEAR =
+    10; // residual over what is allowed, below which nothing goes back: near balance slopes are rounding
 constexpr int MAX_HALF_WAYS = 3; // ways back in a step in space (ALGORITHMS.md 5.6)
 
 // Iterations that a tolerance takes, over those of the default one.
@@ -123,10 +125,10 @@ template <int Dim> void Iteration<Dim>::arrive(const Eigen::VectorXd& u) {
 // In space what grows is often the friction of nodes whose slip turns, which the work of the body's forces does not see.
 template <int Dim> bool Iteration<Dim>::went_too_far(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   bool moved = false;
-  if (Dim == 2)
+  if (Dim == 2 && m_balance.last().residual > NEAR * m_balance.allowed())
     moved = m_way_back.go_back(u, m_state.q, R, free_of_contact(m_body, m_model.candidates, m_state),
                                m_policy.has_grown());
-  else if (m_policy.grows() && m_half_ways < MAX_HALF_WAYS)
+  else if (Dim == 3 && m_policy.grows() && m_half_ways < MAX_HALF_WAYS)
     moved = m_way_back.go_half(u, m_state.q);
   if (!moved) return false;
   m_half_ways += Dim == 3;
