@@ -69,8 +69,8 @@ template <int Dim> StepStatus Iteration<Dim>::check(Eigen::VectorXd& u, const Ei
   const double bound = more_digits(m_options.tolerance) * m_options.max_iterations;
   if (m_number >= 2 * bound || (m_number >= bound && m_policy.lags())) return give_up(not_converged());
   if (m_number >= 2 && went_too_far(u, R)) return StepStatus::BACKTRACKED;
-  const bool careful = Dim == 2 && (m_policy.has_grown() || m_way_back.made() > 0);
-  const bool renew = careful || m_policy.grows() || m_policy.lags();
+  const bool careful = searches() && m_policy.has_grown(), came_back = Dim == 2 && m_way_back.made() > 0;
+  const bool renew = careful || came_back || m_policy.grows() || m_policy.lags();
   m_policy.go_on(residual);
   m_R = R;
   return renew ? StepStatus::REFACTORIZE : StepStatus::ITERATE;
@@ -123,15 +123,18 @@ template <int Dim> void Iteration<Dim>::arrive(const Eigen::VectorXd& u) {
 }
 
 // In space what grows is often the friction of nodes whose slip turns, which the work of the body's forces does not see.
+// So it is where all states are fixed, in the pieces between events.
+template <int Dim> bool Iteration<Dim>::searches() const { return Dim == 2 && m_adapt; }
+
 template <int Dim> bool Iteration<Dim>::went_too_far(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   bool moved = false;
-  if (Dim == 2 && m_balance.last().residual > NEAR * m_balance.allowed())
+  if (searches() && m_balance.last().residual > NEAR * m_balance.allowed())
     moved = m_way_back.go_back(u, m_state.q, R, free_of_contact(m_body, m_model.candidates, m_state),
                                m_policy.has_grown());
-  else if (Dim == 3 && m_policy.grows() && m_half_ways < MAX_HALF_WAYS)
+  else if (!searches() && m_policy.grows() && m_half_ways < MAX_HALF_WAYS)
     moved = m_way_back.go_half(u, m_state.q);
   if (!moved) return false;
-  m_half_ways += Dim == 3;
+  m_half_ways += !searches();
   ++m_counts.backtracks;
   arrive(u);
   return true;

@@ -64,6 +64,7 @@ public:
   const Eigen::VectorXd& first_increment() const { return m_first_dq; }
 
 private:
+  bool searches() const;
   bool went_too_far(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   void find_places(const Eigen::VectorXd& u);
   Failure not_converged() const;

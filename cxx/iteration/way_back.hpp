@@ -22,14 +22,14 @@ public:
   }                                   ///< where the last increment began; u empty before the first
   int made() const { return m_made; } ///< ways back along the last increment so far
 
-  /// In the plane: looks at the iterate that the increment has led to, and moves it back to where the work of the out-of-balance
+  /// In the plane, where states adapt: looks at the iterate that the increment has led to, and moves it back to where the work of the out-of-balance
   /// forces along the increment has its minimum, ALGORITHMS.md (5.5), if it is far beyond: s = du . R over `counted`, at the start negative.
   /// @param u, q the iterate @param R its out-of-balance forces @param counted degrees of freedom whose forces shall vanish
   /// @param careful the residual has grown in this step: a shorter way beyond the minimum is too far
   /// @returns whether it was moved
   bool go_back(Eigen::VectorXd& u, Eigen::VectorXd& q, const Eigen::VectorXd& R,
                const std::vector<char>& counted, bool careful);
-  /// In space: half of the increment, once. @returns whether it was moved
+  /// In event pieces and in space: half of the increment, once. @returns whether it was moved
   bool go_half(Eigen::VectorXd& u, Eigen::VectorXd& q);
 
 private:
