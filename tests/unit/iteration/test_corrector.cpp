@@ -32,12 +32,26 @@ struct Held {
     iteration = std::make_unique<Iteration<2>>(contact.model, spring.body, options);
     corrector = std::make_unique<Corrector<2>>(*iteration);
   }
-  void begin() {
+  void begin(bool adapt = false) {
     ContactState<2> predicted = contact.state;
     predicted.q = contact.prescribed.value;
     iteration->begin(contact.prescribed, predicted,
-                     {predicted.nodes, std::vector<EntryRecord>(predicted.nodes.size())}, false);
+                     {predicted.nodes, std::vector<EntryRecord>(predicted.nodes.size())}, adapt);
     corrector->begin(false);
+  }
+  /// Two iterations by one tangent. @returns the displacement before the second
+  Eigen::VectorXd iterate_twice(bool adapt) {
+    begin(adapt);
+    Eigen::VectorXd before;
+    for (int k = 0; k < 2; ++k) {
+      EXPECT_EQ(iteration->check(u, spring.force(u)), StepStatus::ITERATE);
+      if (k == 0) {
+        EXPECT_EQ(corrector->factorize(spring.tangent(u), u), FactorStatus::OK);
+      }
+      before = u;
+      EXPECT_EQ(corrector->correct(u, spring.force(u)), StepStatus::ITERATE);
+    }
+    return before;
   }
   /// Iterates to the end. @returns the last status
   StepStatus solve() {
@@ -96,16 +110,7 @@ TEST(Corrector, AWayBackEndsInANewTangent) {
   options.tolerance = 1e-12;
   Held held(0.3, options);
   Iteration<2>& iteration = *held.iteration;
-  held.begin();
-  Eigen::VectorXd before;
-  for (int k = 0; k < 2; ++k) {
-    ASSERT_EQ(iteration.check(held.u, held.spring.force(held.u)), StepStatus::ITERATE);
-    if (k == 0) {
-      ASSERT_EQ(held.corrector->factorize(held.spring.tangent(held.u), held.u), FactorStatus::OK);
-    }
-    before = held.u;
-    ASSERT_EQ(held.corrector->correct(held.u, held.spring.force(held.u)), StepStatus::ITERATE);
-  }
+  const Eigen::VectorXd before = held.iterate_twice(true);
   const Eigen::VectorXd all = held.u, du = all - before, R0 = held.spring.force(before);
   const auto& model = held.contact.model;
   const std::vector<char> counted = free_of_contact(held.spring.body, model.candidates, iteration.state());
@@ -122,6 +127,19 @@ TEST(Corrector, AWayBackEndsInANewTangent) {
   ASSERT_EQ(iteration.check(held.u, beyond), StepStatus::BACKTRACKED);
   expect_close(held.u, before + du / 3, du.cwiseAbs().maxCoeff(), 1e-12, "what is left of the increment");
   EXPECT_EQ(iteration.check(held.u, held.spring.force(held.u)), StepStatus::REFACTORIZE);
+}
+
+// The same in a piece between events: half of the increment, once, where the residual has grown.
+TEST(Corrector, APieceGoesHalfWayBack) {
+  IterationOptions options;
+  options.tolerance = 1e-12;
+  Held held(0.3, options);
+  Iteration<2>& iteration = *held.iteration;
+  const Eigen::VectorXd before = held.iterate_twice(false), du = held.u - before;
+  const Eigen::VectorXd grown = 100 * held.spring.force(before);
+  ASSERT_EQ(iteration.check(held.u, grown), StepStatus::BACKTRACKED);
+  expect_close(held.u, before + du / 2, du.cwiseAbs().maxCoeff(), 1e-12, "what is left of the increment");
+  EXPECT_EQ(iteration.check(held.u, grown), StepStatus::REFACTORIZE);
 }
 
 // One iteration by the condensed system is one by factor and dense block.
