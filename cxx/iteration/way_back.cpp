@@ -21,30 +21,29 @@ double slope(const Eigen::VectorXd& du, const Eigen::VectorXd& R, const std::vec
 } // namespace
 
 void WayBack::leave(Iterate start) {
+  *this = WayBack();
   m_start = std::move(start);
-  m_share = 1;
-  m_made = 0;
+}
+
+// The increment, as it was before the first way back. Returns whether another may follow.
+bool WayBack::measure(const Eigen::VectorXd& u, const Eigen::VectorXd& q, int most) {
+  if (m_start.u.size() != u.size() || m_made >= most) return false;
+  if (m_made == 0) {
+    m_du = u - m_start.u;
+    m_dq = q - m_start.q;
+  }
+  return true;
 }
 
 bool WayBack::go_back(Eigen::VectorXd& u, Eigen::VectorXd& q, const Eigen::VectorXd& R,
                       const std::vector<char>& counted, bool careful) {
-  if (m_start.u.size() != u.size() || m_made == MAX_WAYS) return false;
-  if (m_made == 0) {
-    m_du = u - m_start.u;
-    m_dq = q - m_start.q;
-    m_slope = slope(m_du, m_start.R, counted);
-  }
-  const double here = slope(m_du, R, counted);
-  if (!(m_slope < 0 && here > -(careful ? CAREFUL : TOO_FAR) * m_slope)) return false;
-  return keep(m_share * std::max(LEAST_SHARE, m_slope / (m_slope - here)), u, q);
+  if (!measure(u, q, MAX_WAYS)) return false;
+  const double there = slope(m_du, m_start.R, counted), here = slope(m_du, R, counted);
+  if (!(there < 0 && here > -(careful ? CAREFUL : TOO_FAR) * there)) return false;
+  return keep(m_share * std::max(LEAST_SHARE, there / (there - here)), u, q);
 }
 
-bool WayBack::go_half(Eigen::VectorXd& u, Eigen::VectorXd& q) {
-  if (m_start.u.size() != u.size() || m_made > 0) return false;
-  m_du = u - m_start.u;
-  m_dq = q - m_start.q;
-  return keep(0.5, u, q);
-}
+bool WayBack::go_half(Eigen::VectorXd& u, Eigen::VectorXd& q) { return measure(u, q, 1) && keep(0.5, u, q); }
 
 bool WayBack::keep(double share, Eigen::VectorXd& u, Eigen::VectorXd& q) {
   ++m_made;

@@ -33,11 +33,11 @@ public:
   bool go_half(Eigen::VectorXd& u, Eigen::VectorXd& q);
 
 private:
+  bool measure(const Eigen::VectorXd& u, const Eigen::VectorXd& q, int most);
   bool keep(double share, Eigen::VectorXd& u, Eigen::VectorXd& q);
 
   Iterate m_start;
   Eigen::VectorXd m_du, m_dq; // the whole increment
-  double m_slope = 0;         // s at its start [force length]
   double m_share = 1;         // of it that is left
   int m_made = 0;
 };
