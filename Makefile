@@ -124,7 +124,7 @@ figures: packages ## draw all pictures of out/CASE, CASE=rolling unless given; C
 	  $(if $(wildcard out/$(CASE)),,$(error out/$(CASE): no run to draw; make case-$(CASE) makes it))\
 	  $(PYTHON) $(or $(wildcard cases/$(CASE)/plot.py),cases/plotting/scene.py) out/$(CASE))
 
-tables: build ## measure the tables in the READMEs of rolling, planetary, bending, strip-rolling, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch, plate-rolling, ring-rolling again, OPTIONS="--keep rolling"
+tables: build ## measure the tables in the READMEs of rolling, planetary, bending, strip-rolling, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch, plate-rolling, ring-rolling, of the manual's page thin-strips again, OPTIONS="--keep rolling"
 	@BURNISH='$(abspath $(WRAPPER))' $(PYTHON) cases/tables.py $(OPTIONS)
 
 sweep: build ## burnish sweep for a case: make sweep CASE=rolling VARY="R=14e-3:20e-3:4 mu=0.2,0.3" OPTIONS="-outer 80": cases/sweep/sweep.py

@@ -1,8 +1,10 @@
-"""What cases/tables.py measures of sheets: cases/bending, strip-rolling, u-channel, cup, leveller, roll-bending; those drawn at random: sheet_sweeps.py."""
+"""What cases/tables.py measures of sheets: cases/bending, strip-rolling, u-channel, cup, leveller, roll-bending, and the manual's page
+thin-strips; those drawn at random: sheet_sweeps.py."""
 import csv
 import os
+import subprocess
 
-from measured import run, table
+from measured import brief, run, table
 
 
 def channel(name, options):
@@ -24,7 +26,8 @@ def channel_mesh():
     return table(CHANNEL, [channel(name, options) for name, options in (
         ("1 mm, 4 through (default)", ""), ("0.75 mm, 4", "-size 0.75"), ("0.5 mm, 4", "-size 0.5"), ("0.35 mm, 4", "-size 0.35"),
         ("1 mm, 2", "-ny 2"), ("0.5 mm, 2", "-size 0.5 -ny 2"), ("0.5 mm, 6", "-size 0.5 -ny 6"),
-        ("0.5 mm, 4, `-steps 800`", "-size 0.5 -steps 800"), ("1 mm, 4, `-scheme event`", "-scheme event"))])
+        ("0.5 mm, 4, `-steps 800`", "-size 0.5 -steps 800"), ("1 mm, 4, `-scheme event`", "-scheme event"),
+        ("P1, 0.5 mm, 4", "-element P1 -size 0.5"), ("P1, 0.35 mm, 8", "-element P1 -size 0.35 -ny 8"))])
 
 
 NUMISHEET = ("-width 25 -nose 5 -shoulder 5 -thickness 0.78 -clearance 1.282 -depth 70 -mu 0.144 -E 206000 -bite 20 -crown 5000 -length 175 "
@@ -187,7 +190,21 @@ def strip_bite():
     return table(["Quantity", "two rolls, `-ratio 1.4`", "two rolls, `-ratio 0.7`", "half, 1.4", "half, 0.7", "Expected"], rows)
 
 
+def strips_ubend():
+    """A U-bend without a holder, which jumps from node to node."""
+    rows = []
+    for size, ny, steps in ((1, 3, 100), (1, 3, 400), (1, 3, 1600), (1, 2, 400), (1, 4, 400), (1, 4, 1600), (1, 6, 400), (0.75, 3, 800), (0.5, 4, 800)):
+        command = [os.environ.get("BURNISH", "build/burnish"), "tests/support/forming/ubend.edp", "-size", str(size), "-ny", str(ny), "-steps", str(steps),
+                   "-jumps", "0.01"]
+        print(" ".join(command[1:]), flush=True)
+        words = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()
+        told = {name: float(words[words.index(name, words.index("forming")) + 1]) for name in ("t", "work", "wall", "steps", "rejected", "cpu")}
+        rows.append([f"{size:g} mm, {ny}", f"1/{steps}", f"{told['work']:.1f}", f"{told['wall']:.2f} deg", f"{told['steps']:.0f} ({told['rejected']:.0f})",
+                     brief(told["cpu"]), "" if told["t"] == 1 else f"stops at t = {told['t']:.3f}"])
+    return table(["edges along the sheet, through it", "`dtmax=`", "work, N mm/mm", "wall", "steps (rejected)", "CPU s", ""], rows)
+
+
 TABLES = {"strip-rolling": {"bite": strip_bite}, "bending": {"stroke": bending_stroke, "thickness": bending_thickness},
           "u-channel": {"mesh": channel_mesh, "numisheet": channel_numisheet, "tight": channel_tight},
           "roll-bending": {"mesh": winding_mesh}, "leveller": {"rolls": leveller_rolls},
-          "cup": {"mesh": cup_mesh, "gap": cup_gap, "ratio": cup_ratio}}
+          "cup": {"mesh": cup_mesh, "gap": cup_gap, "ratio": cup_ratio}, "thin-strips": {"ubend": strips_ubend}}

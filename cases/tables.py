@@ -1,4 +1,4 @@
-"""Measures the tables of the READMEs of cases/rolling and, in planetary_tables.py, sheet_tables.py, sheet_sweeps.py and space_tables.py, planetary, bending, strip-rolling, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch, plate-rolling, ring-rolling, and writes them there:
+"""Measures the tables of the READMEs of cases/rolling and, in planetary_tables.py, sheet_tables.py, sheet_sweeps.py and space_tables.py, planetary, bending, strip-rolling, u-channel, cup, leveller, roll-bending, ball, ball-rolling, burnishing, slab, block-upsetting, tilted-punch, plate-rolling, ring-rolling, of the manual's page thin-strips, and writes them there:
 
     make tables                          all of them, one run after the other: about half an hour
     make tables OPTIONS="rolling"        those of one README
@@ -199,8 +199,11 @@ TABLES = {"rolling": {"steps": rolling_steps, "integrator": rolling_integrator, 
           **space_tables.TABLES}
 
 
+PAGES = {"thin-strips": "edp/manual/thin-strips.md"}  # tables of other texts than the case's README
+
+
 def write(case, only):
-    path = os.path.join("cases", case, "README.md")
+    path = PAGES.get(case) or os.path.join("cases", case, "README.md")
     for name, measure in TABLES[case].items():
         if only and name != only:
             continue
