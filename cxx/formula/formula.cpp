@@ -28,10 +28,16 @@ bool is_step(const GiNaC::ex& e) {
 }
 
 /// Steps stand as symbols while the rest is differentiated: they count as flat, and GiNaC 1.8 takes the
-/// conjugate of a step's derivative, which it meets in that of abs, for the step itself.
+/// conjugate of a step's derivative, which it meets in that of abs, for the step itself. A constant exponent becomes a number: that of
+/// a power of pi would else be taken by the logarithm, which has no value where the base is 0.
 struct FrozenSteps : GiNaC::map_function {
   GiNaC::exmap steps, symbols; ///< symbol to step, step to symbol
   GiNaC::ex operator()(const GiNaC::ex& e) override {
+    if (GiNaC::is_a<GiNaC::power>(e) && !GiNaC::is_a<GiNaC::numeric>(e.op(1))) {
+      const GiNaC::ex exponent = e.op(1).evalf();
+      if (GiNaC::is_a<GiNaC::numeric>(exponent) && exponent.info(GiNaC::info_flags::real))
+        return GiNaC::pow((*this)(e.op(0)), exponent);
+    }
     if (!is_step(e)) return e.map(*this);
     const auto [found, added] = symbols.try_emplace(e, GiNaC::realsymbol());
     if (added) steps[found->second] = e;

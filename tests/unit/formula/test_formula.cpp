@@ -143,6 +143,17 @@ TEST(Formula, SingularPlaces) {
   EXPECT_DOUBLE_EQ(value("sin(x)", 0), 0);
 }
 
+TEST(Formula, PowersOfAConstantHaveTheirSlopeAtZero) { // not by the logarithm of the base
+  const double zero[] = {0, 0}, negative[] = {-1, 0}, two[] = {2, 0};
+  for (const char* text : {"x^pi", "x^(2*sqrt(2))", "x^(3*asinh(3))"}) {
+    const Formula first = Formula("f", text, TWO).derivative(0);
+    EXPECT_EQ(first(zero), 0) << text;
+    EXPECT_EQ(first.derivative(0)(zero), 0) << text;
+  }
+  EXPECT_EQ(Formula("f", "max(0, x)^pi", TWO).derivative(0)(negative), 0);
+  EXPECT_NEAR(Formula("f", "x^pi", TWO).derivative(0)(two), M_PI * std::pow(2, M_PI - 1), 1e-14);
+}
+
 TEST(Formula, WrongSyntaxNamesThePlace) {
   EXPECT_EQ(refused("e*cos(x)+"), "x of tool \"crank\" \"e*cos(x)+\": the formula ends too early");
   HAS(refused(""), "\"\": the formula is empty");
