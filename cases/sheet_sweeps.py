@@ -1,5 +1,5 @@
 """What cases/tables.py measures of sheets drawn at random: Latin hypercubes by cases/sweep, a part of them again on a mesh half as fine
-in both directions, those that stop again with jumps. Tables "sweep" of cases/bending, u-channel, cup."""
+in both directions. Tables "sweep" of cases/bending, u-channel, cup."""
 import json
 import os
 import re
@@ -13,15 +13,15 @@ IMBALANCE = 1e-3
 COMMON = "-pictures 0 -series 0 -check 0"
 # varied mesh, its option's halved value, elements through the thickness of the half mesh, drawn options, samples, every how
 # many that finished is repeated (or the places of those, for each mesh, so that the choice stays when others finish, too),
-# the force that is compared, option of jumps
+# the force that is compared
 SWEEPS = {
     "bending": ("nx=64,96", lambda v: f"-nx {2 * int(v)}", 8, "thickness=.5:3:latin shoulder=1:6:latin nose=1:6:latin "
-                "depth=6:12.5:latin mu=0:.2:latin", 50, 10, "largest force, both halves", ""),
+                "depth=6:12.5:latin mu=0:.2:latin", 50, 10, "largest force, both halves"),
     "cup": ("size=1,0.75", lambda v: f"-size {float(v) / 2:g}", 4, "blank=30:42:latin nose=3:8:latin shoulder=3:8:latin "
-            "gap=1.1:1.6:latin mu=.02:.15:latin bhf=2000:15000:latin", 50, 25, "largest punch force", ""),
+            "gap=1.1:1.6:latin mu=.02:.15:latin bhf=2000:15000:latin", 50, 25, "largest punch force"),
     "u-channel": ("edges=6,7,8", lambda v: f"-edges {2 * int(v)}", 6, "thickness=.5:2:latin shoulder=1:6:latin nose=1:6:latin "
                   "clearance=1.05:1.4:latin mu=0:.2:latin bhf=5:80:latin", 67, {"6": (0, 26, 52), "7": (0, 25, 52), "8": (0, 24, 50)},
-                  "mean punch force of the last third", "-jumps 0.01"),
+                  "mean punch force of the last third"),
 }
 
 
@@ -75,29 +75,27 @@ def chosen(ends, value, every):
 
 
 def sweep(case):
-    vary, halved, through, drawn, samples, every, force, jumps = SWEEPS[case]
+    vary, halved, through, drawn, samples, every, force = SWEEPS[case]
     rows, option = [], vary.split("=")[0]
     folders = variants(case, samples, vary, drawn)
     for value in vary.split("=")[1].split(","):
         ends = [(f, *outcome(f)) for f in folders if os.path.basename(f).startswith(f"{option}={value},")]
         done = [(f, s) for f, s, reason in ends if not reason]
-        stopped = [(f, cause(reason)) for f, _, reason in ends if reason]
-        again = [run(case, f"-series 0 -check 0 {options_of(f)} {jumps}") for f, _ in stopped] if jumps else []
+        stopped = [cause(reason) for _, _, reason in ends if reason]
         errors = []
         for f, s in chosen(ends, value, every):
             half = run(case, f"-series 0 -check 0 {options_of(f)} {halved(value)} -ny {through}")
             if half.finished:
                 errors.append((s["results"][force]["value"] / half.result(force) - 1, os.path.basename(f)))
         sizes = sorted(abs(e) for e, _ in errors)
-        why = ", ".join(f"{[c for _, c in stopped].count(name)} {name}" for name in sorted({c for _, c in stopped}))
+        why = ", ".join(f"{stopped.count(name)} {name}" for name in sorted(set(stopped)))
         steps = [s["counts"]["steps"] for _, s in done]
         print(f"{case} {option}={value}: worst against the half mesh {max(errors, key=lambda e: abs(e[0]))}")
-        rows.append([f"{option} {value}", f"{len(done)} of {len(ends)}", *([f"{sum(r.finished for r in again)} of {len(again)}"] if jumps else []),
-                     why, f"{statistics.median(steps):.0f} ({max(steps)})",
+        rows.append([f"{option} {value}", f"{len(done)} of {len(ends)}", why, f"{statistics.median(steps):.0f} ({max(steps)})",
                      f"{statistics.median(s['cpu_seconds']['total'] for _, s in done):.1f}",
                      f"{len(sizes)}", f"{100 * statistics.median(sizes):.1f} %", f"{100 * sizes[-1]:.1f} %",
                      f"{sum(e > 0.03 for e in sizes)}"])
-    return table(["mesh", "finish", *([f"of the others, with `{jumps}`"] if jumps else []), "the others stop because", "steps, median (most)",
+    return table(["mesh", "finish", "the others stop because", "steps, median (most)",
                   "CPU s", "compared", "off, median", "most", "above 3 %"], rows)
 
 

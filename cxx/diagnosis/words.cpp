@@ -37,11 +37,9 @@ std::string not_converged(const Failure& f) {
       text += std::string(last.residue == Residue::UNKNOWN ? ": " : "; ") +
               "the tool goes on moving under its force, a limit load";
   } else if (f.cause == Cause::TOO_LITTLE_FRICTION) {
-    text += sentence(
-        ": the forces balance with friction that adds up to ", f.value,
-        " over the contact nodes, whose limits add up to ", f.allowed,
-        ": too little to balance a coordinate under force, or a sheet slips from node to node: jumps=0.01 "
-        "of stepcontrol goes on to the next equilibrium");
+    text += sentence(": the forces balance with friction that adds up to ", f.value,
+                     " over the contact nodes, whose limits add up to ", f.allowed,
+                     ": too little to balance a coordinate under force, or a sheet slips from node to node");
   } else {
     text += ": the forces balance, but states cycle";
   }
@@ -50,7 +48,7 @@ std::string not_converged(const Failure& f) {
                      " can neither stick nor slide, since its friction of ", f.value,
                      " beside a normal force of ", f.allowed, " is so large that it wedges");
   if (f.cause == Cause::CYCLE || f.cause == Cause::WEDGED)
-    text += ": there may be no equilibrium near the last one; jumps=0.01 of stepcontrol goes on to the next";
+    text += ": there may be no equilibrium near the last one";
   if (last.lagged) text += "; frictiontangent=\"consistent\" needs fewer iterations";
   return text;
 }
@@ -141,8 +139,8 @@ template <int Dim> std::string words(const Failure& f, const ContactModel<Dim>& 
   }
   return sentence("; the workpiece, to which supports leave a rigid motion, hangs on ", f.count,
                   f.count == 1 ? " node" : " nodes",
-                  " in contact and may slip from one to the next: a holder, another support, a finer mesh "
-                  "there, or jumps=0.01 of stepcontrol, which lets it");
+                  " in contact and may slip from one to the next: a holder, another support, or a finer mesh "
+                  "there");
 }
 
 template <int Dim>

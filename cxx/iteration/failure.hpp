@@ -74,6 +74,11 @@ struct Failure {
   explicit operator bool() const { return cause != Cause::NONE; }
   /// The iteration ran out of its number.
   bool not_converged() const { return cause >= Cause::NO_BALANCE && cause <= Cause::WEDGED; }
+  /// States of contact contradict the forces, however short the step: it may have no equilibrium near.
+  bool states_contradict() const {
+    return cause == Cause::TOO_LITTLE_FRICTION || cause == Cause::CYCLE || cause == Cause::WEDGED ||
+           cause == Cause::BODY_JUMP;
+  }
   /// A limit load, or a loss of stability.
   bool limit_load() const {
     return cause == Cause::UNSTABLE || cause == Cause::TOOL_JUMP || (not_converged() && last.moves_on);

@@ -224,7 +224,8 @@ template <int Dim> void ContactRun<Dim>::begin(Eigen::VectorXd& u, double t, dou
 template <int Dim> Failure ContactRun<Dim>::leaps(const Eigen::VectorXd& u) const {
   const SteppedPath<Dim> path{&m_accepted.contact, &m_iteration.state(), &m_step.u_start, &u};
   const Failure passage = tool_passage(*m_setup, path);
-  if (passage || m_step.stepping == Stepping::RATES) return passage;
+  if (passage || m_step.stepping == Stepping::RATES || m_loads.viscosity.stiffness > 0)
+    return passage; // a march may leap
   const auto& last = m_accepted.history;
   const StepRates rates{m_step.dt, last.dt, last.dq, last.du, m_iteration.first_increment()};
   const Failure jump = body_jump(*m_setup, path, rates, m_loads.hold.acts(m_step.end()));
@@ -238,7 +239,7 @@ template <int Dim> StepStatus ContactRun<Dim>::checked(Eigen::VectorXd& u, const
   if (m_step.stepping != Stepping::RATES) status = m_iteration.check(u, m_loads.residual(u, m_step.end(), R));
   if (status == StepStatus::BACKTRACKED) m_corrector.forget_mixing();
   if (status == StepStatus::ITERATE && !m_corrector.serves(u)) return StepStatus::REFACTORIZE;
-  if (status != StepStatus::CONVERGED || m_loads.viscosity.stiffness > 0) return status; // a march may leap
+  if (status != StepStatus::CONVERGED) return status;
   const Failure leap = leaps(u);
   return leap ? m_iteration.give_up(leap) : status;
 }

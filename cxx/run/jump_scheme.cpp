@@ -22,6 +22,7 @@ template <int Dim> void JumpScheme<Dim>::start(double t, double dt) {
   m_stiffness = m_next = START * this->m_contact.loads().springs().stiffness_of(K);
   m_dissipated = 0;
   m_pieces = 0;
+  m_refused = false;
   m_standing = STANDING * dt;
   this->m_reached = t + dt;
   piece(t);
@@ -55,11 +56,14 @@ template <int Dim> SchemeTask JumpScheme<Dim>::give_up(Eigen::VectorXd& u, Eigen
   return SchemeTask::REJECTED;
 }
 
-template <int Dim> SchemeTask JumpScheme<Dim>::march(const Eigen::VectorXd& u, const Eigen::VectorXd& R) {
+template <int Dim> SchemeTask JumpScheme<Dim>::march(Eigen::VectorXd& u, Eigen::VectorXd& R) {
   const Eigen::VectorXd force = this->m_contact.loads().viscous_force(u);
   m_dissipated -= force.dot(u - this->m_contact.accepted().u);
   const double load = this->m_contact.iteration().balance().memory().scale;
   this->accept(u, R, {});
+  const JumpMemory& jumps = this->m_contact.accepted().jumps;
+  m_refused = jumps.dissipated + m_dissipated > this->m_options.jumps * std::abs(jumps.work);
+  if (m_refused) return give_up(u, R);
   m_next = sum_of_norms<Dim>(force) > AT_REST * load ? SOFTER * m_next : 0;
   return piece(this->m_reached - m_standing);
 }
@@ -67,8 +71,6 @@ template <int Dim> SchemeTask JumpScheme<Dim>::march(const Eigen::VectorXd& u, c
 template <int Dim> SchemeTask JumpScheme<Dim>::arrive(Eigen::VectorXd& u, Eigen::VectorXd& R) {
   this->accept(u, R, {});
   this->m_contact.add_jump(m_contact_start->u, m_dissipated);
-  const JumpMemory& jumps = this->m_contact.accepted().jumps;
-  if (jumps.dissipated > this->m_options.jumps * std::abs(jumps.work)) return give_up(u, R);
   return SchemeTask::ACCEPTED;
 }
 

@@ -11,11 +11,12 @@ public:
   using StepScheme<Dim>::StepScheme;
   void start(double t, double dt) override;
   SchemeTask solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) override;
+  bool refused() const { return m_refused; } ///< REJECTED: it dissipates more than jumps may
 
 private:
   SchemeTask piece(double from);
   SchemeTask give_up(Eigen::VectorXd& u, Eigen::VectorXd& R);
-  SchemeTask march(const Eigen::VectorXd& u, const Eigen::VectorXd& R);
+  SchemeTask march(Eigen::VectorXd& u, Eigen::VectorXd& R);
   SchemeTask arrive(Eigen::VectorXd& u, Eigen::VectorXd& R);
 
   std::optional<ContactRunState<Dim>> m_contact_start; // at the start of the step
@@ -25,6 +26,7 @@ private:
   double m_dissipated = 0; // by the viscosity of this march [force length]
   double m_standing = 0;   // length of a piece in which the program stands still [time]
   int m_pieces = 0;
+  bool m_refused = false;
 };
 
 } // namespace burnish

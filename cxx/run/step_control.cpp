@@ -120,6 +120,12 @@ void StepControl::steer(double error) {
   s.error = s.error > 0 && error > 0 ? std::sqrt(s.error * error) : error;
 }
 
+void StepControl::retry(double dt) {
+  auto& s = m_state;
+  s.dt = s.last_dt = std::min(std::max(dt, m_options.dt_min), next_stop() - s.t);
+  s.failed_dt = 0;
+}
+
 bool StepControl::rejected() {
   auto& s = m_state;
   s.failed_dt = s.dt;

@@ -57,6 +57,8 @@ public:
   /// Shortens the step. If the step before had not failed, the next ones end where this one should have, and go on with
   /// its length: where a step fails for once depends on rounding, the division of the program does not. @returns false at the floor (the run must stop)
   bool rejected();
+  /// A step of that length, or up to the next instant to be hit, in place of those that failed.
+  void retry(double dt);
   /// Takes only a part of the present step (an event in it), 0 < fraction <= 1.
   void cut(double fraction) { m_state.dt *= fraction; }
 

@@ -14,8 +14,9 @@ namespace {
 constexpr double WARNED_ERROR = 0.08; // estimated error of the steps that is reported as a warning
 // An event step that failed so often is taken with the states inside the iteration.
 constexpr int MAX_TRIES = 5;
-constexpr int BEFORE_JUMP = 4;      // failures of a step before a jump is tried, if the script lets it, ...
-constexpr double SHORT_STEP = 1e-2; // ... or one failure of a step that is this part of the largest
+// Where no step is short enough: marches to the next equilibrium, and the length of the first over the largest step.
+constexpr int MARCHES = 3;
+constexpr double MARCH = 5e-3;
 
 } // namespace
 
@@ -85,10 +86,8 @@ template <int Dim> Task Stepper<Dim>::begin_step() {
     fail("Stepper",
          "scheme article with damage, expected implicit or event: pure rates never take off the force that a "
          "damaged point has lost");
-  if (m_options.events.jumps > 0 && m_body.workpiece().user_defined())
-    fail("Stepper", "jumps= with a law of the script, whose state cannot be taken back over several pieces");
   m_body.workpiece().set_step_length(m_control.dt());
-  m_tries = 0;
+  m_tries = m_marches = 0;
   return try_step();
 }
 
@@ -97,14 +96,18 @@ template <int Dim> void Stepper<Dim>::propose() {
   m_control.propose(std::max(contact_width(m_contact), narrow), contact_speed(m_contact));
 }
 
+// The state of a law of the script cannot be taken back over several pieces.
+template <int Dim> bool Stepper<Dim>::may_jump() const {
+  if (m_scheme == &m_jump) return m_marches < MARCHES;
+  return m_options.events.jumps > 0 && m_scheme == &m_implicit && !m_body.workpiece().user_defined() &&
+         m_contact.iteration().failure().states_contradict();
+}
+
 template <int Dim> Task Stepper<Dim>::try_step() {
-  const bool jumped = m_tries > 0 && m_scheme == &m_jump; // and was given up: a shorter step may need none
   m_scheme = &m_implicit;
   if (m_options.scheme == Scheme::EVENT && m_tries < MAX_TRIES) m_scheme = &m_event;
   if (m_options.scheme == Scheme::ARTICLE) m_scheme = &m_article;
-  const bool stuck =
-      m_tries >= BEFORE_JUMP || (m_tries > 0 && m_control.dt() < SHORT_STEP * m_control.options().dt_max);
-  if (m_options.events.jumps > 0 && m_scheme == &m_implicit && stuck && !jumped) m_scheme = &m_jump;
+  if (m_marches > 0) m_scheme = &m_jump;
   m_scheme->start(m_control.time(), m_control.dt());
   return ask(Task::PROGRAM, Phase::PROGRAM);
 }
@@ -156,7 +159,8 @@ template <int Dim> Task Stepper<Dim>::correct(Eigen::VectorXd& u, Eigen::VectorX
 }
 
 template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u, Eigen::VectorXd& R) {
-  if (!converged) m_last_rejection = burnish::reason(m_contact, m_diagnosis, known_workpiece(), m_refusal);
+  if (!converged && m_scheme != &m_jump) // why a march is given up is no reason for the step
+    m_last_rejection = burnish::reason(m_contact, m_diagnosis, known_workpiece(), m_refusal);
   m_refused = false;
   m_refusal.clear();
   switch (m_scheme->solved(converged, u, R)) {
@@ -167,9 +171,9 @@ template <int Dim> Task Stepper<Dim>::solved(bool converged, Eigen::VectorXd& u,
   case SchemeTask::ACCEPTED:
     return accepted();
   case SchemeTask::REJECTED:
-    if (converged)
-      m_last_rejection = m_refused_jump =
-          sentence("a jump to the next equilibrium dissipates more than jumps = ", m_options.events.jumps,
+    if (m_scheme == &m_jump && m_jump.refused())
+      m_refused_jump =
+          sentence("; a jump to the next equilibrium dissipates more than jumps = ", m_options.events.jumps,
                    " of the tools' work");
     break;
   }
@@ -203,8 +207,8 @@ template <int Dim> void Stepper<Dim>::warn_of_error() {
 
 template <int Dim> Task Stepper<Dim>::accepted() {
   const double t = m_control.time(), dt = m_control.dt(), part = m_scheme->reached() - t;
-  if (part < dt - SHORTEST_REST * dt) m_control.cut(part / dt);                // the rest of the step failed
-  if (part >= SHORT_STEP * m_control.options().dt_max) m_refused_jump.clear(); // it has gone on
+  if (part < dt - SHORTEST_REST * dt) m_control.cut(part / dt); // the rest of the step failed
+  m_refused_jump.clear();
   m_control.accepted();
   measure_step();
   m_counts.scheme.pileups += m_options.scheme == Scheme::EVENT && m_tries >= MAX_TRIES;
@@ -246,19 +250,23 @@ template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::Vector
   ++m_counts.rejected;
   ++m_tries;
   m_rejected_dt = m_control.dt();
+  const bool jumps = may_jump();
   m_body.revert();
   m_contact.revert();
   u = m_contact.accepted().u;
   R = m_contact.accepted().R;
-  if (m_control.rejected()) return try_step();
+  if (m_marches == 0 && m_control.rejected()) return try_step();
   if (m_scheme == &m_event) { // not without one try with the states inside the iteration
     m_tries = MAX_TRIES;
     propose();
     return try_step();
   }
+  if (jumps) {
+    m_control.retry(std::pow(0.5, m_marches++) * MARCH * m_control.options().dt_max);
+    return try_step();
+  }
   m_at_floor = true;
-  const bool told = m_refused_jump.empty() || m_refused_jump == m_last_rejection;
-  stop(told ? m_last_rejection : m_refused_jump + "; without a jump: " + m_last_rejection);
+  stop(m_last_rejection + m_refused_jump);
   return end(u, R);
 }
 

@@ -125,6 +125,7 @@ private:
   void warn_of_error();
   Task ask(Task task, Phase phase);
   Task try_step();
+  bool may_jump() const;
   Task ask_forces();
   Task begin_solve(Eigen::VectorXd& u);
   Task check(Eigen::VectorXd& u, Eigen::VectorXd& R);
@@ -151,7 +152,7 @@ private:
   ArticleScheme<Dim> m_article;
   StepScheme<Dim>* m_scheme; // of the present try
   Phase m_phase = Phase::STEP;
-  int m_tries = 0, m_iteration = 0;
+  int m_tries = 0, m_marches = 0, m_iteration = 0;
   int m_made = 0; // iterations of this equilibrium at its last check
   bool m_refused = false, m_stopped = false, m_at_floor = false, m_halted = false;
   std::string m_refusal, m_reason, m_last_rejection;

@@ -1,11 +1,12 @@
 // Jumps to equilibria that were not near: what their viscosity has dissipated (ALGORITHMS.md 9.4).
 #include "base/sentence.hpp"
 #include "diagnosis/observers.hpp"
+#include <iomanip>
 
 namespace burnish {
 namespace {
 
-constexpr Bounds JUMPS{0.01, 0.05}; // dissipated by jumps over the tools' work
+constexpr Bounds JUMPS{0, 0.05}; // dissipated by jumps over the tools' work
 
 template <int Dim> class Jumps final : public ObserverOf<Jumps<Dim>, Dim> {
 public:
@@ -15,9 +16,10 @@ public:
     findings.largest("jumps", part);
     Finding* finding = findings.beyond("jumps", "", part, JUMPS, step.t);
     if (finding)
-      finding->text = sentence("jumps to equilibria that were not near have dissipated ", part,
-                               " of the tools' work, t = ", step.t,
-                               ": what is computed behind them depends on how the body got there");
+      finding->text = sentence(
+          "the workpiece has jumped to an equilibrium that was not near, events \"jump\": they take ",
+          std::setprecision(2), 100 * part, " % of the tools' work, t = ", step.t,
+          ": what follows depends on how it got there; jumps=0 of stepcontrol stops instead");
   }
 };
 
