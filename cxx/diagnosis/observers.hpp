@@ -36,6 +36,7 @@
   X(turning_slip)                                                                                            \
   X(smooth_vertices)                                                                                         \
   X(held_across)                                                                                             \
+  X(wedged_friction)                                                                                         \
   X(damage_under_force)                                                                                      \
   X(jumps)
 
