@@ -16,10 +16,10 @@ public:
     findings.largest("jumps", part);
     Finding* finding = findings.beyond("jumps", "", part, JUMPS, step.t);
     if (finding)
-      finding->text = sentence(
-          "the workpiece has jumped to an equilibrium that was not near, events \"jump\": they take ",
-          std::setprecision(2), 100 * part, " % of the tools' work, t = ", step.t,
-          ": what follows depends on how it got there; jumps=0 of stepcontrol stops instead");
+      finding->text =
+          sentence("the workpiece has jumped, events \"jump\", to equilibria that were not near: this takes ",
+                   std::setprecision(2), 100 * part, " % of the tools' work, t = ", step.t,
+                   ": what follows depends on how it got there; jumps=0 of stepcontrol stops instead");
   }
 };
 
