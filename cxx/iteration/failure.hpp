@@ -76,8 +76,9 @@ struct Failure {
   bool not_converged() const { return cause >= Cause::NO_BALANCE && cause <= Cause::WEDGED; }
   /// States of contact contradict the forces, however short the step: it may have no equilibrium near.
   bool states_contradict() const {
-    return cause == Cause::TOO_LITTLE_FRICTION || cause == Cause::CYCLE || cause == Cause::WEDGED ||
-           cause == Cause::BODY_JUMP;
+    const bool to_and_fro = cause == Cause::NO_BALANCE && last.inconsistent > 0 && !last.moves_on;
+    return to_and_fro || cause == Cause::TOO_LITTLE_FRICTION || cause == Cause::CYCLE ||
+           cause == Cause::WEDGED || cause == Cause::BODY_JUMP;
   }
   /// A limit load, or a loss of stability.
   bool limit_load() const {

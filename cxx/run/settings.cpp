@@ -74,7 +74,7 @@ const std::vector<Setting>& table() { // made when first used: FreeFEM's names o
    "events this close to the earliest one are taken with it, fraction of the step", AT(stepper.events.event_tolerance)},
   {"eventnoise", "stepcontrol", "-", "9.2", "1e-4", POSITIVE,
    "stress that the residual's tolerance leaves, over the yield stress (event steps)", AT(stepper.events.event_noise)},
-  {"jumps", "stepcontrol", "-", "9.4", "0.01", BELOW_ONE,
+  {"jumps", "stepcontrol", "-", "9.4", "0.05", BELOW_ONE,
    "implicit: where no equilibrium is near, the body jumps to the next one; the largest part of the tools' work that jumps may "
    "dissipate, 0: none are made, as with a law of the script", AT(stepper.events.jumps)},
   {"maxpieces", "stepcontrol", "-", "9.3", "100", COUNT,

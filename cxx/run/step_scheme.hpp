@@ -21,7 +21,7 @@ struct SchemeOptions {
       1e-3; ///< events this close to the earliest one are taken with it, fraction of the step
   double event_noise =
       1e-4;             ///< stress that the residual's tolerance leaves, over the yield stress (event steps)
-  double jumps = 0.01;  ///< largest part of the drives' work that jumps may dissipate; 0: none are made
+  double jumps = 0.05;  ///< largest part of the drives' work that jumps may dissipate; 0: none are made
   int max_pieces = 100; ///< article: pieces of a step between events; the rest is then taken blindly
   int max_retries = 4;  ///< article: changes of state at one instant; a blind piece leads away from there
 };

@@ -14,7 +14,7 @@ namespace {
 constexpr double WARNED_ERROR = 0.08; // estimated error of the steps that is reported as a warning
 // An event step that failed so often is taken with the states inside the iteration.
 constexpr int MAX_TRIES = 5;
-// Where no step is short enough: marches to the next equilibrium, and the length of the first over the largest step.
+// Marches to the next equilibrium: at most so many in a step, and the length of the first over the largest step.
 constexpr int MARCHES = 3;
 constexpr double MARCH = 5e-3;
 
@@ -98,7 +98,7 @@ template <int Dim> void Stepper<Dim>::propose() {
 
 // The state of a law of the script cannot be taken back over several pieces.
 template <int Dim> bool Stepper<Dim>::may_jump() const {
-  if (m_scheme == &m_jump) return m_marches < MARCHES;
+  if (m_marches == MARCHES || m_scheme == &m_jump) return m_marches < MARCHES;
   return m_options.events.jumps > 0 && m_scheme == &m_implicit && !m_body.workpiece().user_defined() &&
          m_contact.iteration().failure().states_contradict();
 }
@@ -107,7 +107,10 @@ template <int Dim> Task Stepper<Dim>::try_step() {
   m_scheme = &m_implicit;
   if (m_options.scheme == Scheme::EVENT && m_tries < MAX_TRIES) m_scheme = &m_event;
   if (m_options.scheme == Scheme::ARTICLE) m_scheme = &m_article;
-  if (m_marches > 0) m_scheme = &m_jump;
+  return begin_try();
+}
+
+template <int Dim> Task Stepper<Dim>::begin_try() {
   m_scheme->start(m_control.time(), m_control.dt());
   return ask(Task::PROGRAM, Phase::PROGRAM);
 }
@@ -255,14 +258,17 @@ template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::Vector
   m_contact.revert();
   u = m_contact.accepted().u;
   R = m_contact.accepted().R;
-  if (m_marches == 0 && m_control.rejected()) return try_step();
+  const bool shorter = m_control.rejected(), marches = m_scheme == &m_jump;
+  if (jumps && (marches || !shorter)) {
+    if (!marches) m_control.retry(MARCH * m_control.options().dt_max);
+    ++m_marches;
+    m_scheme = &m_jump;
+    return begin_try();
+  }
+  if (shorter) return try_step();
   if (m_scheme == &m_event) { // not without one try with the states inside the iteration
     m_tries = MAX_TRIES;
     propose();
-    return try_step();
-  }
-  if (jumps) {
-    m_control.retry(std::pow(0.5, m_marches++) * MARCH * m_control.options().dt_max);
     return try_step();
   }
   m_at_floor = true;

@@ -125,6 +125,7 @@ private:
   void warn_of_error();
   Task ask(Task task, Phase phase);
   Task try_step();
+  Task begin_try();
   bool may_jump() const;
   Task ask_forces();
   Task begin_solve(Eigen::VectorXd& u);
