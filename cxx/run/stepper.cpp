@@ -98,7 +98,7 @@ template <int Dim> void Stepper<Dim>::propose() {
 
 // The state of a law of the script cannot be taken back over several pieces.
 template <int Dim> bool Stepper<Dim>::may_jump() const {
-  if (m_marches == MARCHES || m_scheme == &m_jump) return m_marches < MARCHES;
+  if (m_scheme == &m_jump) return m_marches < MARCHES;
   return m_options.events.jumps > 0 && m_scheme == &m_implicit && !m_body.workpiece().user_defined() &&
          m_contact.iteration().failure().states_contradict();
 }
@@ -252,14 +252,14 @@ template <int Dim> std::vector<Statement> Stepper<Dim>::report() const {
 template <int Dim> Task Stepper<Dim>::rejected(Eigen::VectorXd& u, Eigen::VectorXd& R) {
   ++m_counts.rejected;
   ++m_tries;
-  m_rejected_dt = m_control.dt();
-  const bool jumps = may_jump();
+  const bool jumps = may_jump(), marches = m_scheme == &m_jump;
+  if (!marches) m_rejected_dt = m_control.dt();
   m_body.revert();
   m_contact.revert();
   u = m_contact.accepted().u;
   R = m_contact.accepted().R;
-  const bool shorter = m_control.rejected(), marches = m_scheme == &m_jump;
-  if (jumps && (marches || !shorter)) {
+  const bool shorter = m_control.rejected() && !marches;
+  if (jumps && !shorter) {
     if (!marches) m_control.retry(MARCH * m_control.options().dt_max);
     ++m_marches;
     m_scheme = &m_jump;
