@@ -21,12 +21,13 @@ bool is_dead_load(const PrescribedValues& prescribed, Eigen::Index k) {
   return !prescribed.is_motion[static_cast<std::size_t>(k)] && !formula;
 }
 
-// The last point that lies PART of the way or more behind the last one; null: the curve is too short.
+// The last point that lies PART of the way or more behind the last one, on the way: near a limit the coordinate may go back by
+// what the tolerance leaves. Null: the curve is too short.
 const DrivePoint* part_before(const std::vector<DrivePoint>& curve) {
   if (curve.size() < 3) return nullptr;
-  const double way = std::abs(curve.back().q - curve.front().q);
+  const double way = curve.back().q - curve.front().q;
   for (std::size_t i = curve.size() - 1; i-- > 1;)
-    if (std::abs(curve.back().q - curve[i].q) >= PART * way) return &curve[i];
+    if ((curve.back().q - curve[i].q) * way >= PART * way * way) return &curve[i];
   return nullptr;
 }
 

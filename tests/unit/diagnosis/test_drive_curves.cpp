@@ -80,6 +80,15 @@ TEST(DriveCurves, ForceAtItsMaximum) {
   EXPECT_NE(text.find("the workpiece gives way"), std::string::npos) << text;
 }
 
+// The last step goes back by more than the part of the way that is looked at, as the tolerance of the residual allows there.
+TEST(DriveCurves, MaximumWhereTheLastStepGoesBack) {
+  Press press;
+  press.down(hump, 0.99, 99);
+  press.step(Y, 1 - 0.98, -hump(0.99) - 1e-6, 1);
+  const std::string text = press.asked(-1.1);
+  EXPECT_NE(text.find("over the last 1.02041 % of its way"), std::string::npos) << text;
+}
+
 // A contact force that still grows: the mechanism is the cause.
 TEST(DriveCurves, DeadCenter) {
   const std::string text = Press().down(hump, 0.98, 49, 3).asked(-1.1);
