@@ -10,7 +10,7 @@
 //     sigY=     initial yield stress | stress | required, unless by formula or table | finite > 0
 //     H=        hardening modulus, 0: perfect plasticity, < 0: softening | stress | required with "linear" | finite
 //     hardening=   "linear": sigY + H*ep; "perfect": sigY; any other text: a formula in ep | stress | "linear" |
-//       as "193e6*(1 + ep/0.002)^0.2"
+//       as "193e6*(1 + ep/0.002)^0.2"; of "200 + 400*ep^0.3", whose slope at 0 is infinite, the chord up to ep = 1e-5
 //     plasticstrain=   table of the yield stress, straight between, constant behind: its plastic strains | - | none | 0, then
 //       growing
 //     yieldstress=   its yield stresses | stress | none | > 0, not falling without softening=true

@@ -9,9 +9,20 @@ namespace {
 class FormulaHardening final : public HardeningLaw {
 public:
   FormulaHardening(const std::string& what, const std::string& text)
-      : m_value(what, text, {{"ep"}, {}}), m_slope(m_value.derivative(0)) {}
-  /// @throws FormulaDomainError quoting the formula where it has no finite value or slope
+      : m_value(what, text, {{"ep"}, {}}), m_slope(m_value.derivative(0)) {
+    const double nothing = 0;
+    m_start.value = m_value(&nothing);
+    try {
+      m_start.slope = m_slope(&nothing);
+    } catch (const FormulaDomainError&) {
+      m_chord = STEEP_START;
+      m_start.slope = (m_value(&STEEP_START) - m_start.value) / STEEP_START;
+    }
+  }
+  /// @throws FormulaDomainError quoting the formula where it has no finite value, or no finite slope beyond the start
   YieldStress checked(double plastic_strain_eq) const {
+    if (plastic_strain_eq < m_chord)
+      return {m_start.value + m_start.slope * plastic_strain_eq, m_start.slope};
     return {m_value(&plastic_strain_eq), m_slope(&plastic_strain_eq)};
   }
 
@@ -27,6 +38,8 @@ private:
     return {NOT_A_NUMBER, NOT_A_NUMBER};
   }
   Formula m_value, m_slope;
+  YieldStress m_start; // of ep = 0
+  double m_chord = 0;  // where its straight line ends, 0: there is none
 };
 
 } // namespace

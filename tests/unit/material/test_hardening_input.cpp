@@ -37,13 +37,31 @@ TEST(FormulaHardening, ValueAndExactSlope) {
   EXPECT_EQ(formula("5e6")->at(0.3).slope, 0);
 }
 
+// Ludwik, Johnson and Cook: an infinite slope at the start; returns of any size end on the law.
+TEST(FormulaHardening, SteepStart) {
+  const auto ludwik = formula("50e6 + 100e6*ep^0.2");
+  EXPECT_EQ(ludwik->at(0).value, 50e6);
+  EXPECT_NEAR(ludwik->at(0).slope, 100e6 * std::pow(STEEP_START, -0.8), 1);
+  for (double ep : {STEEP_START, 1e-4, 0.05, 3.}) {
+    EXPECT_NEAR(ludwik->at(ep).value / (50e6 + 100e6 * std::pow(ep, 0.2)), 1, 1e-14);
+    EXPECT_NEAR(ludwik->at(ep).slope / (20e6 * std::pow(ep, -0.8)), 1, 1e-13);
+  }
+  const double below = STEEP_START * (1 - 1e-9);
+  EXPECT_NEAR(ludwik->at(below).value / ludwik->at(STEEP_START).value, 1, 1e-9) << "continuous";
+  for (double excess : {1e-9, 1e-3, 0.1, 1., 10.}) {
+    const double q = 50e6 * (1 + excess), x = local_solve(*ludwik, 0, q, 2e11, excess);
+    EXPECT_NEAR(q - 2e11 * x, ludwik->at(x).value, 1e-13 * q);
+  }
+}
+
 TEST(FormulaHardening, Errors) {
   expect_invalid([] { formula("193e6*(1 + eps)"); }, "eps");
   expect_invalid([] { formula("193e6*(1 + eps)"); }, "here: hardening \"193e6*(1 + eps)\"");
   expect_invalid([] { formula("2*("); }, "here: hardening");
   expect_invalid([] { formula("-1 - ep"); }, "here: yield stress at ep = 0 = -1, expected finite > 0");
   expect_invalid([] { formula("1/ep"); }, "ep = 0");
-  expect_invalid([] { formula("1 + ep^0.3"); }, "ep = 0"); // infinite slope at the start
+  expect_invalid([] { formula("1 + log(ep)"); }, "ep = 0");
+  expect_invalid([] { formula("1 - ep^0.3"); }, "here: slope of the yield stress = -3162.28 at ep = 0");
   expect_invalid([] { formula("2 - 3*ep"); },
                  "here: slope of the yield stress = -3 at ep = 0, expected >= 0: with");
   expect_invalid([] { formula("2 + sin(8*ep)"); }, "softening=true runs it all the same");
