@@ -111,7 +111,10 @@ struct Factorize {
       auto& object = contact.with_material(material->get(), "contact.factorize");
       contact.material = material->share();
       contact.take_solver(a.text("solver", ""), a.stack(), "contact.factorize");
-      return factorize_tangent(contact.run(), object.workpiece(), dofs(contact, u, "contact.factorize", "u"));
+      Eigen::VectorXd v = dofs(contact, u, "contact.factorize", "u");
+      const bool done = take_tangent(contact.run(), object.workpiece(), v);
+      to_array(v, u, "contact.factorize");
+      return done;
     });
   }
   static bool of_matrix(const Named& a, Method<ContactHandle, FactorizeTag> m, Matrice_Creuse<double>* K,

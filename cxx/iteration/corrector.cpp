@@ -176,6 +176,11 @@ FactorStatus Corrector<Dim>::factorize_held(const NodeBlockMatrix<Dim>& K, const
   return solve_window(problem).unstable ? FactorStatus::NOT_POSITIVE_DEFINITE : FactorStatus::OK;
 }
 
+template <int Dim> void Corrector<Dim>::measure(const NodeBlockMatrix<Dim>& K) {
+  m_iteration.balance().memory().rounding = rounding_of_forces(K, m_iteration.body().X);
+  drop_factor();
+}
+
 template <int Dim> double Corrector<Dim>::compliance() const {
   if (!m_has_factor || !m_tangent->flexibility) return 0;
   return m_tangent->flexibility->diagonal().maxCoeff();

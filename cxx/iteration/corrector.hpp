@@ -30,10 +30,13 @@ public:
   /// One iteration: two back-substitutions and the dense contact block; moves u and the state.
   StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   void drop_factor() { m_has_factor = false; }
+  /// Of a tangent that another one solves with: takes what rounding leaves of its forces, and drops the factor.
+  void measure(const NodeBlockMatrix<Dim>& K);
   /// From now on factors serve steps to come: their matrices are kept, so that a run can go on from a file.
   void keep_matrices() { m_keeps_matrices = true; }
   /// Whose solver factors the tangents to come; empty: SchurFactor. The factor that there is is dropped.
   void set_solver(std::function<std::unique_ptr<BodySolver<Dim>>()> make);
+  bool own_solver() const { return !m_make_solver; } ///< the core's
   /// Ends the mixing, whose vectors need not lie beside a tangent that is assembled.
   void forget_mixing() { m_mixer.clear(); }
   /// The step is accepted: the factor is a step older.

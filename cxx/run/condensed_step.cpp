@@ -1,8 +1,12 @@
 #include "run/condensed_step.hpp"
+#include "base/cpu_time.hpp"
 #include "base/error.hpp"
+#include "base/stop_request.hpp"
 #include "contact/idle_combinations.hpp"
 #include "contact/slip_direction.hpp"
 #include "contact/slip_motion.hpp"
+#include "solver/fill_ordering.hpp"
+#include <algorithm>
 
 namespace burnish {
 
@@ -19,6 +23,11 @@ CondensedStep<Dim>::CondensedStep(Iteration<Dim>& iteration, BodyLoads<Dim>& loa
                                   const ContactState<Dim>& start)
     : m_iteration(iteration), m_loads(loads), m_step(step), m_start(start), m_way(iteration),
       m_condensation(iteration.model(), iteration.body()) {}
+
+template <int Dim> void CondensedStep<Dim>::begin() {
+  m_way.begin();
+  m_solver = UnsymmetricSolver();
+}
 
 template <int Dim>
 const CondensedSystem& CondensedStep<Dim>::condense(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& u,
@@ -57,6 +66,45 @@ template <int Dim> double CondensedStep<Dim>::expand(const Eigen::VectorXd& z, E
     m_way.advance(increment, u);
   }
   return increment.du.cwiseAbs().maxCoeff();
+}
+
+template <int Dim> bool CondensedStep<Dim>::pays(const std::function<NodeBlockMatrix<Dim>()>& pattern) {
+  constexpr double LEAST = 300; // nodes in contact: of fewer the fill is not counted
+  constexpr double FROM =
+      Dim == 2 ? 200 : 80; // their cube over the numbers in a factor of K, where both cost the same
+  const auto& nodes = m_iteration.state().nodes;
+  const auto touching = static_cast<double>(
+      std::count_if(nodes.begin(), nodes.end(), [](const auto& node) { return in_contact(node.state); }));
+  if (touching < LEAST) return false;
+  if (m_fill == 0) {
+    const NodeBlockMatrix<Dim> K = pattern();
+    m_fill = Dim * Dim * factor_fill({K.row_start, K.col}, usual_ordering<Dim>);
+  }
+  return touching * touching * touching > FROM * m_fill;
+  return touching * touching * touching > FROM * m_fill;
+}
+
+template <int Dim>
+bool CondensedStep<Dim>::iterate(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& R,
+                                 Eigen::VectorXd& u) {
+  IterationCounts& counts = m_iteration.counts();
+  do {
+    const CondensedSystem& system =
+        condense(K, u, R, m_iteration.options().terms, RightHandSide::TOTAL, false);
+    Eigen::VectorXd z;
+    {
+      const CpuTimer timer(counts.factorization_seconds);
+      ++counts.factorizations;
+      const SparseView view{system.n, system.row_start.data(), system.col.data(), system.value.data(), false};
+      if (m_solver.factorize(view) != FactorStatus::OK) {
+        m_way.begin();
+        return false;
+      }
+      z = m_solver.solve(system.rhs);
+    }
+    expand(z, u);
+  } while (again() && !stop_asked());
+  return true;
 }
 
 template <int Dim> void CondensedStep<Dim>::cut(Eigen::VectorXd& u, double fraction) {

@@ -21,6 +21,24 @@ bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece
   return false;
 }
 
+template <int Dim>
+bool take_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece, Eigen::VectorXd& u) {
+  Iteration<Dim>& iteration = contact.iteration();
+  CondensedStep<Dim>& condensed = contact.condensed();
+  const bool may = contact.step().stepping == Stepping::IMPLICIT && contact.corrector().own_solver();
+  const auto pays = [&] {
+    if (iteration.number() > 0) return iteration.policy().condensed();
+    return condensed.pays([&] { return workpiece.pattern(); });
+  };
+  if (!may || !pays()) return factorize_tangent(contact, workpiece, u);
+  NodeBlockMatrix<Dim> K = workpiece.pattern();
+  workpiece.tangent(K, TangentKind::CONSISTENT, iteration.policy().elastic_blend());
+  contact.corrector().measure(K);
+  return condensed.iterate(K, workpiece.internal_force(), u) || factorize_tangent(contact, workpiece, u);
+}
+
+template bool take_tangent<2>(ContactRun<2>&, const Workpiece<2>&, Eigen::VectorXd&);
+template bool take_tangent<3>(ContactRun<3>&, const Workpiece<3>&, Eigen::VectorXd&);
 template bool factorize_tangent<2>(ContactRun<2>&, const Workpiece<2>&, const Eigen::VectorXd&);
 template bool factorize_tangent<3>(ContactRun<3>&, const Workpiece<3>&, const Eigen::VectorXd&);
 

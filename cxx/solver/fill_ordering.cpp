@@ -62,14 +62,10 @@ cholmod_sparse pattern_of(Graph& upper) {
   return matrix;
 }
 
-} // namespace
-
-std::vector<int> fill_reducing_order(const Graph& graph, Ordering ordering) {
-  const int n = graph.size();
-  if (n == 0) return {};
+/// Order of elimination in its Perm, and in lnz of the common object what its factor would hold. Not for an empty graph.
+cholmod_factor* analyzed(const Graph& graph, Ordering ordering, CholmodCommon& common) {
   Graph upper = upper_triangle(graph);
   cholmod_sparse matrix = pattern_of(upper);
-  CholmodCommon common;
   common->supernodal = CHOLMOD_SIMPLICIAL;
   common->postorder = 1;
   common->method[0].ordering = ordering == Ordering::METIS ? CHOLMOD_METIS : CHOLMOD_AMD;
@@ -79,10 +75,27 @@ std::vector<int> fill_reducing_order(const Graph& graph, Ordering ordering) {
     factor = cholmod_analyze(&matrix, common.get());
   }
   if (!factor) common.check("fill_reducing_order");
+  return factor;
+}
+
+} // namespace
+
+std::vector<int> fill_reducing_order(const Graph& graph, Ordering ordering) {
+  if (graph.size() == 0) return {};
+  CholmodCommon common;
+  cholmod_factor* factor = analyzed(graph, ordering, common);
   const int* perm = static_cast<const int*>(factor->Perm);
-  std::vector<int> order(perm, perm + n);
+  std::vector<int> order(perm, perm + graph.size());
   cholmod_free_factor(&factor, common.get());
   return order;
+}
+
+double factor_fill(const Graph& graph, Ordering ordering) {
+  if (graph.size() == 0) return 0;
+  CholmodCommon common;
+  cholmod_factor* factor = analyzed(graph, ordering, common);
+  cholmod_free_factor(&factor, common.get());
+  return common->lnz;
 }
 
 // METIS would take halves that differ by a fifth, where the separator is smaller: the busier rank decides.

@@ -28,6 +28,10 @@ template <> inline constexpr Ordering usual_ordering<2> = Ordering::AMD;
 /// @throws std::bad_alloc, std::runtime_error on a CHOLMOD error (a neighbor out of range)
 std::vector<int> fill_reducing_order(const Graph& graph, Ordering ordering);
 
+/// Numbers in the triangular factor of a matrix of that graph in that order, one a vertex and one an edge, filled ones too.
+/// @throws as fill_reducing_order
+double factor_fill(const Graph& graph, Ordering ordering);
+
 /// An order of elimination of a body that two ranks may divide.
 struct EliminationOrder {
   std::vector<int> order; ///< order[k] = vertex eliminated at k
