@@ -87,6 +87,7 @@ template <int Dim> bool CondensedStep<Dim>::pays(const std::function<NodeBlockMa
 template <int Dim>
 bool CondensedStep<Dim>::iterate(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& R,
                                  Eigen::VectorXd& u) {
+  constexpr double SINGULAR = 1e-10; // of pivots: bodies that are held have 1e-7 and more, others 1e-14
   IterationCounts& counts = m_iteration.counts();
   do {
     const CondensedSystem& system =
@@ -96,7 +97,7 @@ bool CondensedStep<Dim>::iterate(const NodeBlockMatrix<Dim>& K, const Eigen::Vec
       const CpuTimer timer(counts.factorization_seconds);
       ++counts.factorizations;
       const SparseView view{system.n, system.row_start.data(), system.col.data(), system.value.data(), false};
-      if (m_solver.factorize(view) != FactorStatus::OK) {
+      if (m_solver.factorize(view) != FactorStatus::OK || m_solver.rcond() < SINGULAR) {
         m_way.begin();
         return false;
       }

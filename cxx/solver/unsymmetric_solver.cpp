@@ -23,6 +23,7 @@ struct UnsymmetricSolver::Impl {
   void* symbolic = nullptr;
   void* numeric = nullptr;
   int analyses = 0;
+  double rcond = 0;
 
   Impl() = default;
   ~Impl() {
@@ -103,8 +104,10 @@ FactorStatus UnsymmetricSolver::factorize(const SparseView& matrix) {
   if (!impl.pattern.matches(matrix)) impl.analyze(matrix);
   check_values(where, matrix);
   for (std::size_t k = 0; k < impl.slot.size(); ++k) impl.value[k] = matrix.value[impl.slot[k]];
+  double info[UMFPACK_INFO];
   const int status = umfpack_di_numeric(impl.start.data(), impl.index.data(), impl.value.data(),
-                                        impl.symbolic, &impl.numeric, nullptr, nullptr);
+                                        impl.symbolic, &impl.numeric, nullptr, info);
+  impl.rcond = info[UMFPACK_RCOND];
   if (status == UMFPACK_WARNING_singular_matrix) {
     umfpack_di_free_numeric(&impl.numeric);
     return FactorStatus::SINGULAR;
@@ -121,6 +124,7 @@ Eigen::VectorXd UnsymmetricSolver::solve_transposed(const Eigen::VectorXd& b) co
   return m_impl->solve("UnsymmetricSolver::solve_transposed", UMFPACK_A, b);
 }
 
+double UnsymmetricSolver::rcond() const { return m_impl->rcond; }
 int UnsymmetricSolver::analyses() const { return m_impl->analyses; }
 
 } // namespace burnish

@@ -25,6 +25,8 @@ public:
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   /// x = A'^-1 b, errors as solve.
   Eigen::VectorXd solve_transposed(const Eigen::VectorXd& b) const;
+  double rcond()
+      const; ///< least over largest pivot of the last factor: a rough reciprocal condition, 0 of a singular matrix
   int analyses() const; ///< symbolic analyses since construction
 
 private:

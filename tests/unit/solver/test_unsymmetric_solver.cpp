@@ -34,6 +34,17 @@ TEST(UnsymmetricSolver, GeneralMatrixAndItsTranspose) {
   expect_solves(solver, full, sample::sparse(full));
 }
 
+TEST(UnsymmetricSolver, RatioOfThePivots) {
+  Eigen::MatrixXd full = Eigen::Vector3d(2, 8, 4).asDiagonal();
+  UnsymmetricSolver solver;
+  EXPECT_EQ(solver.rcond(), 0);
+  ASSERT_EQ(solver.factorize(sample::sparse(full).view()), FactorStatus::OK);
+  EXPECT_GT(solver.rcond(), 0.1);
+  full << 1, 1, 0, 1, 1 + 1e-14, 0, 0, 0, 1;
+  ASSERT_EQ(solver.factorize(sample::sparse(full).view()), FactorStatus::OK);
+  EXPECT_LT(solver.rcond(), 1e-12);
+}
+
 TEST(UnsymmetricSolver, EitherTriangleOfASymmetricMatrix) {
   const Eigen::MatrixXd full = sample::symmetric_matrix();
   UnsymmetricSolver solver;
