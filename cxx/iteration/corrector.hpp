@@ -30,6 +30,7 @@ public:
   /// One iteration: two back-substitutions and the dense contact block; moves u and the state.
   StepStatus correct(Eigen::VectorXd& u, const Eigen::VectorXd& R);
   void drop_factor() { m_has_factor = false; }
+  bool has_factor() const { return m_has_factor; }
   /// Of a tangent that another one solves with: takes what rounding leaves of its forces, and drops the factor.
   void measure(const NodeBlockMatrix<Dim>& K);
   /// From now on factors serve steps to come: their matrices are kept, so that a run can go on from a file.

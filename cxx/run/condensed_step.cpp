@@ -81,7 +81,6 @@ template <int Dim> bool CondensedStep<Dim>::pays(const std::function<NodeBlockMa
     m_fill = Dim * Dim * factor_fill({K.row_start, K.col}, usual_ordering<Dim>);
   }
   return touching * touching * touching > FROM * m_fill;
-  return touching * touching * touching > FROM * m_fill;
 }
 
 template <int Dim>

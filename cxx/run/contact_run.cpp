@@ -262,6 +262,8 @@ template <int Dim> StepStatus ContactRun<Dim>::check(Eigen::VectorXd& u, const E
 
 template <int Dim> StepStatus ContactRun<Dim>::correct(Eigen::VectorXd& u, const Eigen::VectorXd& R) {
   m_step.require_checked("contact.correct");
+  if (m_iteration.policy().condensed() && !m_corrector.has_factor())
+    return StepStatus::ITERATE; // take_tangent has made it
   try {
     return m_corrector.correct(u, m_loads.residual(u, m_step.end(), R));
   } catch (const FormulaDomainError& error) {

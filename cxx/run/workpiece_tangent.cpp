@@ -3,8 +3,9 @@
 
 namespace burnish {
 
-template <int Dim>
-bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece, const Eigen::VectorXd& u) {
+namespace {
+
+template <int Dim> void require_alike(const ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece) {
   const Mesh<Dim>& mesh = contact.setup().mesh();
   const int size = workpiece.discretization().num_dofs();
   require(size == mesh.num_dofs(), "contact.factorize", "degrees of freedom of the material", size,
@@ -12,6 +13,13 @@ bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece
   if (workpiece.discretization().axisymmetric != mesh.axisymmetric)
     fail("contact.factorize",
          "material and contact disagree: give axisymmetric= to both rcMaterial and rcContact");
+}
+
+} // namespace
+
+template <int Dim>
+bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece, const Eigen::VectorXd& u) {
+  require_alike(contact, workpiece);
   contact.corrector().forget_mixing();
   do {
     NodeBlockMatrix<Dim> K = workpiece.pattern();
@@ -23,6 +31,7 @@ bool factorize_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece
 
 template <int Dim>
 bool take_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece, Eigen::VectorXd& u) {
+  require_alike(contact, workpiece);
   Iteration<Dim>& iteration = contact.iteration();
   CondensedStep<Dim>& condensed = contact.condensed();
   const bool may = contact.step().stepping == Stepping::IMPLICIT && contact.corrector().own_solver();
