@@ -12,9 +12,10 @@
 //     u         displacement, may be moved | length
 //     R         nodal forces, internal - external | force
 //     ! no step is under way, call begin first
-//   C.factorize(M, u)   factorizes the tangent for the next iterations; false: it cannot be done
+//   C.factorize(M, u)   factorizes the tangent for the next iterations; of a material with many nodes in contact it makes the next
+//       iteration itself (ALGORITHMS.md 8.8), C.correct then has nothing to do; false: it cannot be done
 //     M         a material, its own tangent; or a matrix, symmetric unless the solver takes any
-//     u         displacement | length
+//     u         displacement; moved by an iteration | length
 //     solver=   solver of FreeFEM that keeps the factor: "UMFPACK", "CHOLMOD", ... | | "", the core's own | a solver that is loaded
 //     ! unknown solver
 //   C.correct(u, R)   one iteration: moves u, slips, coordinates and contact states; returns a status
