@@ -9,6 +9,9 @@ extern "C" {
 void dtrsm_(const char* side, const char* triangle, const char* transposed, const char* unit, const int* rows,
             const int* columns, const double* scale, const double* a, const int* lda, double* b,
             const int* ldb, std::size_t, std::size_t, std::size_t, std::size_t);
+void dgemm_(const char* transposed, const char* other, const int* rows, const int* columns, const int* inner,
+            const double* scale, const double* a, const int* lda, const double* b, const int* ldb,
+            const double* kept, double* c, const int* ldc, std::size_t, std::size_t);
 void dpotrf_(const char* triangle, const int* n, double* a, const int* lda, int* info, std::size_t);
 void dtrtri_(const char* triangle, const char* unit, const int* n, double* a, const int* lda, int* info,
              std::size_t, std::size_t);
@@ -99,6 +102,20 @@ Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& A, const Eigen::Matrix
   if (A.rows() < LARGE_BLOCK) return A.transpose() * B;
   const Eigen::SparseMatrix<double> sparse = A.sparseView();
   return sparse.transpose() * B;
+}
+
+void multiply(const MatrixPart& A, bool transposed, const Eigen::MatrixXd& B, Eigen::MatrixXd& C) {
+  const int rows = number(C.rows()), columns = number(C.cols()), inner = number(B.rows());
+  const double one = 1, none = 0;
+  if (C.size() == 0) return;
+  dgemm_(transposed ? "T" : "N", "N", &rows, &columns, &inner, &one, A.values, &A.stride, B.data(), &inner,
+         &none, C.data(), &rows, 1, 1);
+}
+
+void solve_lower(const MatrixPart& L, Eigen::MatrixXd& X) {
+  const int rows = number(X.rows()), columns = number(X.cols());
+  const double one = 1;
+  dtrsm_("L", "L", "N", "N", &rows, &columns, &one, L.values, &L.stride, X.data(), &rows, 1, 1, 1, 1);
 }
 
 bool solve_regular(const Eigen::MatrixXd& A, double least, Eigen::VectorXd& x) {

@@ -21,6 +21,17 @@ Eigen::MatrixXd inverse_from_cholesky(const Eigen::MatrixXd& L, Eigen::Index n);
 /// A' B; where A is large it is taken for mostly zeros. @param A [n x rows] @param B [n x columns]
 Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
+/// A dense matrix within a larger one, column by column.
+struct MatrixPart {
+  const double* values;
+  int rows, columns, stride; ///< stride: from one column to the next
+};
+/// C = A B or A' B. @param B and C, which is as large as the product, are whole
+void multiply(const MatrixPart& A, bool transposed, const Eigen::MatrixXd& B, Eigen::MatrixXd& C);
+
+/// X = L^-1 X, of any number of columns. @param L lower triangle, as many rows as X has
+void solve_lower(const MatrixPart& L, Eigen::MatrixXd& X);
+
 /// x = A^-1 x, by rows' pivots. @returns false if a pivot is 0 or the reciprocal of A's condition number (estimated, in the norm of
 /// column sums) is no more than `least` [-]; x is as it was then
 /// @param A [n x n] @param x [n]

@@ -34,7 +34,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char MAGIC[8] = {'B', 'u', 'r', 'n', 'i', 's', 'h', '\n'};
-constexpr std::uint32_t FORMAT = 3, BYTE_ORDER_MARK = 0x01020304, TURNED_MARK = 0x04030201;
+constexpr std::uint32_t FORMAT = 4, BYTE_ORDER_MARK = 0x01020304, TURNED_MARK = 0x04030201;
 
 // Before the archive; plain numbers, so that another program can tell what it reads.
 struct Head {

@@ -217,8 +217,7 @@ int WindowSolver<Dim>::test(const WindowSolution<Dim>& solution, ContactState<Di
                             std::vector<double>& severity) const {
   const auto poses = m_model.poses(solution.state.q);
   Eigen::VectorXd du = m_problem.free_increment;
-  for (Eigen::Index k = 0; k < solution.load.size(); ++k)
-    if (solution.load[k] != 0) du += solution.load[k] * m_problem.flexibility->matrix().col(k);
+  m_problem.flexibility->add_product(solution.load, du);
   std::vector<int> all(m_window.size()), place(solution.state.nodes.size(), -1);
   for (std::size_t w = 0; w < m_window.size(); ++w) place[m_window[w]] = all[w] = static_cast<int>(w);
   const std::vector<DecidingForce<Dim>> deciding = deciding_at(solution.state, poses, all, [&](int i) {
@@ -234,8 +233,12 @@ int WindowSolver<Dim>::test(const WindowSolution<Dim>& solution, ContactState<Di
     const ContactNode<Dim>& solved = solution.state.nodes[i];
     if (in_contact(solved.state)) {
       const Vector<Dim> n = m_model.tools[solved.tool]->point(poses[solved.tool], solved.place).n;
-      const auto at = Eigen::Index{Dim} * static_cast<Eigen::Index>(w);
-      const double own = n.dot(m_problem.flexibility->matrix().template block<Dim, Dim>(at, at) * n);
+      Eigen::Matrix<double, Dim, Dim> C;
+      for (int r = 0; r < Dim; ++r)
+        for (int c = 0; c < Dim; ++c)
+          C(r, c) =
+              m_problem.flexibility->entry(Dim * static_cast<int>(w) + r, Dim * static_cast<int>(w) + c);
+      const double own = n.dot(C * n);
       severity[i] = -(m_model.is_weightless(i) ? deciding[i].normal : F.dot(n)) * own;
     } else
       severity[i] = -nearest_tool(m_model, poses, x, m_problem.entry->nodes[i], i).foot.gap;

@@ -66,19 +66,28 @@ template <int Dim> void Corrector<Dim>::set_solver(std::function<std::unique_ptr
   m_has_factor = false;
 }
 
-// Columns that a solver makes when they are needed are made in the tangent's own matrix.
 template <int Dim> void Corrector<Dim>::take_flexibility() {
-  FactoredTangent<Dim>* tangent = m_tangent.get();
-  m_flexibility.set(tangent->flexibility, tangent->solver->symmetric(),
-                    [this, tangent](const std::vector<int>& columns) {
-                      double seconds = 0;
-                      {
-                        const CpuTimer timer(seconds);
-                        tangent->solver->complete_flexibility(columns, *tangent->flexibility);
-                      }
-                      m_iteration.counts().solve_seconds += seconds;
-                      m_iteration.counts().condensation_seconds -= seconds; // which are counted there, too
-                    });
+  const BodySolver<Dim>* solver = m_tangent->solver.get();
+  ActivePart::Parts parts;
+  const auto timed = [this](const auto& solve) {
+    double seconds = 0;
+    auto result = [&] {
+      const CpuTimer timer(seconds);
+      return solve();
+    }();
+    m_iteration.counts().solve_seconds += seconds;
+    m_iteration.counts().condensation_seconds -= seconds; // which are counted there, too
+    return result;
+  };
+  if (solver->in_parts()) {
+    parts.places = [timed, solver](const std::vector<int>& components) {
+      return timed([&] { return solver->complete_flexibility(components); });
+    };
+    parts.times = [timed, solver](const Eigen::VectorXd& p) {
+      return timed([&] { return solver->displacement_under(p); });
+    };
+  }
+  m_flexibility.set(m_tangent->flexibility, solver->symmetric(), std::move(parts));
 }
 
 // A saved state keeps its factor.

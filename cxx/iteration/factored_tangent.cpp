@@ -85,11 +85,10 @@ void FactoredTangent<Dim>::factorize_again(const ContactModel<Dim>& model, const
   if (solver->factorize(matrix, added_stiffness) != FactorStatus::OK)
     fail("contact", "the factor of the state's tangent cannot be made again");
   solver->solve_columns(solved);
+  condense();
 }
 
-template <int Dim> void FactoredTangent<Dim>::condense() {
-  flexibility = std::make_shared<Eigen::MatrixXd>(solver->candidate_flexibility());
-}
+template <int Dim> void FactoredTangent<Dim>::condense() { flexibility = solver->candidate_flexibility(); }
 
 template std::vector<int> far_candidates<2>(const ContactModel<2>&, const BodyView<2>&);
 template std::vector<int> far_candidates<3>(const ContactModel<3>&, const BodyView<3>&);

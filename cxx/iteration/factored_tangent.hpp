@@ -15,8 +15,8 @@ template <int Dim> struct FactoredTangent {
   std::unique_ptr<BodySolver<Dim>> solver;
   bool by_columns = false; ///< the core's solver is a ColumnFactor, see ALGORITHMS.md 8.2
   std::vector<int> window; ///< candidates on the dense block, ascending
-  /// C over the window, Dim*window square; some columns may not be there yet, see complete() [length/force]
-  std::shared_ptr<Eigen::MatrixXd> flexibility;
+  std::shared_ptr<const Eigen::MatrixXd>
+      flexibility;                 ///< of the window, BodySolver::candidate_flexibility [length/force]
   Eigen::VectorXd added_stiffness; ///< Dim*window, see ContactBlockInput; empty: none [force/length]
   double slip_stiffness = 0;       ///< of ContactState, while the factor serves [force/length]
   NodeBlockMatrix<Dim>

@@ -27,8 +27,7 @@ template <class Archive, int Dim> void save(Archive& archive, const FactorMemory
   archive(window, age, given);
   if (!given) return;
   const auto& [solver, by_columns, nodes, flexibility, added, slip_stiffness, matrix, solved] = *tangent;
-  archive(by_columns, nodes, *flexibility, added, slip_stiffness, matrix,
-          solver ? solver->solved_columns() : solved);
+  archive(by_columns, nodes, added, slip_stiffness, matrix, solver ? solver->solved_columns() : solved);
 }
 template <class Archive, int Dim> void load(Archive& archive, FactorMemory<Dim>& memory) {
   auto& [window, tangent, age] = memory;
@@ -38,8 +37,7 @@ template <class Archive, int Dim> void load(Archive& archive, FactorMemory<Dim>&
   if (!given) return;
   tangent = std::make_shared<FactoredTangent<Dim>>();
   auto& [solver, by_columns, nodes, flexibility, added, slip_stiffness, matrix, solved] = *tangent;
-  flexibility = std::make_shared<Eigen::MatrixXd>();
-  archive(by_columns, nodes, *flexibility, added, slip_stiffness, matrix, solved);
+  archive(by_columns, nodes, added, slip_stiffness, matrix, solved);
 }
 
 } // namespace burnish

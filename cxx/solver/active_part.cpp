@@ -12,13 +12,14 @@ constexpr Eigen::Index INVERSE_FROM =
 
 } // namespace
 
-void ActivePart::set(std::shared_ptr<const Eigen::MatrixXd> matrix, bool symmetric, Complete complete) {
+void ActivePart::set(std::shared_ptr<const Eigen::MatrixXd> matrix, bool symmetric, Parts parts) {
   m_matrix = std::move(matrix);
   m_symmetric = symmetric;
-  m_complete = std::move(complete);
+  m_parts = std::move(parts);
   m_order.clear();
   m_selected.clear();
   m_place.clear();
+  m_stands.clear();
   m_inverse.resize(0, 0);
 }
 
@@ -36,17 +37,17 @@ bool ActivePart::factorize() {
 }
 
 // A row at the end: L y = c, diagonal sqrt(C_jj - y.y).
-bool ActivePart::append(int index) {
+bool ActivePart::append(int place) {
   const auto n = static_cast<Eigen::Index>(m_order.size());
   Eigen::VectorXd y(n);
-  for (Eigen::Index i = 0; i < n; ++i) y[i] = (*m_matrix)(m_order[i], index);
+  for (Eigen::Index i = 0; i < n; ++i) y[i] = (*m_matrix)(m_order[i], place);
   m_lower.topLeftCorner(n, n).triangularView<Eigen::Lower>().solveInPlace(y);
-  const double rest = (*m_matrix)(index, index) - y.squaredNorm();
+  const double rest = (*m_matrix)(place, place) - y.squaredNorm();
   if (!(rest > 0)) return false;
   if (m_lower.rows() == n) m_lower.conservativeResize(n + n / 4 + 8, n + n / 4 + 8);
   m_lower.row(n).head(n) = y.transpose();
   m_lower(n, n) = std::sqrt(rest);
-  m_order.push_back(index);
+  m_order.push_back(place);
   ++m_updates;
   return true;
 }
@@ -71,18 +72,18 @@ void ActivePart::remove(Eigen::Index position) {
   ++m_updates;
 }
 
-bool ActivePart::update(const std::vector<int>& indices) {
+bool ActivePart::update(const std::vector<int>& places) {
   if (!m_symmetric) return false;
   std::vector<char> wanted(m_matrix->rows(), 0), kept(m_matrix->rows(), 0);
-  for (const int i : indices) wanted[i] = 1;
+  for (const int i : places) wanted[i] = 1;
   for (const int i : m_order) kept[i] = wanted[i];
   const auto gone = std::count_if(m_order.begin(), m_order.end(), [&](int i) { return !wanted[i]; });
-  const auto fresh = std::count_if(indices.begin(), indices.end(), [&](int i) { return !kept[i]; });
-  const auto size = static_cast<std::ptrdiff_t>(indices.size());
+  const auto fresh = std::count_if(places.begin(), places.end(), [&](int i) { return !kept[i]; });
+  const auto size = static_cast<std::ptrdiff_t>(places.size());
   if (static_cast<int>(m_order.size()) < m_updates_from || 6 * (gone + fresh) > size) return false;
   for (auto k = static_cast<Eigen::Index>(m_order.size()) - 1; k >= 0; --k)
     if (!wanted[m_order[k]]) remove(k);
-  for (const int i : indices)
+  for (const int i : places)
     if (!kept[i] && !append(i)) return false;
   return true;
 }
@@ -91,9 +92,9 @@ bool ActivePart::select(const std::vector<int>& indices) {
   if (indices == m_selected && !m_order.empty()) return true;
   m_selected = indices;
   m_inverse.resize(0, 0);
-  if (m_complete) m_complete(indices);
-  if (!update(indices)) {
-    m_order = indices;
+  const std::vector<int> places = m_parts.places ? m_parts.places(indices) : indices;
+  if (!update(places)) {
+    m_order = places;
     if (!factorize()) {
       m_order.clear();
       m_selected.clear();
@@ -103,8 +104,25 @@ bool ActivePart::select(const std::vector<int>& indices) {
   std::vector<Eigen::Index> row(m_matrix->rows(), -1);
   for (std::size_t k = 0; k < m_order.size(); ++k) row[m_order[k]] = static_cast<Eigen::Index>(k);
   m_place.clear();
-  for (const int i : indices) m_place.push_back(row[i]);
+  for (const int i : places) m_place.push_back(row[i]);
+  m_stands.assign(indices.empty() ? 0 : 1 + *std::max_element(indices.begin(), indices.end()), -1);
+  for (std::size_t k = 0; k < indices.size(); ++k) m_stands[indices[k]] = places[k];
   return true;
+}
+
+void ActivePart::add_product(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+  if (m_parts.times) {
+    y += m_parts.times(x);
+    return;
+  }
+  for (Eigen::Index k = 0; k < x.size(); ++k)
+    if (x[k] != 0) y += x[k] * m_matrix->col(k);
+}
+
+double ActivePart::entry(int i, int j) const {
+  const int last = static_cast<int>(m_stands.size()) - 1;
+  if (std::max(i, j) > last || m_stands[i] < 0 || m_stands[j] < 0) return 0;
+  return (*m_matrix)(m_stands[i], m_stands[j]);
 }
 
 Eigen::MatrixXd ActivePart::solve(const Eigen::MatrixXd& B) const {

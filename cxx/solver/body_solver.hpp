@@ -2,6 +2,7 @@
 // What the contact needs of a solver for the body's tangent: factor, solve, flexibility of the candidates.
 #include "solver/factor_status.hpp"
 #include "solver/node_block_matrix.hpp"
+#include <memory>
 
 namespace burnish {
 
@@ -34,13 +35,19 @@ public:
   /// Second half: K^-1 (b + p) of a swept load b, Dim*num_nodes; zero at fixed dofs [length].
   /// @param p  further load on the candidates, Dim*candidates [force]
   virtual Eigen::VectorXd displacement(const SweptLoad& load, const Eigen::VectorXd& p) const = 0;
-  /// C = (K^-1)_cc on the candidates, Dim*candidates square; zero rows and columns at fixed dofs, and columns that
-  /// complete_flexibility has still to make [length/force].
-  virtual Eigen::MatrixXd candidate_flexibility() const = 0;
-  /// Puts columns of C that are not there yet into C. @param columns places among the Dim*candidates components
-  virtual void complete_flexibility(const std::vector<int>& /*columns*/, Eigen::MatrixXd& /*C*/) const {}
-  /// Degrees of freedom whose columns of K^-1 were solved for, call by call of the solver; the same calls of solve_columns make
-  /// them known to another factor of the same matrix to the same bits. None where columns are not kept.
+  /// C = (K^-1)_cc on the candidates, Dim*candidates square; zero rows and columns at fixed dofs [length/force]. Where it is known in
+  /// parts, rows and columns stand where complete_flexibility says, and it grows.
+  virtual std::shared_ptr<const Eigen::MatrixXd> candidate_flexibility() const = 0;
+  virtual bool in_parts() const { return false; }
+  /// Makes sure of rows and columns of C. @param components places among the Dim*candidates, free ones
+  /// @returns their places in C
+  virtual std::vector<int> complete_flexibility(const std::vector<int>& components) const {
+    return components;
+  }
+  /// C p, Dim*candidates [length], of a C in parts. @param p [force]
+  virtual Eigen::VectorXd displacement_under(const Eigen::VectorXd& p) const { return p; }
+  /// Degrees of freedom of the known parts of C, call by call; the same calls of solve_columns make
+  /// them known to another factor of the same matrix to the same bits. None where C is there as a whole.
   virtual std::vector<std::vector<int>> solved_columns() const { return {}; }
   virtual void solve_columns(const std::vector<std::vector<int>>& /*calls*/) {}
   virtual bool symmetric() const { return true; } ///< the tangent that was factored last

@@ -159,22 +159,28 @@ Eigen::MatrixXd CholmodFactor::trailing_factor(int first) const {
   if (first < 0 || first > n) throw std::logic_error("CholmodFactor::trailing_factor: first out of range");
   Eigen::MatrixXd block = Eigen::MatrixXd::Zero(n - first, n - first);
   if (n == 0) return block;
-  const cholmod_factor& factor = *impl.factor;
-  const int* super = static_cast<const int*>(factor.super);
-  const int* row_begin = static_cast<const int*>(factor.pi);
-  const int* value_begin = static_cast<const int*>(factor.px);
-  const int* rows = static_cast<const int*>(factor.s);
-  const double* values = static_cast<const double*>(factor.x);
-  for (std::size_t s = 0; s < factor.nsuper; ++s) {
-    // a supernode is a dense panel: its own columns are also its first rows
-    const int num_rows = row_begin[s + 1] - row_begin[s];
-    for (int j = std::max(first, super[s]); j < super[s + 1]; ++j) {
-      const int k = j - super[s];
-      const double* column = values + value_begin[s] + static_cast<std::size_t>(k) * num_rows;
-      for (int i = k; i < num_rows; ++i) block(rows[row_begin[s] + i] - first, j - first) = column[i];
+  const Supernodes L = *supernodes();
+  for (int s = 0; s < L.count; ++s)
+    for (int j = std::max(first, L.first[s]); j < L.first[s + 1]; ++j) {
+      const int k = j - L.first[s];
+      const double* column = L.panel(s) + static_cast<std::size_t>(k) * L.num_rows(s);
+      for (int i = k; i < L.num_rows(s); ++i)
+        block(L.rows[L.row_begin[s] + i] - first, j - first) = column[i];
     }
-  }
   return block;
+}
+
+std::optional<Supernodes> CholmodFactor::supernodes() const {
+  m_impl->require_factor("CholmodFactor::supernodes");
+  if (size() == 0) return {};
+  const cholmod_factor& factor = *m_impl->factor;
+  return Supernodes{size(),
+                    static_cast<int>(factor.nsuper),
+                    static_cast<const int*>(factor.super),
+                    static_cast<const int*>(factor.pi),
+                    static_cast<const int*>(factor.px),
+                    static_cast<const int*>(factor.s),
+                    static_cast<const double*>(factor.x)};
 }
 
 int CholmodFactor::size() const { return m_impl->size(); }

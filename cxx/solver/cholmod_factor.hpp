@@ -24,6 +24,7 @@ public:
   /// Trailing block L(first:n, first:n), lower triangular; any first <= n.
   /// @throws std::logic_error if there is no factor or first is out of range
   Eigen::MatrixXd trailing_factor(int first) const override;
+  std::optional<Supernodes> supernodes() const override;
   int size() const override;
   /// Zeros inside supernodes included.
   std::size_t factor_entries() const override;

@@ -30,7 +30,8 @@ void CholmodSolver::analyze(const SparseView& pattern) {
   Graph graph;
   graph.row_start.assign(pattern.row_start, pattern.row_start + pattern.n + 1);
   graph.col.assign(pattern.col, pattern.col + graph.row_start.back());
-  const auto [order, halves] = elimination_order(graph, Ordering::AMD, pattern.n, m_impl->dim);
+  const auto [order, halves] = elimination_order(
+      graph, m_impl->dim == 3 ? usual_ordering<3> : usual_ordering<2>, pattern.n, m_impl->dim);
   auto& place = m_impl->place;
   place.resize(pattern.n);
   for (int k = 0; k < pattern.n; ++k) place[order[k]] = k;
@@ -62,6 +63,16 @@ void CholmodSolver::solve(Eigen::MatrixXd& B) {
   m_impl->permute(B, true);
   m_impl->factor->solve(B);
   m_impl->permute(B, false);
+}
+
+std::unique_ptr<HalfColumns> CholmodSolver::half_columns() const {
+  const auto L = m_impl->factor->supernodes();
+  return L ? std::make_unique<HalfColumns>(*L, m_impl->place) : nullptr;
+}
+
+Eigen::VectorXd CholmodSolver::second_half(Eigen::VectorXd y) const {
+  m_impl->factor->solve_upper(y);
+  return y(m_impl->place);
 }
 
 std::size_t CholmodSolver::factor_entries() const {

@@ -16,6 +16,8 @@ public:
   /// @returns false for a matrix that is not positive definite
   bool factorize(const double* value) override;
   void solve(Eigen::MatrixXd& B) override;
+  std::unique_ptr<HalfColumns> half_columns() const override;
+  Eigen::VectorXd second_half(Eigen::VectorXd y) const override;
   std::size_t factor_entries() const override;
 
 private:

@@ -10,9 +10,9 @@ namespace {
 constexpr double SOLVED = 1e-3; // residual over the right-hand side: beyond, the solver has not solved it
 constexpr double SYMMETRIC =
     1e-10; // largest |k_ij - k_ji| over the largest entry of a matrix that counts as symmetric
-constexpr int FIRST_COLUMNS = 32; // of K^-1 that there is room for at first
-constexpr int MOST_TURNS = 12;    // of the inverse iteration that looks for a negative eigenvalue
-constexpr double GROWS = 1.1;     // it has settled where the softness found grows by less a turn
+constexpr Eigen::Index FIRST_COLUMNS = 32; // that there is room for at first
+constexpr int MOST_TURNS = 12;             // of the inverse iteration that looks for a negative eigenvalue
+constexpr double GROWS = 1.1;              // it has settled where the softness found grows by less a turn
 
 } // namespace
 
@@ -29,10 +29,13 @@ template <int Dim> struct ColumnFactor<Dim>::Impl {
   bool symmetric = true, has_factor = false;
   int analyses = 0;
   long solved_columns = 0;
-  Eigen::MatrixXd columns; // of K^-1 over the free dofs, the first num_known
-  std::vector<int> known;  // per dof: its column, -1: not solved for
-  int num_known = 0;
-  std::vector<std::vector<int>> calls; // degrees of freedom of these columns, by calls of the solver
+  std::unique_ptr<HalfColumns> halves;   // of a factor that can be read; else:
+  Eigen::MatrixXd columns;               // of K^-1 over the free dofs, the first known.size()
+  std::shared_ptr<Eigen::MatrixXd> C;    // over the known dofs, and room for more
+  std::vector<int> number;               // per dof: its column, -1: not known
+  std::vector<int> known;                // dofs by columns
+  std::vector<std::vector<int>> calls;   // the same by calls
+  Eigen::VectorXd last_weight, last_sum; // of combined()
 
   void build(const NodeBlockMatrix<Dim>& K);
   void take_values(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& added);
@@ -43,6 +46,8 @@ template <int Dim> struct ColumnFactor<Dim>::Impl {
   Eigen::VectorXd gathered(const Eigen::VectorXd& b, const char* where) const;
   Eigen::VectorXd scattered(const Eigen::VectorXd& x) const;
   void know(const std::vector<int>& dofs);
+  void solve_for(const std::vector<int>& dofs);
+  const Eigen::VectorXd& combined(const Eigen::VectorXd& p, const char* where);
   int dof_of(int component) const { return Dim * candidates[component / Dim] + component % Dim; }
   void require_factor(const char* where) const {
     if (!has_factor) fail(where, "there is no factor, call factorize first");
@@ -152,25 +157,73 @@ template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::Impl::scattered(const Eige
   return all;
 }
 
-// Columns of K^-1 for these free dofs, those not known yet in one call of the solver.
+// Columns for these dofs, those of them that are free and not known yet.
 template <int Dim> void ColumnFactor<Dim>::Impl::know(const std::vector<int>& dofs) {
-  std::vector<int> fresh;
+  std::vector<int> fresh, at;
   for (const int d : dofs)
-    if (place[d] >= 0 && known[d] < 0) {
-      known[d] = num_known + static_cast<int>(fresh.size());
+    if (place[d] >= 0 && number[d] < 0) {
+      number[d] = static_cast<int>(known.size() + fresh.size());
       fresh.push_back(d);
+      at.push_back(place[d]);
     }
   if (fresh.empty()) return;
-  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(rows.n, static_cast<Eigen::Index>(fresh.size()));
-  for (std::size_t j = 0; j < fresh.size(); ++j) B(place[fresh[j]], static_cast<Eigen::Index>(j)) = 1;
-  solver->solve(B);
-  const Eigen::Index needed = num_known + B.cols();
-  if (columns.rows() != rows.n || columns.cols() < needed)
-    columns.conservativeResize(rows.n, std::max<Eigen::Index>(FIRST_COLUMNS, needed + needed / 2));
-  columns.middleCols(num_known, B.cols()) = B;
-  num_known += static_cast<int>(fresh.size());
+  known.insert(known.end(), fresh.begin(), fresh.end());
+  const auto needed = static_cast<Eigen::Index>(known.size());
+  if (C->rows() < needed) {
+    const Eigen::Index room = std::max(FIRST_COLUMNS, needed + needed / 2);
+    Eigen::MatrixXd larger = Eigen::MatrixXd::Zero(room, room);
+    larger.topLeftCorner(C->rows(), C->cols()) = *C;
+    *C = std::move(larger);
+  }
+  if (halves)
+    halves->append(at, *C);
+  else
+    solve_for(fresh);
   calls.push_back(fresh);
-  solved_columns += B.cols();
+  solved_columns += static_cast<long>(fresh.size());
+}
+
+// The last known dofs, by the solver, in one call.
+template <int Dim> void ColumnFactor<Dim>::Impl::solve_for(const std::vector<int>& dofs) {
+  const auto count = static_cast<Eigen::Index>(dofs.size()), needed = static_cast<Eigen::Index>(known.size());
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(rows.n, count);
+  for (Eigen::Index j = 0; j < count; ++j) B(place[dofs[j]], j) = 1;
+  solver->solve(B);
+  if (columns.rows() != rows.n || columns.cols() < needed) columns.conservativeResize(rows.n, C->cols());
+  columns.middleCols(needed - count, count) = B;
+  for (Eigen::Index j = needed - count; j < needed; ++j)
+    for (Eigen::Index i = 0; i < needed; ++i) {
+      (*C)(i, j) = columns(place[known[i]], j);
+      (*C)(j, i) = columns(place[known[j]], i);
+    }
+}
+
+// K^-1 p over the free dofs, of a load on the candidates; the last one is kept.
+template <int Dim>
+const Eigen::VectorXd& ColumnFactor<Dim>::Impl::combined(const Eigen::VectorXd& p, const char* where) {
+  require(static_cast<std::size_t>(p.size()) == Dim * candidates.size(), where, "p.size()", p.size(),
+          "Dim*candidates");
+  if (!p.allFinite()) fail(where, "p is not finite, expected finite numbers");
+  std::vector<int> loaded;
+  for (Eigen::Index i = 0; i < p.size(); ++i)
+    if (p[i] != 0) loaded.push_back(dof_of(static_cast<int>(i)));
+  know(loaded);
+  Eigen::VectorXd weight = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(known.size()));
+  for (Eigen::Index i = 0; i < p.size(); ++i) {
+    const int column = number[dof_of(static_cast<int>(i))];
+    if (column >= 0) weight[column] = p[i];
+  }
+  if (last_weight.size() == weight.size() && last_weight == weight && last_sum.size() == rows.n)
+    return last_sum;
+  last_weight = weight;
+  if (halves)
+    last_sum = solver->second_half(halves->sum(weight));
+  else {
+    last_sum = Eigen::VectorXd::Zero(rows.n);
+    for (Eigen::Index j = 0; j < weight.size(); ++j)
+      if (weight[j] != 0) last_sum += weight[j] * columns.col(j);
+  }
+  return last_sum;
 }
 
 template <int Dim>
@@ -211,13 +264,17 @@ FactorStatus ColumnFactor<Dim>::factorize(NodeBlockMatrix<Dim> matrix, const Eig
   impl.take_values(matrix, added);
   matrix = {};
   impl.symmetric = impl.is_symmetric();
-  impl.known.assign(impl.fixed.size(), -1);
-  impl.num_known = 0;
+  impl.number.assign(impl.fixed.size(), -1);
+  impl.known.clear();
   impl.calls.clear();
+  impl.halves.reset();
+  impl.last_sum.resize(0);
+  impl.C = std::make_shared<Eigen::MatrixXd>();
   if (!impl.solver->factorize(impl.value.data()))
     return impl.solver->symmetric() ? FactorStatus::NOT_POSITIVE_DEFINITE : FactorStatus::SINGULAR;
   const FactorStatus status = impl.tried();
   impl.has_factor = status == FactorStatus::OK;
+  if (impl.has_factor) impl.halves = impl.solver->half_columns();
   return status;
 }
 
@@ -240,46 +297,33 @@ template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::candidate_displacement(con
 template <int Dim>
 Eigen::VectorXd ColumnFactor<Dim>::displacement(const SweptLoad& load, const Eigen::VectorXd& p) const {
   const char* where = "ColumnFactor::displacement";
-  Impl& impl = *m_impl;
-  impl.require_factor(where);
-  require(static_cast<std::size_t>(p.size()) == Dim * impl.candidates.size(), where, "p.size()", p.size(),
-          "Dim*candidates");
-  if (!p.allFinite()) fail(where, "p is not finite, expected finite numbers");
-  std::vector<int> loaded;
-  for (Eigen::Index i = 0; i < p.size(); ++i)
-    if (p[i] != 0) loaded.push_back(impl.dof_of(static_cast<int>(i)));
-  impl.know(loaded);
-  if (impl.num_known == 0) return load.y;
-  Eigen::VectorXd weight = Eigen::VectorXd::Zero(impl.num_known);
-  for (Eigen::Index i = 0; i < p.size(); ++i) {
-    const int column = impl.known[impl.dof_of(static_cast<int>(i))];
-    if (column >= 0) weight[column] = p[i];
-  }
-  return load.y + impl.scattered(impl.columns.leftCols(impl.num_known) * weight);
+  m_impl->require_factor(where);
+  return load.y + m_impl->scattered(m_impl->combined(p, where));
 }
 
-template <int Dim> Eigen::MatrixXd ColumnFactor<Dim>::candidate_flexibility() const {
+template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::displacement_under(const Eigen::VectorXd& p) const {
+  const char* where = "ColumnFactor::displacement_under";
+  m_impl->require_factor(where);
+  return candidate_displacement({m_impl->scattered(m_impl->combined(p, where))});
+}
+
+template <int Dim> std::shared_ptr<const Eigen::MatrixXd> ColumnFactor<Dim>::candidate_flexibility() const {
   m_impl->require_factor("ColumnFactor::candidate_flexibility");
-  const auto size = Dim * static_cast<Eigen::Index>(m_impl->candidates.size());
-  return Eigen::MatrixXd::Zero(size, size);
+  return m_impl->C;
 }
 
 template <int Dim>
-void ColumnFactor<Dim>::complete_flexibility(const std::vector<int>& columns, Eigen::MatrixXd& C) const {
-  Impl& impl = *m_impl;
-  impl.require_factor("ColumnFactor::complete_flexibility");
+std::vector<int> ColumnFactor<Dim>::complete_flexibility(const std::vector<int>& components) const {
+  const char* where = "ColumnFactor::complete_flexibility";
+  m_impl->require_factor(where);
   std::vector<int> dofs;
-  for (const int i : columns) dofs.push_back(impl.dof_of(i));
-  const int before = impl.num_known;
-  impl.know(dofs);
-  for (const int i : columns) {
-    const int column = impl.known[impl.dof_of(i)];
-    if (column < before && C(i, i) != 0) continue; // it is there
-    for (Eigen::Index r = 0; column >= 0 && r < C.rows(); ++r) {
-      const int at = impl.place[impl.dof_of(static_cast<int>(r))];
-      C(r, i) = at < 0 ? 0 : impl.columns(at, column);
-    }
+  for (const int i : components) {
+    dofs.push_back(m_impl->dof_of(i));
+    require(m_impl->place[dofs.back()] >= 0, where, "component", i, "a free one");
   }
+  m_impl->know(dofs);
+  for (int& d : dofs) d = m_impl->number[d];
+  return dofs;
 }
 
 template <int Dim> std::size_t ColumnFactor<Dim>::factor_entries() const {

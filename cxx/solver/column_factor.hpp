@@ -1,6 +1,6 @@
 #pragma once
-// The body's tangent in a sparse solver that gives K^-1 b and no more: the flexibility of the candidates comes by columns,
-// each when it is first needed (ALGORITHMS.md 8.7).
+// The body's tangent in a sparse solver of its own order: the flexibility of the candidates comes in parts, each when it is first
+// needed (ALGORITHMS.md 8.7): by columns of L^-1 where L can be read, else by columns of K^-1.
 #include "solver/body_solver.hpp"
 #include "solver/sparse_solver.hpp"
 #include <memory>
@@ -27,17 +27,20 @@ public:
   /// The whole solution: y = K^-1 b.
   SweptLoad sweep(const Eigen::VectorXd& b) const override;
   Eigen::VectorXd candidate_displacement(const SweptLoad& load) const override;
-  /// A sum of columns of K^-1: no further solve where the loaded components are known.
+  /// A sum of columns: no further solve where the loaded components are known, but the second half of one.
   Eigen::VectorXd displacement(const SweptLoad& load, const Eigen::VectorXd& p) const override;
-  /// Zero: no column is known yet.
-  Eigen::MatrixXd candidate_flexibility() const override;
-  void complete_flexibility(const std::vector<int>& columns, Eigen::MatrixXd& C) const override;
+  /// Rows and columns of the known components, and zeros behind them.
+  std::shared_ptr<const Eigen::MatrixXd> candidate_flexibility() const override;
+  bool in_parts() const override { return true; }
+  /// @throws std::invalid_argument if a component is fixed
+  std::vector<int> complete_flexibility(const std::vector<int>& components) const override;
+  Eigen::VectorXd displacement_under(const Eigen::VectorXd& p) const override;
   std::vector<std::vector<int>> solved_columns() const override;
   void solve_columns(const std::vector<std::vector<int>>& calls) override;
   bool symmetric() const override;
   std::size_t factor_entries() const override; ///< 0: the solver does not say
   int analyses() const override;
-  long columns() const; ///< of K^-1 solved for since construction
+  long columns() const; ///< made since construction
 
 private:
   struct Impl;

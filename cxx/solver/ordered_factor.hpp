@@ -2,8 +2,10 @@
 // Factor of a sparse symmetric matrix whose owner has ordered it, the candidates of the contact last.
 #include "solver/factor_status.hpp"
 #include "solver/fill_ordering.hpp"
+#include "solver/supernodes.hpp"
 #include <Eigen/Dense>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace burnish {
@@ -34,6 +36,8 @@ public:
   /// L_cc, lower triangular, over the unknowns from `first` on. @throws std::logic_error if there is no factor or first is another than
   /// analyze was told
   virtual Eigen::MatrixXd trailing_factor(int first) const = 0;
+  /// L itself where this process has it; none otherwise. @throws std::logic_error if there is no factor
+  virtual std::optional<Supernodes> supernodes() const { return {}; }
   virtual int size() const = 0;
   /// Numbers stored in L; 0 before analyze().
   virtual std::size_t factor_entries() const = 0;

@@ -205,10 +205,10 @@ Eigen::VectorXd SchurFactor<Dim>::displacement(const SweptLoad& load, const Eige
   return m_impl->on_nodes(y);
 }
 
-template <int Dim> Eigen::MatrixXd SchurFactor<Dim>::candidate_flexibility() const {
+template <int Dim> std::shared_ptr<const Eigen::MatrixXd> SchurFactor<Dim>::candidate_flexibility() const {
   m_impl->require_factor("SchurFactor::candidate_flexibility");
   const Eigen::MatrixXd inverse = inverse_from_cholesky(m_impl->trailing, m_impl->trailing.rows());
-  return m_impl->with_fixed_dofs(inverse, 0.);
+  return std::make_shared<const Eigen::MatrixXd>(m_impl->with_fixed_dofs(inverse, 0.));
 }
 
 template <int Dim> Eigen::MatrixXd SchurFactor<Dim>::schur_complement() const {

@@ -42,7 +42,7 @@ public:
   Eigen::VectorXd displacement(const SweptLoad& load, const Eigen::VectorXd& p) const override;
   /// Flexibility of the candidates C = S^-1 = (K^-1)_cc, symmetric, Dim*candidates square; zero rows and
   /// columns at fixed dofs. From the trailing block of L.
-  Eigen::MatrixXd candidate_flexibility() const override;
+  std::shared_ptr<const Eigen::MatrixXd> candidate_flexibility() const override;
   /// Schur complement S = L_cc L_cc' of the candidates, Dim*candidates square; unit rows and columns at fixed
   /// dofs.
   Eigen::MatrixXd schur_complement() const;

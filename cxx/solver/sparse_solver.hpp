@@ -1,7 +1,8 @@
 #pragma once
 // A sparse solver as ColumnFactor uses it: CHOLMOD, or one of the host program.
+#include "solver/half_columns.hpp"
 #include "solver/sparse_view.hpp"
-#include <Eigen/Dense>
+#include <memory>
 
 namespace burnish {
 
@@ -19,6 +20,10 @@ public:
   virtual bool factorize(const double* value) = 0;
   /// Replaces every column of B, n rows, by A^-1 B.
   virtual void solve(Eigen::MatrixXd& B) = 0;
+  /// Columns of L^-1 of a factor L L' that can be read; null: there is none. Valid until the next factorize.
+  virtual std::unique_ptr<HalfColumns> half_columns() const { return nullptr; }
+  /// L'^-1 y of such a factor. @param y in the order of L @returns in the order of the matrix
+  virtual Eigen::VectorXd second_half(Eigen::VectorXd y) const { return y; }
   virtual std::size_t factor_entries() const { return 0; } ///< numbers stored; 0: not known
 };
 

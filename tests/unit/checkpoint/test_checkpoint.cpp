@@ -118,7 +118,7 @@ TEST_F(Checkpoints, OfAnotherMachineFormatOrVersionIsRefused) {
   other = whole;
   other[12] = 99;
   put(other);
-  expect_refused("format = 99, expected 3");
+  expect_refused("format = 99, expected 4");
   other = whole;
   other[16] = '7';
   put(other);

@@ -36,7 +36,7 @@ void check_solutions(const ActivePart& factor, const Indices& selected) {
   Eigen::MatrixXd part(n, n), B(n, 2);
   for (Eigen::Index i = 0; i < n; ++i) {
     B.row(i) << std::cos(selected[i] + 0.3), 1;
-    for (Eigen::Index j = 0; j < n; ++j) part(i, j) = factor.matrix()(selected[i], selected[j]);
+    for (Eigen::Index j = 0; j < n; ++j) part(i, j) = factor.entry(selected[i], selected[j]);
   }
   const Eigen::MatrixXd expected = part.llt().solve(B);
   expect_close(factor.solve(B), expected, expected.norm(), 1e-11, "C^-1 B");
@@ -78,19 +78,34 @@ TEST(ActivePart, ManyColumnsComeByTheInverseWhichFollowsTheSelection) {
   EXPECT_GT(part.updates(), 0);
 }
 
-TEST(ActivePart, PartsOfAnUnsymmetricMatrixAndColumnsThatComeWhenTheyAreNeeded) {
+TEST(ActivePart, PartsOfAnUnsymmetricMatrixThatIsKnownInParts) {
   const Eigen::MatrixXd whole = Eigen::MatrixXd::Random(9, 9) + 9 * Eigen::MatrixXd::Identity(9, 9);
-  auto matrix = std::make_shared<Eigen::MatrixXd>(Eigen::MatrixXd::Zero(9, 9));
+  auto matrix = std::make_shared<Eigen::MatrixXd>();
+  Indices known;
   ActivePart part;
-  part.set(matrix, false, [&](const std::vector<int>& columns) {
-    for (const int j : columns) matrix->col(j) = whole.col(j);
-  });
+  part.set(matrix, false,
+           {[&](const Indices& indices) {
+              Indices places;
+              for (const int i : indices) {
+                if (std::find(known.begin(), known.end(), i) == known.end()) known.push_back(i);
+                places.push_back(static_cast<int>(std::find(known.begin(), known.end(), i) - known.begin()));
+              }
+              *matrix = whole(known, known);
+              return places;
+            },
+            [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return whole * x; }});
   for (const std::vector<int>& selected : {std::vector<int>{1, 4, 5}, {5, 1}, {0, 2, 3, 8}}) {
     ASSERT_TRUE(part.select(selected));
     const Eigen::MatrixXd B = Eigen::MatrixXd::Random(static_cast<Eigen::Index>(selected.size()), 2);
     EXPECT_LT((whole(selected, selected) * part.solve(B) - B).norm(), 1e-12 * B.norm());
   }
-  EXPECT_EQ(matrix->col(7).norm(), 0);
+  EXPECT_EQ(matrix->rows(), 7);
+  EXPECT_EQ(part.entry(8, 2), whole(8, 2));
+  EXPECT_EQ(part.entry(8, 1), 0);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(9), y = Eigen::VectorXd::Ones(9);
+  x[3] = 2;
+  part.add_product(x, y);
+  EXPECT_LT((y - Eigen::VectorXd::Ones(9) - 2 * whole.col(3)).norm(), 1e-14);
 }
 
 } // namespace
