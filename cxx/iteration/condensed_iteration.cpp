@@ -114,7 +114,7 @@ template <int Dim>
 void CondensedIteration<Dim>::advance(const typename Condensation<Dim>::Expansion& increment,
                                       Eigen::VectorXd& u) {
   ContactState<Dim>& state = m_iteration.state();
-  m_iteration.policy().set_condensed();
+  m_iteration.policy().set_condensed(true);
   const ContactState<Dim> present = state;
   const int contradictions = change_states(increment, u);
   m_again = contradictions > 0 && ++m_passes < MAX_PASSES;

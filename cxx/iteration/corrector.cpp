@@ -17,7 +17,7 @@ constexpr double WINDOW_COVER = 0.3; // part of the window's margin that must be
 
 // Whether the columns of C cost less than the cube of the window w: w^3 over nodes in contact and nodes of the body.
 template <int Dim> bool columns_pay(std::size_t window, const ContactState<Dim>& state, int num_nodes) {
-  constexpr double from = Dim == 2 ? 200 : 3000;
+  constexpr double from = Dim == 2 ? 200 : 600;
   const auto touching = std::count_if(state.nodes.begin(), state.nodes.end(),
                                       [](const auto& node) { return in_contact(node.state); });
   const auto w = static_cast<double>(window);

@@ -9,7 +9,7 @@ public:
   /// A step begins.
   void begin();
   /// The tangent of every iteration is new: a matrix of the caller's.
-  void set_condensed() { m_condensed = true; }
+  void set_condensed(bool condensed) { m_condensed = condensed; }
   bool condensed() const { return m_condensed; }
   /// Looks at the residual of an iterate that has not converged [force].
   void look(double residual, double allowed);

@@ -7,6 +7,7 @@
 #include "contact/slip_motion.hpp"
 #include "solver/fill_ordering.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace burnish {
 
@@ -71,16 +72,20 @@ template <int Dim> double CondensedStep<Dim>::expand(const Eigen::VectorXd& z, E
 template <int Dim> bool CondensedStep<Dim>::pays(const std::function<NodeBlockMatrix<Dim>()>& pattern) {
   constexpr double LEAST = 300; // nodes in contact: of fewer the fill is not counted
   constexpr double FROM =
-      Dim == 2 ? 200 : 80; // their cube over the numbers in a factor of K, where both cost the same
+      Dim == 2 ? 200 : 80;   // their cube over the numbers in a factor of K, where both cost the same
+  constexpr double ON = 0.5; // it goes on with that part of them
+  const bool under_way = m_iteration.policy().condensed();
+  if (m_iteration.number() > 0 && !under_way) return false;
   const auto& nodes = m_iteration.state().nodes;
   const auto touching = static_cast<double>(
       std::count_if(nodes.begin(), nodes.end(), [](const auto& node) { return in_contact(node.state); }));
-  if (touching < LEAST) return false;
+  const double from = under_way ? ON : 1;
+  if (touching < from * LEAST) return false;
   if (m_fill == 0) {
     const NodeBlockMatrix<Dim> K = pattern();
     m_fill = Dim * Dim * factor_fill({K.row_start, K.col}, usual_ordering<Dim>);
   }
-  return touching * touching * touching > FROM * m_fill;
+  return std::pow(touching / from, 3) > FROM * m_fill;
 }
 
 template <int Dim>
@@ -96,15 +101,15 @@ bool CondensedStep<Dim>::iterate(const NodeBlockMatrix<Dim>& K, const Eigen::Vec
       const CpuTimer timer(counts.factorization_seconds);
       ++counts.factorizations;
       const SparseView view{system.n, system.row_start.data(), system.col.data(), system.value.data(), false};
-      if (m_solver.factorize(view) != FactorStatus::OK || m_solver.rcond() < SINGULAR) {
-        m_way.begin();
-        return false;
-      }
+      if (m_solver.factorize(view) != FactorStatus::OK || m_solver.rcond() < SINGULAR) break;
       z = m_solver.solve(system.rhs);
     }
     expand(z, u);
-  } while (again() && !stop_asked());
-  return true;
+    if (!again() || stop_asked()) return true;
+  } while (pays([&] { return K; }));
+  m_way.begin();
+  m_iteration.policy().set_condensed(false);
+  return false;
 }
 
 template <int Dim> void CondensedStep<Dim>::cut(Eigen::VectorXd& u, double fraction) {

@@ -35,11 +35,11 @@ bool take_tangent(ContactRun<Dim>& contact, const Workpiece<Dim>& workpiece, Eig
   Iteration<Dim>& iteration = contact.iteration();
   CondensedStep<Dim>& condensed = contact.condensed();
   const bool may = contact.step().stepping == Stepping::IMPLICIT && contact.corrector().own_solver();
-  const auto pays = [&] {
-    if (iteration.number() > 0) return iteration.policy().condensed();
-    return condensed.pays([&] { return workpiece.pattern(); });
-  };
-  if (!may || !pays()) return factorize_tangent(contact, workpiece, u);
+  if (!may) return factorize_tangent(contact, workpiece, u);
+  if (!condensed.pays([&] { return workpiece.pattern(); })) {
+    iteration.policy().set_condensed(false);
+    return factorize_tangent(contact, workpiece, u);
+  }
   NodeBlockMatrix<Dim> K = workpiece.pattern();
   workpiece.tangent(K, TangentKind::CONSISTENT, iteration.policy().elastic_blend());
   contact.corrector().measure(K);
