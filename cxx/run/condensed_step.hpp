@@ -22,10 +22,11 @@ public:
   /// with the forces that it predicts. In a step of RATES everything is linear in the solution, so contact nodes leave a curved
   /// tool by the square of the step. @returns the largest displacement increment [length]
   double expand(const Eigen::VectorXd& z, Eigen::VectorXd& u);
-  /// Whether a sparse factor for every pass of the states costs less than the dense block of the nodes in contact, ALGORITHMS.md 8.8.
+  /// Whether a sparse factor for every pass of the states costs less than the dense block of the nodes in contact, ALGORITHMS.md 8.8;
+  /// only where it did so in the last iteration of the step. @param pattern of K, asked for once
   bool pays(const std::function<NodeBlockMatrix<Dim>()>& pattern);
-  /// One iteration by UMFPACK: condense, solve, expand until the states agree. @returns false if a system is singular; nothing has
-  /// moved then
+  /// One iteration by UMFPACK: condense, solve, expand until the states agree. @returns false if a system is singular, or so few nodes
+  /// are left in contact that it does not pay; nothing has moved then
   bool iterate(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& R, Eigen::VectorXd& u);
   /// States have changed and nothing has moved: the same K is condensed anew, see CondensedIteration::advance.
   bool again() const { return m_way.again(); }
