@@ -203,7 +203,6 @@ template <int Dim>
 const Eigen::VectorXd& ColumnFactor<Dim>::Impl::combined(const Eigen::VectorXd& p, const char* where) {
   require(static_cast<std::size_t>(p.size()) == Dim * candidates.size(), where, "p.size()", p.size(),
           "Dim*candidates");
-  if (!p.allFinite()) fail(where, "p is not finite, expected finite numbers");
   std::vector<int> loaded;
   for (Eigen::Index i = 0; i < p.size(); ++i)
     if (p[i] != 0) loaded.push_back(dof_of(static_cast<int>(i)));
@@ -298,6 +297,7 @@ template <int Dim>
 Eigen::VectorXd ColumnFactor<Dim>::displacement(const SweptLoad& load, const Eigen::VectorXd& p) const {
   const char* where = "ColumnFactor::displacement";
   m_impl->require_factor(where);
+  if (!p.allFinite()) fail(where, "p is not finite, expected finite numbers");
   return load.y + m_impl->scattered(m_impl->combined(p, where));
 }
 
