@@ -191,7 +191,7 @@ template <int Dim> void Corrector<Dim>::measure(const NodeBlockMatrix<Dim>& K) {
 }
 
 template <int Dim> double Corrector<Dim>::compliance() const {
-  if (!m_has_factor || !m_tangent->flexibility) return 0;
+  if (!m_has_factor || !m_tangent->flexibility || m_tangent->flexibility->size() == 0) return 0;
   return m_tangent->flexibility->diagonal().maxCoeff();
 }
 
