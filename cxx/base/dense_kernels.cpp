@@ -71,20 +71,20 @@ bool cholesky(Eigen::MatrixXd& A) {
   return info == 0;
 }
 
-void solve_lower(const Eigen::MatrixXd& L, bool transposed, Eigen::MatrixXd& X) {
-  const Eigen::Index n = X.rows();
-  if (n >= LARGE_BLOCK) {
-    const int rows = number(n), columns = number(X.cols()), stride = number(L.rows());
+void solve_lower(const MatrixPart& L, bool transposed, Eigen::MatrixXd& X) {
+  if (L.rows >= LARGE_BLOCK) {
+    const int rows = number(X.rows()), columns = number(X.cols());
     const double one = 1;
-    dtrsm_("L", "L", transposed ? "T" : "N", "N", &rows, &columns, &one, L.data(), &stride, X.data(), &rows,
+    dtrsm_("L", "L", transposed ? "T" : "N", "N", &rows, &columns, &one, L.values, &L.stride, X.data(), &rows,
            1, 1, 1, 1);
     return;
   }
-  const auto lower = L.topLeftCorner(n, n).triangularView<Eigen::Lower>();
+  const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> part(L.values, L.rows, L.rows,
+                                                                        Eigen::OuterStride<>(L.stride));
   if (transposed)
-    lower.transpose().solveInPlace(X);
+    part.triangularView<Eigen::Lower>().transpose().solveInPlace(X);
   else
-    lower.solveInPlace(X);
+    part.triangularView<Eigen::Lower>().solveInPlace(X);
 }
 
 Eigen::MatrixXd inverse_from_cholesky(const Eigen::MatrixXd& L, Eigen::Index n) {
@@ -110,12 +110,6 @@ void multiply(const MatrixPart& A, bool transposed, const Eigen::MatrixXd& B, Ei
   if (C.size() == 0) return;
   dgemm_(transposed ? "T" : "N", "N", &rows, &columns, &inner, &one, A.values, &A.stride, B.data(), &inner,
          &none, C.data(), &rows, 1, 1);
-}
-
-void solve_lower(const MatrixPart& L, Eigen::MatrixXd& X) {
-  const int rows = number(X.rows()), columns = number(X.cols());
-  const double one = 1;
-  dtrsm_("L", "L", "N", "N", &rows, &columns, &one, L.values, &L.stride, X.data(), &rows, 1, 1, 1, 1);
 }
 
 bool solve_regular(const Eigen::MatrixXd& A, double least, Eigen::VectorXd& x) {

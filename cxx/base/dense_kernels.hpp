@@ -12,9 +12,6 @@ constexpr Eigen::Index LARGE_BLOCK = 64;
 /// @param A [n x n] symmetric
 bool cholesky(Eigen::MatrixXd& A);
 
-/// X = L^-1 X or L'^-1 X. @param L its leading lower triangle counts, as many rows as X has @param X [n x columns]
-void solve_lower(const Eigen::MatrixXd& L, bool transposed, Eigen::MatrixXd& X);
-
 /// (L L')^-1. @param L its leading lower triangle of n rows counts
 Eigen::MatrixXd inverse_from_cholesky(const Eigen::MatrixXd& L, Eigen::Index n);
 
@@ -29,8 +26,8 @@ struct MatrixPart {
 /// C = A B or A' B. @param B and C, which is as large as the product, are whole
 void multiply(const MatrixPart& A, bool transposed, const Eigen::MatrixXd& B, Eigen::MatrixXd& C);
 
-/// X = L^-1 X, of any number of columns. @param L lower triangle, as many rows as X has
-void solve_lower(const MatrixPart& L, Eigen::MatrixXd& X);
+/// X = L^-1 X or L'^-1 X. @param L its lower triangle counts, as many rows as X has @param X [n x columns]
+void solve_lower(const MatrixPart& L, bool transposed, Eigen::MatrixXd& X);
 
 /// x = A^-1 x, by rows' pivots. @returns false if a pivot is 0 or the reciprocal of A's condition number (estimated, in the norm of
 /// column sums) is no more than `least` [-]; x is as it was then

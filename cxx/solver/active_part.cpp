@@ -135,8 +135,10 @@ Eigen::MatrixXd ActivePart::solve(const Eigen::MatrixXd& B) const {
     if (m_inverse.rows() == 0) m_inverse = inverse_from_cholesky(m_lower, n);
     X = (m_inverse * X.sparseView()).eval();
   } else {
-    solve_lower(m_lower, false, X);
-    solve_lower(m_lower, true, X);
+    const MatrixPart L{m_lower.data(), static_cast<int>(n), static_cast<int>(n),
+                       static_cast<int>(m_lower.rows())};
+    solve_lower(L, false, X);
+    solve_lower(L, true, X);
   }
   Eigen::MatrixXd result(n, B.cols());
   for (Eigen::Index j = 0; j < B.cols(); ++j)

@@ -1,8 +1,8 @@
 #include "solver/column_factor.hpp"
 #include "base/error.hpp"
-#include <Eigen/SparseCore>
+#include "solver/asymmetry.hpp"
+#include "solver/free_rows.hpp"
 #include <cmath>
-#include <cstdint>
 
 namespace burnish {
 namespace {
@@ -21,11 +21,7 @@ template <int Dim> struct ColumnFactor<Dim>::Impl {
   std::vector<int> row_start, col; // the node pattern analyzed
   std::vector<char> fixed;
   std::vector<int> candidates;
-  std::vector<int> free, place;    // free dofs; per dof its place among them, -1: fixed
-  SparsePattern rows;              // of the free dofs; the lower triangle for a symmetric solver
-  std::vector<std::uint32_t> slot; // per entry, its place in NodeBlockMatrix::value
-  std::vector<int> diagonal;       // per free dof
-  std::vector<double> value;
+  FreeRows<Dim> rows;
   bool symmetric = true, has_factor = false;
   int analyses = 0;
   long solved_columns = 0;
@@ -37,14 +33,8 @@ template <int Dim> struct ColumnFactor<Dim>::Impl {
   std::vector<std::vector<int>> calls;   // the same by calls
   Eigen::VectorXd last_weight, last_sum; // of combined()
 
-  void build(const NodeBlockMatrix<Dim>& K);
-  void take_values(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& added);
-  bool is_symmetric() const;
-  Eigen::VectorXd product(const Eigen::VectorXd& x) const;
   FactorStatus tried();
   Eigen::VectorXd solve_free(Eigen::VectorXd b) const;
-  Eigen::VectorXd gathered(const Eigen::VectorXd& b, const char* where) const;
-  Eigen::VectorXd scattered(const Eigen::VectorXd& x) const;
   void know(const std::vector<int>& dofs);
   void solve_for(const std::vector<int>& dofs);
   const Eigen::VectorXd& combined(const Eigen::VectorXd& p, const char* where);
@@ -54,79 +44,17 @@ template <int Dim> struct ColumnFactor<Dim>::Impl {
   }
 };
 
-// Rows of the free dofs, columns ascending.
-template <int Dim> void ColumnFactor<Dim>::Impl::build(const NodeBlockMatrix<Dim>& K) {
-  free.clear();
-  place.assign(fixed.size(), -1);
-  for (std::size_t d = 0; d < fixed.size(); ++d)
-    if (!fixed[d]) {
-      place[d] = static_cast<int>(free.size());
-      free.push_back(static_cast<int>(d));
-    }
-  const bool half = solver->symmetric();
-  std::vector<int> start{0}, column;
-  slot.clear();
-  diagonal.clear();
-  for (const int row : free) {
-    for (int k = K.row_start[row / Dim]; k < K.row_start[row / Dim + 1]; ++k)
-      for (int c = 0; c < Dim; ++c) {
-        const int d = Dim * K.col[k] + c;
-        if (place[d] < 0 || (half && d > row)) continue;
-        if (d == row) diagonal.push_back(static_cast<int>(column.size()));
-        column.push_back(place[d]);
-        slot.push_back(static_cast<std::uint32_t>(Dim * Dim * k + Dim * (row % Dim) + c));
-      }
-    start.push_back(static_cast<int>(column.size()));
-  }
-  const std::vector<double> nothing(column.size(), 0);
-  const SparseView view{static_cast<int>(free.size()), start.data(), column.data(), nothing.data(), half};
-  rows = SparsePattern("ColumnFactor::analyze", view);
-  solver->analyze(view);
-  ++analyses;
-}
-
-template <int Dim>
-void ColumnFactor<Dim>::Impl::take_values(const NodeBlockMatrix<Dim>& K, const Eigen::VectorXd& added) {
-  value.resize(slot.size());
-  for (std::size_t k = 0; k < slot.size(); ++k) value[k] = K.value[slot[k]];
-  for (Eigen::Index i = 0; i < added.size(); ++i) {
-    const int at = place[dof_of(static_cast<int>(i))];
-    if (at >= 0) value[diagonal[at]] += added[i];
-  }
-  check_values("ColumnFactor::factorize",
-               {rows.n, rows.row_start.data(), rows.col.data(), value.data(), rows.symmetric});
-}
-
-template <int Dim> bool ColumnFactor<Dim>::Impl::is_symmetric() const {
-  if (rows.symmetric) return true;
-  double largest = 0, worst = 0;
-  for (std::size_t k = 0; k < value.size(); ++k) {
-    const double mirrored = rows.mirror[k] < 0 ? 0 : value[rows.mirror[k]];
-    largest = std::max(largest, std::abs(value[k]));
-    worst = std::max(worst, std::abs(value[k] - mirrored));
-  }
-  return worst <= SYMMETRIC * largest;
-}
-
-template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::Impl::product(const Eigen::VectorXd& x) const {
-  const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> K(
-      rows.n, rows.n, static_cast<Eigen::Index>(value.size()), rows.row_start.data(), rows.col.data(),
-      value.data());
-  if (rows.symmetric) return K.template selfadjointView<Eigen::Lower>() * x;
-  return K * x;
-}
-
 // A right-hand side without symmetry, and its solution as the next one: softest motions come out of an inverse iteration, a
 // negative one among them, too. Goes on until the softness found hardly grows.
 template <int Dim> FactorStatus ColumnFactor<Dim>::Impl::tried() {
   const FactorStatus refused =
       solver->symmetric() ? FactorStatus::NOT_POSITIVE_DEFINITE : FactorStatus::SINGULAR;
-  Eigen::VectorXd b(rows.n);
-  for (int i = 0; i < rows.n; ++i) b[i] = std::sin(1. + 7. * i);
+  Eigen::VectorXd b(rows.size());
+  for (int i = 0; i < rows.size(); ++i) b[i] = std::sin(1. + 7. * i);
   double softness = 0;
   for (int turn = 0; turn < MOST_TURNS; ++turn) {
     const Eigen::VectorXd x = solve_free(b);
-    if (!x.allFinite() || !((product(x) - b).norm() <= SOLVED * b.norm())) return refused;
+    if (!x.allFinite() || !((rows.product(x) - b).norm() <= SOLVED * b.norm())) return refused;
     if (symmetric && b.dot(x) < 0) return FactorStatus::NOT_POSITIVE_DEFINITE;
     const double before = softness;
     softness = x.norm() / b.norm();
@@ -142,29 +70,14 @@ template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::Impl::solve_free(Eigen::Ve
   return x;
 }
 
-template <int Dim>
-Eigen::VectorXd ColumnFactor<Dim>::Impl::gathered(const Eigen::VectorXd& b, const char* where) const {
-  require(static_cast<std::size_t>(b.size()) == fixed.size(), where, "b.size()", b.size(), "Dim*num_nodes");
-  for (const int d : free)
-    if (!std::isfinite(b[d]))
-      fail(where, "b[" + std::to_string(d) + "] is not finite, expected finite numbers");
-  return b(free);
-}
-
-template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::Impl::scattered(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(fixed.size()));
-  all(free) = x;
-  return all;
-}
-
 // Columns for these dofs, those of them that are free and not known yet.
 template <int Dim> void ColumnFactor<Dim>::Impl::know(const std::vector<int>& dofs) {
   std::vector<int> fresh, at;
   for (const int d : dofs)
-    if (place[d] >= 0 && number[d] < 0) {
+    if (rows.row_of(d) >= 0 && number[d] < 0) {
       number[d] = static_cast<int>(known.size() + fresh.size());
       fresh.push_back(d);
-      at.push_back(place[d]);
+      at.push_back(rows.row_of(d));
     }
   if (fresh.empty()) return;
   known.insert(known.end(), fresh.begin(), fresh.end());
@@ -186,15 +99,16 @@ template <int Dim> void ColumnFactor<Dim>::Impl::know(const std::vector<int>& do
 // The last known dofs, by the solver, in one call.
 template <int Dim> void ColumnFactor<Dim>::Impl::solve_for(const std::vector<int>& dofs) {
   const auto count = static_cast<Eigen::Index>(dofs.size()), needed = static_cast<Eigen::Index>(known.size());
-  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(rows.n, count);
-  for (Eigen::Index j = 0; j < count; ++j) B(place[dofs[j]], j) = 1;
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(rows.size(), count);
+  for (Eigen::Index j = 0; j < count; ++j) B(rows.row_of(dofs[j]), j) = 1;
   solver->solve(B);
-  if (columns.rows() != rows.n || columns.cols() < needed) columns.conservativeResize(rows.n, C->cols());
+  if (columns.rows() != rows.size() || columns.cols() < needed)
+    columns.conservativeResize(rows.size(), C->cols());
   columns.middleCols(needed - count, count) = B;
   for (Eigen::Index j = needed - count; j < needed; ++j)
     for (Eigen::Index i = 0; i < needed; ++i) {
-      (*C)(i, j) = columns(place[known[i]], j);
-      (*C)(j, i) = columns(place[known[j]], i);
+      (*C)(i, j) = columns(rows.row_of(known[i]), j);
+      (*C)(j, i) = columns(rows.row_of(known[j]), i);
     }
 }
 
@@ -212,13 +126,13 @@ const Eigen::VectorXd& ColumnFactor<Dim>::Impl::combined(const Eigen::VectorXd& 
     const int column = number[dof_of(static_cast<int>(i))];
     if (column >= 0) weight[column] = p[i];
   }
-  if (last_weight.size() == weight.size() && last_weight == weight && last_sum.size() == rows.n)
+  if (last_weight.size() == weight.size() && last_weight == weight && last_sum.size() == rows.size())
     return last_sum;
   last_weight = weight;
   if (halves)
     last_sum = solver->second_half(halves->sum(weight));
   else {
-    last_sum = Eigen::VectorXd::Zero(rows.n);
+    last_sum = Eigen::VectorXd::Zero(rows.size());
     for (Eigen::Index j = 0; j < weight.size(); ++j)
       if (weight[j] != 0) last_sum += weight[j] * columns.col(j);
   }
@@ -248,7 +162,9 @@ void ColumnFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::
   impl.row_start = pattern.row_start;
   impl.col = pattern.col;
   impl.fixed = fixed;
-  impl.build(pattern);
+  impl.rows = FreeRows<Dim>(pattern, fixed, impl.solver->symmetric());
+  impl.solver->analyze(impl.rows.view());
+  ++impl.analyses;
 }
 
 template <int Dim>
@@ -260,16 +176,20 @@ FactorStatus ColumnFactor<Dim>::factorize(NodeBlockMatrix<Dim> matrix, const Eig
     fail(where, "the matrix has not the pattern analyzed, call analyze first");
   require(added.size() == 0 || static_cast<std::size_t>(added.size()) == Dim * impl.candidates.size(), where,
           "added.size()", added.size(), "Dim*candidates or 0");
-  impl.take_values(matrix, added);
+  impl.rows.take_values(matrix);
   matrix = {};
-  impl.symmetric = impl.is_symmetric();
+  for (Eigen::Index i = 0; i < added.size(); ++i)
+    if (const int at = impl.rows.row_of(impl.dof_of(static_cast<int>(i))); at >= 0)
+      impl.rows.add_to_diagonal(at, added[i]);
+  check_values(where, impl.rows.view());
+  impl.symmetric = largest_asymmetry(impl.rows.view()) <= SYMMETRIC;
   impl.number.assign(impl.fixed.size(), -1);
   impl.known.clear();
   impl.calls.clear();
   impl.halves.reset();
   impl.last_sum.resize(0);
   impl.C = std::make_shared<Eigen::MatrixXd>();
-  if (!impl.solver->factorize(impl.value.data()))
+  if (!impl.solver->factorize(impl.rows.view().value))
     return impl.solver->symmetric() ? FactorStatus::NOT_POSITIVE_DEFINITE : FactorStatus::SINGULAR;
   const FactorStatus status = impl.tried();
   impl.has_factor = status == FactorStatus::OK;
@@ -284,7 +204,7 @@ template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::solve(const Eigen::VectorX
 template <int Dim> SweptLoad ColumnFactor<Dim>::sweep(const Eigen::VectorXd& b) const {
   const char* where = "ColumnFactor::sweep";
   m_impl->require_factor(where);
-  return {m_impl->scattered(m_impl->solve_free(m_impl->gathered(b, where)))};
+  return {m_impl->rows.scattered(m_impl->solve_free(m_impl->rows.gathered(b, where)))};
 }
 
 template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::candidate_displacement(const SweptLoad& load) const {
@@ -298,13 +218,13 @@ Eigen::VectorXd ColumnFactor<Dim>::displacement(const SweptLoad& load, const Eig
   const char* where = "ColumnFactor::displacement";
   m_impl->require_factor(where);
   if (!p.allFinite()) fail(where, "p is not finite, expected finite numbers");
-  return load.y + m_impl->scattered(m_impl->combined(p, where));
+  return load.y + m_impl->rows.scattered(m_impl->combined(p, where));
 }
 
 template <int Dim> Eigen::VectorXd ColumnFactor<Dim>::displacement_under(const Eigen::VectorXd& p) const {
   const char* where = "ColumnFactor::displacement_under";
   m_impl->require_factor(where);
-  return candidate_displacement({m_impl->scattered(m_impl->combined(p, where))});
+  return candidate_displacement({m_impl->rows.scattered(m_impl->combined(p, where))});
 }
 
 template <int Dim> std::shared_ptr<const Eigen::MatrixXd> ColumnFactor<Dim>::candidate_flexibility() const {
@@ -319,7 +239,7 @@ std::vector<int> ColumnFactor<Dim>::complete_flexibility(const std::vector<int>&
   std::vector<int> dofs;
   for (const int i : components) {
     dofs.push_back(m_impl->dof_of(i));
-    require(m_impl->place[dofs.back()] >= 0, where, "component", i, "a free one");
+    require(m_impl->rows.row_of(dofs.back()) >= 0, where, "component", i, "a free one");
   }
   m_impl->know(dofs);
   for (int& d : dofs) d = m_impl->number[d];

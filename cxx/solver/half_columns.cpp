@@ -62,7 +62,7 @@ void HalfColumns::pass(int s, Eigen::MatrixXd& gram) {
   for (Eigen::Index i = 0; i < own; ++i)
     for (Eigen::Index k = 0; k < columns; ++k)
       X(i, k) = std::exchange(m_rest(m_L.first[s] + i, passing[k]), 0.);
-  solve_lower(MatrixPart{m_L.panel(s), own, own, stride}, X);
+  solve_lower({m_L.panel(s), own, own, stride}, false, X);
   if (below > 0) {
     Eigen::MatrixXd carried(below, columns);
     multiply({m_L.panel(s) + own, below, own, stride}, false, X, carried);

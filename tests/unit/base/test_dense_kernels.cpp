@@ -29,8 +29,9 @@ TEST_P(DenseKernels, CholeskyAndInverse) {
   ASSERT_TRUE(cholesky(L));
   L.triangularView<Eigen::StrictlyUpper>().setConstant(1e300); // is not read
   L.conservativeResize(n + 7, n + 7);
-  solve_lower(L, false, X);
-  solve_lower(L, true, X);
+  const MatrixPart lower{L.data(), static_cast<int>(n), static_cast<int>(n), static_cast<int>(n + 7)};
+  solve_lower(lower, false, X);
+  solve_lower(lower, true, X);
   EXPECT_LT((C * X - B).norm(), 1e-12 * B.norm());
   if (n >= LARGE_BLOCK) {
     EXPECT_LT((inverse_from_cholesky(L, n) * B - X).norm(), 1e-12 * X.norm());
