@@ -89,7 +89,10 @@ template <int Dim> std::string words(const Failure& f, const ContactModel<Dim>& 
     return "the workpiece is not held: neither supports (fixed=) nor the tools that touch it take all its "
            "rigid motions; soft springs do: contact.hold";
   case Cause::TIPS_OVER:
-    return "nothing resists a motion of the tools under force control: a tool tips over or rolls away";
+    return f.tool >= 0
+               ? "no pressure on the nodes near " + tool +
+                     " balances the forces on it: it tips over or rolls away"
+               : "nothing resists a motion of the tools under force control: a tool tips over or rolls away";
   case Cause::UNRESISTED:
     return "nothing resists " + coordinate + " under force control" +
            (f.flag ? ": no node in contact moves with it" : "");

@@ -16,8 +16,8 @@ enum class Cause {
   WEDGED,              ///< the same; node, place, value: its friction, allowed: its normal force [force]
   UNSTABLE,            ///< the tangent is not positive definite
   NOT_FACTORED,        ///< a solver of general matrices has not solved with the tangent
-  NOT_HELD,   ///< neither supports nor the tools that touch it take all rigid motions of the workpiece
-  TIPS_OVER,  ///< nothing resists a motion of the tools under force
+  NOT_HELD, ///< neither supports nor the tools that touch it take all rigid motions of the workpiece
+  TIPS_OVER, ///< nothing resists a motion of the tools under force; tool: no pressure balances its forces, -1: unknown
   UNRESISTED, ///< coordinate: nothing resists it; flag: no node in contact moves with it
   SINGULAR,   ///< the contact block; flag: supports leave the workpiece a rigid motion
   FORMULA,    ///< text: a formula of the coordinates has no value
