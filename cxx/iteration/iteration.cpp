@@ -44,6 +44,7 @@ void Iteration<Dim>::begin(const PrescribedValues& prescribed, const ContactStat
   m_R.resize(0);
   m_way_back.begin();
   m_policy.begin();
+  m_balance.set_coarse_gaps(false);
   m_failure = {};
 }
 

@@ -34,8 +34,10 @@ Eigen::VectorXd StepBalance<Dim>::allowed_of_tools(double scale, const Eigen::Ve
 }
 
 template <int Dim> Tolerances StepBalance<Dim>::tolerances(double scale, const Eigen::VectorXd& tools) const {
-  const double h = m_body.spacing, gap = m_options.gap_tolerance * h;
-  return {allowed(scale), gap, gap, m_options.offset_tolerance * h, allowed_of_tools(scale, tools)};
+  const double h = m_body.spacing, slip = m_options.gap_tolerance * h, offset = m_options.offset_tolerance * h;
+  const double coarse = std::min(1., m_options.tolerance / IterationOptions().tolerance) * offset;
+  return {allowed(scale), m_coarse_gaps ? std::max(slip, coarse) : slip, slip, offset,
+          allowed_of_tools(scale, tools)};
 }
 
 template <int Dim> Tolerances StepBalance<Dim>::tolerances() const {
@@ -47,7 +49,7 @@ template <int Dim> Tolerances StepBalance<Dim>::state_tolerances() const {
   result.force *= STATE_FORCE;
   result.tool_force *= STATE_FORCE;
   result.gap *= STATE_GAP;
-  result.slip = STATE_SLIP * result.gap;
+  result.slip *= STATE_GAP * STATE_SLIP;
   return result;
 }
 

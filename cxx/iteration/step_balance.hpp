@@ -22,6 +22,8 @@ public:
   const LoadMemory& memory() const { return m_memory; }
   /// What a soft hold carries: a load as supports have it [force].
   void set_held(double force) { m_held = force; }
+  /// True: free nodes may be as far inside a tool as contact nodes may be off it (ALGORITHMS.md 8.8).
+  void set_coarse_gaps(bool coarse) { m_coarse_gaps = coarse; }
 
   /// Balance of an iterate, which last() is then. @param R internal minus external nodal force, num_dofs [force]
   void look(const ContactState<Dim>& state, const PrescribedValues& prescribed, const Eigen::VectorXd& u,
@@ -50,6 +52,7 @@ private:
   const IterationOptions& m_options;
   LoadMemory m_memory;
   double m_held = 0;
+  bool m_coarse_gaps = false;
   Balance m_last;
 };
 

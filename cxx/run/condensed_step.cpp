@@ -93,6 +93,7 @@ bool CondensedStep<Dim>::iterate(const NodeBlockMatrix<Dim>& K, const Eigen::Vec
                                  Eigen::VectorXd& u) {
   constexpr double SINGULAR = 1e-10; // of pivots: bodies that are held have 1e-7 and more, others 1e-14
   IterationCounts& counts = m_iteration.counts();
+  m_iteration.balance().set_coarse_gaps(true);
   do {
     const CondensedSystem& system =
         condense(K, u, R, m_iteration.options().terms, RightHandSide::TOTAL, false);
