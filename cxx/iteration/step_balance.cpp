@@ -34,7 +34,8 @@ Eigen::VectorXd StepBalance<Dim>::allowed_of_tools(double scale, const Eigen::Ve
 }
 
 template <int Dim> Tolerances StepBalance<Dim>::tolerances(double scale, const Eigen::VectorXd& tools) const {
-  const double h = m_body.spacing, slip = m_options.gap_tolerance * h, offset = m_options.offset_tolerance * h;
+  const double h = m_body.spacing, slip = m_options.gap_tolerance * h,
+               offset = m_options.offset_tolerance * h;
   const double coarse = std::min(1., m_options.tolerance / IterationOptions().tolerance) * offset;
   return {allowed(scale), m_coarse_gaps ? std::max(slip, coarse) : slip, slip, offset,
           allowed_of_tools(scale, tools)};

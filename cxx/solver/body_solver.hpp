@@ -12,7 +12,7 @@ struct SweptLoad {
   Eigen::VectorXd y;
 };
 
-/// One tangent at a time. Implementations: SchurFactor (candidates last), ColumnFactor (columns of K^-1).
+/// One tangent at a time. Implementations: SchurFactor (candidates last), ColumnFactor (columns).
 template <int Dim> class BodySolver {
 public:
   virtual ~BodySolver() = default;
