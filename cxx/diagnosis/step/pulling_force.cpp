@@ -32,10 +32,8 @@ private:
     const ContactModel<Dim>& model = step.setup.model();
     std::vector<int> forced;
     for (int k = model.first[tool]; k < model.first[tool + 1]; ++k)
-      if (!step.prescribed.formula.empty() && step.prescribed.formula[k])
-        return {}; // its force is not known here
-      else if (!step.prescribed.is_motion[k] && !model.coupling_of(k) && model.followers(k).empty() &&
-               !step.prescribed.is_held(k))
+      if (!step.prescribed.is_motion[k] && !model.coupling_of(k) && model.followers(k).empty() &&
+          !step.prescribed.is_held(k))
         forced.push_back(k);
     return forced;
   }
@@ -68,6 +66,8 @@ private:
                         const std::vector<int>& forced, int tool) {
     const ContactModel<Dim>& model = step.setup.model();
     const auto rows = static_cast<Eigen::Index>(forced.size());
+    for (const int k : forced) // a force by a formula is not known here
+      if (!step.prescribed.formula.empty() && step.prescribed.formula[k]) return false;
     std::vector<Eigen::VectorXd> columns;
     for (int i = 0; i < static_cast<int>(step.state.nodes.size()); ++i) {
       if (!model.may_touch(i, tool)) continue;
