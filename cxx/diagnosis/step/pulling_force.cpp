@@ -12,6 +12,7 @@ constexpr double LEFT = 1e-3; // part of the forces that pressure leaves: beyond
 template <int Dim> class PullingForce final : public ObserverOf<PullingForce<Dim>, Dim> {
 public:
   void explain(const FailedStep<Dim>& step, std::vector<Failure>& causes) const override {
+    if (step.prescribed.value.size() == 0) return; // no step was begun
     const auto poses = step.setup.model().poses(step.state.q);
     for (int tool = 0; tool < static_cast<int>(poses.size()); ++tool) {
       const std::vector<int> forced = forced_coordinates(step, tool);
