@@ -163,6 +163,7 @@ void ColumnFactor<Dim>::analyze(const NodeBlockMatrix<Dim>& pattern, const std::
   impl.col = pattern.col;
   impl.fixed = fixed;
   impl.rows = FreeRows<Dim>(pattern, fixed, impl.solver->symmetric());
+  SparsePattern(where, impl.rows.view()); // refuses one that is empty or not sorted
   impl.solver->analyze(impl.rows.view());
   ++impl.analyses;
 }

@@ -33,8 +33,7 @@ private:
     const ContactModel<Dim>& model = step.setup.model();
     std::vector<int> forced;
     for (int k = model.first[tool]; k < model.first[tool + 1]; ++k)
-      if (!step.prescribed.is_motion[k] && !model.coupling_of(k) && model.followers(k).empty() &&
-          !step.prescribed.is_held(k))
+      if (!step.prescribed.is_motion[k] && !model.coupling_of(k) && !step.prescribed.is_held(k))
         forced.push_back(k);
     return forced;
   }
@@ -67,8 +66,9 @@ private:
                         const std::vector<int>& forced, int tool) {
     const ContactModel<Dim>& model = step.setup.model();
     const auto rows = static_cast<Eigen::Index>(forced.size());
-    for (const int k : forced) // a force by a formula is not known here
-      if (!step.prescribed.formula.empty() && step.prescribed.formula[k]) return false;
+    for (const int k : forced) // nor a force by a formula nor those of what follows it are known here
+      if (!model.followers(k).empty() || (!step.prescribed.formula.empty() && step.prescribed.formula[k]))
+        return false;
     std::vector<Eigen::VectorXd> columns;
     for (int i = 0; i < static_cast<int>(step.state.nodes.size()); ++i) {
       if (!model.may_touch(i, tool)) continue;
